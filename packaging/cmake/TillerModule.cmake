@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: MIT
+# The three functions every folder's CMakeLists.txt is written with.
+
+# What every target of ours is compiled with. Errors, not warnings: see README, "Contributing".
+add_library(tiller_options INTERFACE)
+target_compile_features(tiller_options INTERFACE cxx_std_20)
+target_include_directories(tiller_options INTERFACE ${CMAKE_SOURCE_DIR})
+target_compile_definitions(tiller_options INTERFACE QT_NO_KEYWORDS QT_NO_FOREACH)
+if(NOT MSVC)
+    target_compile_options(tiller_options INTERFACE
+        -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
+else()
+    target_compile_options(tiller_options INTERFACE /W4 /WX /permissive-)
+endif()
+if(TILLER_SANITIZE)
+    target_compile_options(tiller_options INTERFACE
+        -fsanitize=${TILLER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+    target_link_options(tiller_options INTERFACE -fsanitize=${TILLER_SANITIZE})
+endif()
+if(TILLER_BUILD_FUZZERS)
+    target_compile_options(tiller_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined)
+    target_link_options(tiller_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+# tiller_module(NAME <room> SOURCES <files...> DEPENDS <targets...>)
+# A static library tiller_<room>, known to others as tiller::<room>.
+function(tiller_module)
+    cmake_parse_arguments(ARG "" "NAME" "SOURCES;DEPENDS" ${ARGN})
+    add_library(tiller_${ARG_NAME} STATIC ${ARG_SOURCES})
+    add_library(tiller::${ARG_NAME} ALIAS tiller_${ARG_NAME})
+    target_link_libraries(tiller_${ARG_NAME} PUBLIC ${ARG_DEPENDS} PRIVATE tiller_options)
+    target_include_directories(tiller_${ARG_NAME} PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>)
+    set_target_properties(tiller_${ARG_NAME} PROPERTIES AUTOMOC ON)
+endfunction()
+
+# tiller_test(NAME <tst_x> SOURCES <files...> DEPENDS <targets...> [OFFSCREEN] [SERIAL] [TIMEOUT s])
+# A Qt Test program, run by ctest under the name <last folder>/<tst_x>.
+# OFFSCREEN runs it on Qt's offscreen platform; SERIAL keeps other tests away from the machine while it runs.
+function(tiller_test)
+    cmake_parse_arguments(ARG "OFFSCREEN;SERIAL" "NAME;TIMEOUT" "SOURCES;DEPENDS;LABELS" ${ARGN})
+    add_executable(${ARG_NAME} ${ARG_SOURCES})
+    target_link_libraries(${ARG_NAME} PRIVATE ${ARG_DEPENDS} Qt6::Test tiller_options)
+    set_target_properties(${ARG_NAME} PROPERTIES AUTOMOC ON
+        RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin/tests)
+    file(RELATIVE_PATH folder ${CMAKE_SOURCE_DIR}/tests ${CMAKE_CURRENT_SOURCE_DIR})
+    add_test(NAME ${folder}/${ARG_NAME} COMMAND ${ARG_NAME})
+    if(NOT ARG_TIMEOUT)
+        set(ARG_TIMEOUT 120)
+    endif()
+    set(environment "TILLER_TEST_DATA=${CMAKE_SOURCE_DIR}/tests/data" "LC_ALL=C.UTF-8")
+    list(APPEND environment "QT_QPA_PLATFORM=offscreen")
+    list(APPEND environment "TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/tsan.supp")
+    list(APPEND environment "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/lsan.supp")
+    set_tests_properties(${folder}/${ARG_NAME} PROPERTIES
+        TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "${environment}" LABELS "${ARG_LABELS}")
+    if(ARG_SERIAL)
+        set_tests_properties(${folder}/${ARG_NAME} PROPERTIES RUN_SERIAL ON)
+    endif()
+endfunction()

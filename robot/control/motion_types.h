@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What may be asked of the arm, why it stops, and what a stop measured. Plain data, shared by the controller,
+// the session and the widgets.
+
+#include <cstdint>
+
+#include "robot/core/joints.h"
+#include "robot/core/spatial.h"
+
+namespace tiller::control {
+
+enum class JogFrame : std::uint8_t {
+    Base,    ///< axes of the controller's base frame
+    Tool,    ///< axes of the tool, followed while it turns
+    Custom,  ///< axes of JogTarget::T_base_frame (a taught frame, or the direction the operator looks from)
+};
+
+/// A velocity the arm shall have until it is refreshed, changed or expires. Rotation is about the active TCP.
+struct JogTarget {
+    enum class Kind : std::uint8_t { Cartesian, Joint };
+    Kind kind = Kind::Cartesian;
+    JogFrame frame = JogFrame::Base;
+    Twist twist;         ///< Cartesian: in the axes of `frame` [m/s, rad/s]
+    JointVelocities qd;  ///< Joint [rad/s]
+    Pose T_base_frame;   ///< only for JogFrame::Custom; its rotation counts, its position does not
+
+    friend bool operator==(const JogTarget&, const JogTarget&) = default;
+};
+
+/// Why a motion ended. Each has its own sentence in the interface.
+enum class StopCause : std::uint8_t {
+    None,
+    Released,
+    PointerLeft,
+    FocusLost,
+    WindowDeactivated,
+    WindowClosed,
+    DialogOpened,
+    SelectionChanged,  ///< tab, perspective, frame, TCP, mode, step or speed class
+    SecondButton,
+    Escape,
+    Space,
+    StopButton,
+    DeviceLost,
+    DataStale,
+    UnsafeMode,
+    EventLoopStalled,  ///< the caller did not refresh in time
+    Sleep,
+    LinkLost,
+    LimitReached,
+    ControlLost,
+    Completed,  ///< a bounded motion reached its target
+    ApiCall,    ///< a program called stop()
+};
+
+/// From the moment the stop was asked for to standstill, measured on the data received from the robot.
+struct StopMeasurement {
+    StopCause cause = StopCause::None;
+    double durationMs = 0;
+    double distanceMm = 0;    ///< path length of the TCP
+    std::uint64_t count = 0;  ///< number of stops measured so far; 0 = none yet
+};
+
+/// Jog dynamics and caps. Source: operator-interface.md, "Numbers".
+struct MotionLimits {
+    double tcpSpeed = 0.250;                       ///< [m/s], the application's own cap
+    double tcpRotationSpeed = 0.7853981633974483;  ///< [rad/s] 45 deg/s
+    double jointSpeed = 0.5235987755982988;        ///< [rad/s] 30 deg/s
+    double jogAcceleration = 0.5;                  ///< [m/s2]
+    double jogDeceleration = 2.0;                  ///< [m/s2]
+    double jointAcceleration = 2.0;                ///< [rad/s2]
+    double jointDeceleration = 4.0;                ///< [rad/s2]
+};
+
+}  // namespace tiller::control

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Where time comes from. The product runs on the steady clock; tests put a virtual one in its place, so that
+// nothing they check depends on how fast the machine is.
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+
+namespace tiller {
+
+/// Monotonic time [ns] from an arbitrary origin.
+/// Threads  any. Real-time: yes
+class Clock {
+public:
+    virtual ~Clock() = default;
+    virtual std::int64_t nowNs() const = 0;
+};
+
+class SteadyClock final : public Clock {
+public:
+    std::int64_t nowNs() const override {
+        return std::chrono::duration_cast<std::chrono::nanoseconds>(
+                   std::chrono::steady_clock::now().time_since_epoch())
+            .count();
+    }
+    /// For owners that were given no clock: it has no state, so one serves all.
+    static const SteadyClock& shared() {
+        static const SteadyClock clock;
+        return clock;
+    }
+};
+
+/// Stands still until told to go on.
+class VirtualClock final : public Clock {
+public:
+    explicit VirtualClock(std::int64_t startNs = 1'000'000'000) : now_(startNs) {}
+    std::int64_t nowNs() const override { return now_.load(std::memory_order_acquire); }
+    void advanceNs(std::int64_t ns) { now_.fetch_add(ns, std::memory_order_acq_rel); }
+
+private:
+    std::atomic<std::int64_t> now_;
+};
+
+inline constexpr std::int64_t kNsPerMs = 1'000'000;
+inline constexpr std::int64_t kNsPerSecond = 1'000'000'000;
+
+}  // namespace tiller

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// How long a blocking call may take, and how to end it sooner. Every call of this library that can wait takes
+// one.
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <memory>
+
+namespace tiller {
+
+/// Shared between the one who waits and the one who may lose patience. Copies refer to the same flag.
+/// Threads  any
+class CancelToken {
+public:
+    CancelToken() : cancelled_(std::make_shared<std::atomic<bool>>(false)) {}
+    void cancel() const { cancelled_->store(true, std::memory_order_release); }
+    bool isCancelled() const { return cancelled_->load(std::memory_order_acquire); }
+
+private:
+    std::shared_ptr<std::atomic<bool>> cancelled_;
+};
+
+class Deadline {
+public:
+    using Clock = std::chrono::steady_clock;
+
+    static Deadline after(std::chrono::milliseconds time) {
+        return Deadline(Clock::now() + time, CancelToken());
+    }
+    static Deadline after(std::chrono::milliseconds time, const CancelToken& token) {
+        return Deadline(Clock::now() + time, token);
+    }
+
+    bool hasExpired() const { return token_.isCancelled() || Clock::now() >= end_; }
+    bool isCancelled() const { return token_.isCancelled(); }
+    std::chrono::milliseconds remaining() const {
+        if (token_.isCancelled()) {
+            return std::chrono::milliseconds(0);
+        }
+        const auto left = std::chrono::ceil<std::chrono::milliseconds>(end_ - Clock::now());
+        return std::max(left, std::chrono::milliseconds(0));
+    }
+    /// The longest a poll may sleep before it looks at the token again: at most 10 ms, so that a cancel
+    /// takes effect within 20 ms.
+    std::chrono::milliseconds nextPoll() const {
+        return std::min(remaining(), std::chrono::milliseconds(10));
+    }
+    const CancelToken& token() const { return token_; }
+
+private:
+    Deadline(Clock::time_point end, const CancelToken& token) : end_(end), token_(token) {}
+    Clock::time_point end_;
+    CancelToken token_;
+};
+
+}  // namespace tiller

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The controller's own state enumerations, with the numbers RTDE uses.
+// Source: RTDE guide; numbers above 13 from newer software.
+
+#include <QString>
+#include <cstdint>
+
+namespace tiller {
+
+enum class RobotMode : std::int32_t {
+    NoController = -1,
+    Disconnected = 0,
+    ConfirmSafety = 1,
+    Booting = 2,
+    PowerOff = 3,
+    PowerOn = 4,
+    Idle = 5,
+    Backdrive = 6,
+    Running = 7,
+    UpdatingFirmware = 8,
+};
+
+enum class SafetyMode : std::int32_t {
+    Normal = 1,
+    Reduced = 2,
+    ProtectiveStop = 3,
+    Recovery = 4,
+    SafeguardStop = 5,
+    SystemEmergencyStop = 6,
+    RobotEmergencyStop = 7,
+    Violation = 8,
+    Fault = 9,
+    ValidateJointId = 10,
+    Undefined = 11,
+    AutomaticModeSafeguardStop = 12,
+    SystemThreePositionEnablingStop = 13,
+    TpThreePositionEnablingStop = 14,
+    ImmiEmergencyStop = 15,
+    ImmiSafeguardStop = 16,
+    ProfisafeWaitingForParameters = 17,
+    ProfisafeAutomaticModeSafeguardStop = 18,
+    ProfisafeSafeguardStop = 19,
+    ProfisafeEmergencyStop = 20,
+    SafetyApiSafeguardStop = 22,
+};
+
+enum class RuntimeState : std::uint32_t {
+    Stopping = 0,
+    Stopped = 1,
+    Playing = 2,
+    Pausing = 3,
+    Paused = 4,
+    Resuming = 5,
+};
+
+enum class JointMode : std::int32_t {
+    PowerOff = 239,
+    Booting = 247,
+    Running = 253,
+    Idle = 255,
+};
+
+/// The controller's spelling: "POWER_OFF", "PROTECTIVE_STOP". Unknown numbers give "UNKNOWN_<n>".
+QString robotModeName(RobotMode mode);
+QString safetyModeName(SafetyMode mode);
+QString runtimeStateName(RuntimeState state);
+
+/// True in the two safety modes in which the arm may be moved.
+inline bool allowsMotion(SafetyMode mode) {
+    return mode == SafetyMode::Normal || mode == SafetyMode::Reduced;
+}
+
+}  // namespace tiller

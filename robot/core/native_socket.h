@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Reading and writing a TCP socket that Qt Network opened, without its buffers: what the 500 Hz loops and the
+// simulated controller use, because QTcpSocket allocates on the way. The only place with platform socket
+// calls.
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace tiller::native_socket {
+
+using Descriptor = std::intptr_t;
+
+enum class Status {
+    Ok,          ///< some bytes were moved
+    WouldBlock,  ///< none now; try again when the socket is ready
+    Closed,      ///< the peer ended the connection in good order
+    Failed,      ///< the connection is broken
+};
+
+struct Transfer {
+    Status status = Status::Failed;
+    std::size_t bytes = 0;
+};
+
+/// Makes the socket non-blocking, switches Nagle's algorithm off, keeps SIGPIPE away.
+void prepare(Descriptor socket);
+
+/// Threads  one reader and one writer at a time. Blocks: never. Real-time: one system call each
+Transfer receive(Descriptor socket, std::span<std::uint8_t> into);
+Transfer send(Descriptor socket, std::span<const std::uint8_t> bytes);
+
+/// Waits until the socket can be read (data, end of stream or error), or the time is over.
+/// Returns  true when it can be read
+bool waitReadable(Descriptor socket, std::chrono::nanoseconds atMost);
+
+void close(Descriptor socket);
+
+}  // namespace tiller::native_socket

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "robot/core/spatial.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace tiller {
+
+Pose::Pose(const Eigen::Isometry3d& T) : position(T.translation()), rotation(rotationVector(T.linear())) {}
+
+Eigen::Isometry3d Pose::transform() const {
+    Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+    T.linear() = rotationMatrix(rotation);
+    T.translation() = position;
+    return T;
+}
+
+Eigen::Matrix3d rotationMatrix(const Eigen::Vector3d& rotationVector) {
+    const double angle = rotationVector.norm();
+    if (angle < 1e-12) {
+        // First order is exact to 1e-24 here, and avoids dividing by the angle.
+        Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+        R(0, 1) = -rotationVector.z();
+        R(0, 2) = rotationVector.y();
+        R(1, 0) = rotationVector.z();
+        R(1, 2) = -rotationVector.x();
+        R(2, 0) = -rotationVector.y();
+        R(2, 1) = rotationVector.x();
+        return R;
+    }
+    return Eigen::AngleAxisd(angle, rotationVector / angle).toRotationMatrix();
+}
+
+Eigen::Vector3d rotationVector(const Eigen::Matrix3d& R) {
+    // By way of the quaternion: well conditioned over the whole range, pi included.
+    Eigen::Quaterniond q(R);
+    q.normalize();
+    if (q.w() < 0) {
+        q.coeffs() = -q.coeffs();
+    }
+    const double sine = q.vec().norm();
+    if (sine < 1e-12) {
+        return 2.0 * q.vec();
+    }
+    return q.vec() * (2.0 * std::atan2(sine, q.w()) / sine);
+}
+
+Eigen::Vector3d rpyFromRotationVector(const Eigen::Vector3d& rotationVector) {
+    const Eigen::Matrix3d R = rotationMatrix(rotationVector);
+    const double cosPitch = std::hypot(R(0, 0), R(1, 0));
+    const double pitch = std::atan2(-R(2, 0), cosPitch);
+    if (cosPitch < 1e-9) {
+        // Gimbal lock: only the sum or difference of roll and yaw is defined, so yaw is taken as 0.
+        const double roll = std::atan2(-R(1, 2), R(1, 1));
+        return {roll, pitch, 0.0};
+    }
+    return {std::atan2(R(2, 1), R(2, 2)), pitch, std::atan2(R(1, 0), R(0, 0))};
+}
+
+Eigen::Vector3d rotationVectorFromRpy(const Eigen::Vector3d& rpy) {
+    const Eigen::Matrix3d R = (Eigen::AngleAxisd(rpy.z(), Eigen::Vector3d::UnitZ()) *
+                               Eigen::AngleAxisd(rpy.y(), Eigen::Vector3d::UnitY()) *
+                               Eigen::AngleAxisd(rpy.x(), Eigen::Vector3d::UnitX()))
+                                  .toRotationMatrix();
+    return tiller::rotationVector(R);
+}
+
+}  // namespace tiller

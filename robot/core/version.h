@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Controller software version, as the RTDE reply and the dashboard give it.
+
+#include <compare>
+#include <cstdint>
+
+namespace tiller {
+
+struct SoftwareVersion {
+    std::uint32_t major = 0;
+    std::uint32_t minor = 0;
+    std::uint32_t bugfix = 0;
+    std::uint32_t build = 0;
+
+    friend auto operator<=>(const SoftwareVersion&, const SoftwareVersion&) = default;
+
+    bool isCb3() const { return major > 0 && major < 5; }
+    bool isPolyScopeX() const { return major >= 10; }
+    /// Control period [s]: 8 ms on CB3, 2 ms on everything later.
+    double controlPeriod() const { return isCb3() ? 0.008 : 0.002; }
+    /// The highest RTDE rate [Hz].
+    double maxFrequency() const { return isCb3() ? 125.0 : 500.0; }
+};
+
+}  // namespace tiller

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The one object through which the interface sees and moves a robot. It owns the backend (receiver,
+// controller, I/O, dashboard, recorder), turns their state into one SessionState a frame, and turns what the
+// hand does into commands. Widgets hold it by reference and never talk to the backend themselves.
+
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <memory>
+
+#include "robot/core/clock.h"
+#include "robot/core/result.h"
+#include "widgets/session/session_state.h"
+
+namespace tiller {
+
+namespace receive {
+class Receiver;
+}
+
+struct RobotAddress {
+    QString name;  ///< shown in the robot selector
+    QString host;  ///< address or host name
+    int portOffset = 0;
+    bool simulated = false;
+};
+
+enum class Severity { Info, Warning, Error };
+
+/// A bounded motion: a step, or a way to a waypoint.
+struct MoveRequest {
+    enum class Kind { MoveJ, MoveL };
+    Kind kind = Kind::MoveJ;
+    JointPositions q;           ///< MoveJ: target
+    Pose pose;                  ///< MoveL: target TCP pose in the base frame
+    double speed = 0.25;        ///< MoveJ [rad/s], MoveL [m/s]
+    double acceleration = 1.2;  ///< MoveJ [rad/s2], MoveL [m/s2]
+};
+
+class RobotSession : public QObject {
+    Q_OBJECT
+
+public:
+    /// clock  drives every expiry and age in the session; the steady clock unless a test brings its own
+    explicit RobotSession(const Clock& clock = SteadyClock::shared(), QObject* parent = nullptr);
+    ~RobotSession() override;
+
+    const SessionState& state() const;
+    /// For plots and recorders that want every sample; null while disconnected.
+    receive::Receiver* receiver() const;
+
+    // Connection. Never blocks; the outcome comes through stateChanged and message.
+    void connectTo(const RobotAddress& address);
+    void disconnectFromRobot();
+
+    // Power and recovery.
+    void powerOn();
+    void releaseBrakes();
+    void powerOff();
+    /// Only ever on the operator's explicit word.
+    void unlockProtectiveStop();
+    /// Uploads the control script; needs RUNNING, and Remote control where the controller has it.
+    void takeControl();
+
+    /// fraction  0.02 ... 1 (smaller values are raised to 0.02: a slider at 0 has caused protective stops)
+    void setSpeedSlider(double fraction);
+    /// output  0-7 standard, 8-15 configurable, 16-17 tool
+    void setDigitalOutput(int output, bool on);
+
+    // Motion. A motion is begun by a press and needs hold() at least every 100 ms until it is ended; whoever
+    // begins it keeps the number it was given, and a number that has been stopped never moves the arm again.
+    using MotionId = std::uint64_t;
+    Result<MotionId> beginJog(const control::JogTarget& target);
+    Result<MotionId> beginMove(const MoveRequest& request);
+    /// Keeps the motion alive; a jog may change its target on the way.
+    /// Returns  false once the motion has been stopped: it needs a new press
+    bool hold(MotionId motion);
+    bool hold(MotionId motion, const control::JogTarget& target);
+    void endMotion(MotionId motion, control::StopCause cause);
+    /// Stops whatever moves, whoever began it. Safe to call at any time.
+    void stop(control::StopCause cause);
+    const control::MotionLimits& limits() const;
+
+    // Recording: one CSV row per packet.
+    Result<void> startRecording(const QString& path);
+    void stopRecording();
+
+    /// Makes a new SessionState from the newest sample and tells everybody. Called by a 60 Hz timer that the
+    /// session owns; tests in virtual time call it themselves.
+    void refresh();
+
+Q_SIGNALS:
+    void stateChanged(const tiller::SessionState& state);
+    /// A motion ended and its stop was measured.
+    void motionStopped(const tiller::control::StopMeasurement& measurement);
+    /// Something the operator should be able to read again later.
+    void message(tiller::Severity severity, const QString& text);
+
+private:
+    struct Backend;
+    std::unique_ptr<Backend> d_;
+};
+
+}  // namespace tiller

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// One consistent picture of the robot for everything that paints: made once a frame from one sample.
+
+#include <QString>
+#include <cstdint>
+
+#include "robot/control/motion_types.h"
+#include "robot/core/joints.h"
+#include "robot/core/modes.h"
+#include "robot/core/robot_model.h"
+#include "robot/core/spatial.h"
+#include "robot/core/version.h"
+
+namespace tiller {
+
+enum class LinkState {
+    Disconnected,  ///< nobody asked for a connection
+    Connecting,    ///< first attempt under way
+    Live,          ///< data younger than 0.3 s
+    Stale,         ///< data older than 0.3 s: values are greyed
+    Lost,          ///< data older than 1 s or the connection broke; reconnecting by itself: "NO DATA"
+};
+
+enum class ControlState {
+    None,       ///< monitoring only
+    Taking,     ///< the control script is being uploaded
+    InControl,  ///< the script answers: the arm can be moved
+    Refused,    ///< see SessionState::controlReason
+};
+
+struct LinkQuality {
+    double rateHz = 0;
+    std::uint64_t packets = 0;
+    std::uint64_t late = 0;  ///< packets that came more than half a period late
+    std::uint64_t lost = 0;  ///< packets the controller skipped, by its own time stamps
+    double roundTripMs = 0;  ///< command out to echo back; 0 = not known
+    double ageMs = 0;        ///< of the newest sample
+};
+
+struct RecordingState {
+    bool active = false;
+    QString path;
+    std::uint64_t rows = 0;
+    double seconds = 0;
+    std::int64_t freeBytes = 0;
+    QString error;  ///< why the last recording ended, empty if by request
+};
+
+struct SessionState {
+    // connection
+    LinkState link = LinkState::Disconnected;
+    QString linkReason;  ///< why not Live, with what to do
+    QString robotName;   ///< "Simulated UR5e", "Lab UR5e"
+    QString address;
+    bool simulated = false;
+    SoftwareVersion version;
+    RobotModelId model = RobotModelId::UR5e;
+    LinkQuality quality;
+
+    // modes
+    RobotMode robotMode = RobotMode::Disconnected;
+    SafetyMode safetyMode = SafetyMode::Undefined;
+    RuntimeState runtimeState = RuntimeState::Stopped;
+    bool remoteControl = false;
+    ControlState control = ControlState::None;
+    QString controlReason;  ///< why the arm cannot be moved now, as a sentence; empty when it can
+
+    // motion
+    bool moving = false;  ///< what the robot confirmed, not what was asked
+    bool jogActive = false;
+    double speedFraction = 1.0;  ///< speed slider 0..1
+    double speedScaling = 1.0;
+    JointPositions q;
+    JointVelocities qd;
+    Pose tcpPose;
+    Pose tcpOffset;
+    Twist tcpSpeed;
+    Wrench tcpForce;
+    Vector6 jointCurrent = Vector6::Zero();      ///< [A]
+    Vector6 jointTemperature = Vector6::Zero();  ///< [deg C]
+    control::StopMeasurement lastStop;
+
+    // I/O: bits 0-7 standard, 8-15 configurable, 16-17 tool
+    std::uint64_t digitalInputs = 0;
+    std::uint64_t digitalOutputs = 0;
+
+    // recording
+    RecordingState recording;
+
+    double robotTime = 0;        ///< the controller's time stamp [s]
+    std::uint64_t sequence = 0;  ///< of the sample shown; 0 = none yet
+
+    /// True when a press on a jog key would move the arm.
+    bool canMove() const { return control == ControlState::InControl && controlReason.isEmpty(); }
+    bool hasData() const {
+        return sequence != 0 && link != LinkState::Lost && link != LinkState::Disconnected;
+    }
+};
+
+}  // namespace tiller
