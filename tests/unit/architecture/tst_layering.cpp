@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+//
+// Who may include whom, read off the #include lines of the whole tree. The table is the one of the architecture
+// page; a new room gets a row here.
+
+#include <QDirIterator>
+#include <QFile>
+#include <QRegularExpression>
+#include <QTest>
+
+namespace {
+
+struct Room {
+    const char* path;         ///< folder, longest match wins
+    QStringList mayInclude;   ///< rooms or single headers besides its own
+    QStringList forbiddenQt;  ///< Qt modules by the first letters of their headers
+};
+
+const QStringList kGui = {"QWidget", "QApplication", "QMainWindow", "QPainter", "QtWidgets", "QtGui",
+                          "QtCharts", "QChart",      "QColor",      "QIcon",    "QPixmap"};
+
+const QList<Room>& rooms() {
+    static const QList<Room> table = {
+        {"robot/core", {}, kGui},
+        {"robot/realtime", {"robot/core"}, kGui},
+        {"robot/rtde", {"robot/core"}, kGui},
+        {"robot/receive", {"robot/core", "robot/realtime", "robot/rtde"}, kGui},
+        {"robot/control",
+         {"robot/core", "robot/realtime", "robot/rtde", "robot/receive", "robot/script", "robot/kinematics"},
+         kGui},
+        {"robot/io", {"robot/core", "robot/rtde", "robot/receive"}, kGui},
+        {"robot/script", {"robot/core"}, kGui},
+        {"robot/dashboard", {"robot/core", "robot/script", "robot/receive"}, kGui},
+        {"robot/kinematics", {"robot/core"}, kGui},
+        {"robot/program", {"robot/core", "robot/kinematics"}, kGui},
+        {"robot/recording", {"robot/core", "robot/realtime", "robot/receive", "robot/rtde/fields.h"}, kGui},
+        {"robot/simulator/urscript", {"robot/core", "robot/kinematics"}, kGui},
+        {"robot/simulator/arm", {"robot/core", "robot/kinematics"}, kGui},
+        {"robot/simulator",
+         {"robot/core", "robot/realtime", "robot/kinematics", "robot/rtde/protocol.h", "robot/rtde/codec.h",
+          "robot/rtde/fields.h"},
+         kGui},
+        {"widgets/common", {"robot/core", "robot/control/motion_types.h"}, {}},
+        {"widgets",
+         {"robot/core", "robot/realtime", "robot/receive", "robot/control", "robot/io", "robot/script",
+          "robot/dashboard", "robot/kinematics", "robot/program", "robot/recording"},
+         {}},
+        {"app", {"widgets", "robot"}, {}},
+    };
+    return table;
+}
+
+const Room* roomOf(const QString& file) {
+    const Room* best = nullptr;
+    for (const Room& room : rooms()) {
+        const QString path = QString::fromLatin1(room.path);
+        if (file.startsWith(path + '/') && (best == nullptr || path.size() > qsizetype(qstrlen(best->path)))) {
+            best = &room;
+        }
+    }
+    return best;
+}
+
+bool isAllowed(const Room& room, const QString& included) {
+    if (roomOf(included) == &room) {
+        return true;
+    }
+    // A sub-room belongs to its parent: the simulator may use its own arm and interpreter.
+    if (included.startsWith(QString::fromLatin1(room.path) + '/')) {
+        return true;
+    }
+    for (const QString& allowed : room.mayInclude) {
+        if (included == allowed || included.startsWith(allowed + '/')) {
+            return true;
+        }
+    }
+    return false;
+}
+
+QStringList sourceFiles() {
+    QStringList files;
+    for (const char* top : {"app", "robot", "widgets", "tests"}) {
+        QDirIterator it(QStringLiteral(TILLER_SOURCE_DIR "/") + top, {"*.h", "*.cpp"}, QDir::Files,
+                        QDirIterator::Subdirectories);
+        while (it.hasNext()) {
+            files << QDir(TILLER_SOURCE_DIR).relativeFilePath(it.next());
+        }
+    }
+    return files;
+}
+
+QByteArray contentsOf(const QString& file) {
+    QFile f(QStringLiteral(TILLER_SOURCE_DIR "/") + file);
+    return f.open(QIODevice::ReadOnly) ? f.readAll() : QByteArray();
+}
+
+}  // namespace
+
+class TestLayering : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void theTableItselfCatchesAForbiddenInclude() {
+        const Room* receive = roomOf("robot/receive/receiver.cpp");
+        QVERIFY(receive != nullptr);
+        QVERIFY(!isAllowed(*receive, "robot/control/controller.h"));
+        QVERIFY(isAllowed(*receive, "robot/rtde/codec.h"));
+        QVERIFY(!isAllowed(*roomOf("robot/simulator/controller.cpp"), "robot/rtde/session.h"));
+        QVERIFY(!isAllowed(*roomOf("widgets/jog/jog_column.cpp"), "robot/simulator/controller.h"));
+    }
+
+    void includesFollowTheArchitecture() {
+        static const QRegularExpression include(QStringLiteral("^\\s*#\\s*include\\s*[<\"]([^>\"]+)[>\"]"),
+                                                QRegularExpression::MultilineOption);
+        QStringList violations;
+        int includes = 0;
+        for (const QString& file : sourceFiles()) {
+            const Room* room = roomOf(file);
+            if (room == nullptr) {
+                continue;  // tests may look into every room
+            }
+            auto it = include.globalMatch(QString::fromUtf8(contentsOf(file)));
+            while (it.hasNext()) {
+                const QString included = it.next().captured(1);
+                ++includes;
+                if (roomOf(included) != nullptr && !isAllowed(*room, included)) {
+                    violations << file + " includes " + included;
+                }
+                for (const QString& prefix : room->forbiddenQt) {
+                    if (included.startsWith(prefix)) {
+                        violations << file + " includes " + included;
+                    }
+                }
+            }
+        }
+        QVERIFY2(includes > 100, "no include lines found: is TILLER_SOURCE_DIR right?");
+        QVERIFY2(violations.isEmpty(), qPrintable(violations.join('\n')));
+    }
+
+    void everyFileNamesItsLicence() {
+        QStringList missing;
+        for (const QString& file : sourceFiles()) {
+            const QByteArray head = contentsOf(file).left(200);
+            const bool gpl = file.startsWith("app/") || file.startsWith("widgets/");
+            if (gpl && !head.contains("SPDX-License-Identifier: GPL-3.0-or-later")) {
+                missing << file + ": GPL-3.0-or-later";
+            }
+            if (file.startsWith("robot/") && !head.contains("SPDX-License-Identifier: MIT")) {
+                missing << file + ": MIT";
+            }
+            if (!head.contains("SPDX-License-Identifier: ")) {
+                missing << file + ": any";
+            }
+        }
+        QVERIFY2(missing.isEmpty(), qPrintable(missing.join('\n')));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestLayering)
+#include "tst_layering.moc"
