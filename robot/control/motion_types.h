@@ -51,8 +51,9 @@ enum class StopCause : std::uint8_t {
     LinkLost,
     LimitReached,
     ControlLost,
-    Completed,  ///< a bounded motion reached its target
-    ApiCall,    ///< a program called stop()
+    Completed,   ///< a bounded motion reached its target
+    ApiCall,     ///< a program called stop()
+    Superseded,  ///< a newer command took the one slot
 };
 
 /// From the moment the stop was asked for to standstill, measured on the data received from the robot.

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What the controller tells about itself: one consistent copy, cheap enough to take in every frame.
+
+#include <cstdint>
+
+#include "robot/control/motion_types.h"
+#include "robot/core/modes.h"
+
+namespace tiller::control {
+
+/// Names one motion from its start to its end. Numbers only ever grow; one that has ended never lives again.
+using MotionId = std::uint64_t;
+using JogId = MotionId;
+using MoveId = MotionId;
+inline constexpr MotionId kNoMotion = 0;
+
+/// Why the arm cannot be moved through this controller.
+enum class ControlLoss : std::uint8_t {
+    None,           ///< in control
+    NotTaken,       ///< takeControl() has not been called
+    Taking,         ///< takeControl() is under way
+    Released,       ///< release() was called
+    ScriptStopped,  ///< our program was stopped or paused: on the pendant, by another program, by a safety
+                    ///< stop
+    EchoStalled,    ///< the program is said to run but answers no more
+    LinkLost,       ///< the connection broke, or data stopped coming
+};
+
+/// What holds the asked-for speed down.
+enum class LimiterKind : std::uint8_t {
+    None,
+    TcpSpeed,       ///< the cap on the TCP
+    ElbowSpeed,     ///< the same cap on the elbow
+    RotationSpeed,  ///< the cap on the rotation of the TCP
+    JointSpeed,     ///< a joint would turn too fast
+    JointLimit,     ///< a joint is near the end of its range
+    Singularity,    ///< the arm is near a singularity and would go deeper
+};
+
+struct Limiter {
+    LimiterKind kind = LimiterKind::None;
+    int joint = -1;       ///< 0..5 where a joint is to blame, else -1
+    double distance = 0;  ///< JointLimit: left to the end of the range [rad]
+    double scale = 1;     ///< asked-for speed times this is what is sent, 0..1
+};
+
+enum class MotionPhase : std::uint8_t {
+    Active,  ///< accepted and not ended
+    Ended,   ///< see MotionState::cause
+};
+
+struct MotionState {
+    MotionPhase phase = MotionPhase::Ended;
+    StopCause cause = StopCause::None;  ///< None too for numbers never given, or ended very long ago
+};
+
+/// Threads  a plain copy
+struct ControllerStatus {
+    bool inControl = false;
+    ControlLoss loss = ControlLoss::NotTaken;
+    RobotMode robotMode = RobotMode::NoController;
+    SafetyMode safetyMode = SafetyMode::Undefined;
+
+    MotionId motion = kNoMotion;      ///< the active one
+    bool moving = false;              ///< measured on the received data, not what was asked
+    bool executing = false;           ///< control.script confirmed that it executes `motion`
+    Limiter limiter;                  ///< of the active motion; of the last one after it ended at a limit
+    MotionId lastMotion = kNoMotion;  ///< the last one that ended
+    StopCause lastCause = StopCause::None;  ///< and why
+    StopMeasurement lastStop;
+
+    std::uint64_t epoch = 0;       ///< moves on with every stop
+    double roundTripMs = 0;        ///< command out to echo back; 0 = not known yet
+    double speedFraction = 1;      ///< speed slider
+    std::uint64_t ticks = 0;       ///< data packages answered
+    std::uint64_t late = 0;        ///< of those, more than half a period late by the host's clock
+    std::int64_t dataTimeNs = 0;   ///< when the newest data arrived; by the controller's Clock
+    bool priorityGranted = false;  ///< the control thread got the priority it asked for
+};
+
+}  // namespace tiller::control

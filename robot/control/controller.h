@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Moves the arm. Uploads our control program once, tells it through RTDE registers what to do, and makes sure
+// that whatever goes wrong (a key let go, a hung interface, a dead process, a cut cable) ends in standstill.
+//
+// The rules, in short: one slot, the last command wins, nothing is queued. Every motion has a number that is
+// also its epoch; every stop moves the epoch on, so that nothing commanded before a stop can move the arm
+// after it. A motion whose holder falls silent for 100 ms ends. Nothing resumes by itself.
+
+#include <QString>
+#include <memory>
+#include <optional>
+
+#include "robot/control/control_status.h"
+#include "robot/control/motion_types.h"
+#include "robot/core/clock.h"
+#include "robot/core/deadline.h"
+#include "robot/core/result.h"
+#include "robot/core/robot_model.h"
+#include "robot/core/version.h"
+
+namespace tiller::control {
+
+/// Which general purpose registers the control program talks through.
+enum class RegisterRange : std::uint8_t {
+    Lower,  ///< 0-23: every software version; a fieldbus on the robot may own them
+    Upper,  ///< 24-47: meant for programs like this one; from software 3.9 / 5.3
+};
+
+struct ControllerOptions {
+    QString host = QStringLiteral("127.0.0.1");
+    int portOffset = 0;  ///< added to 30001 and 30004
+    const Clock* clock = &SteadyClock::shared();
+    RegisterRange registers = RegisterRange::Upper;
+    int priority = 85;  ///< SCHED_FIFO; 0 = leave the thread as it is
+    MotionLimits limits;
+    /// Used for the limiter until, or unless, the controller has told its own dimensions.
+    RobotModelId model = RobotModelId::UR5e;
+};
+
+/// A motion without a holder goes on until it is done or stopped; one with a holder also ends when the holder
+/// does not refresh it for 100 ms.
+enum class Holding : std::uint8_t { Held, Free };
+
+struct MoveParameters {
+    double speed = 0;         ///< moveJ [rad/s], moveL [m/s]; 0 < speed
+    double acceleration = 0;  ///< moveJ [rad/s2], moveL [m/s2]; 0 < acceleration
+    Holding holding = Holding::Held;
+};
+
+/// Thread: one, named "control", SCHED_FIFO at ControllerOptions::priority where permitted; started by
+/// takeControl(), ended by release(), by the loss of the connection and by the destructor. Into it cross
+/// the epoch (an atomic word), the newest command (a triple buffer) and the time of the last refresh; out of
+/// it the status (a seqlock). It reads and writes the descriptor of the RTDE socket itself and answers each
+/// received data package with one input package; when the stream stalls, a timer takes over so that a stop
+/// still goes out.
+class Controller {
+public:
+    explicit Controller(const ControllerOptions& options);
+    ~Controller();
+    Controller(const Controller&) = delete;
+    Controller& operator=(const Controller&) = delete;
+
+    /// Connects, sets the registers up, uploads the control program and waits until it answers. Does nothing
+    /// when it already does. After any loss of control this is the only way back.
+    /// Errors   HostUnreachable, ConnectionRefused, Timeout, Cancelled, RegisterInUse, FieldUnknown,
+    ///          UnsafeState, RemoteControlRequired, ScriptError, ProtocolError, LinkLost
+    /// Threads  any but the control thread; one at a time. Blocks: until the deadline
+    Result<void> takeControl(const Deadline& deadline);
+
+    /// Stops what moves, ends the control program and closes the connection.
+    /// Threads  as takeControl. Blocks: up to half a second while a motion comes to rest
+    void release();
+
+    // All of the following: threads any; never block (callers wait for each other's copy of a command, some
+    // 100 ns; stop() not even for that).
+
+    /// Starts a jog, ending whatever was active (StopCause::Superseded). Needs refreshJog() at least every
+    /// 100 ms by the Clock. The target is clamped to the limits, never refused for its size.
+    /// Errors   NotInControl, UnsafeState, LinkLost, InvalidArgument (not a number)
+    Result<JogId> startJog(const JogTarget& target);
+    /// Returns  false when the jog has ended: it takes a new start
+    bool refreshJog(JogId jog);
+    bool refreshJog(JogId jog, const JogTarget& target);
+
+    /// Moves linearly in joint space. Source: URScript movej
+    /// Errors   as startJog, and LimitExceeded (a joint outside its range, a speed above what the arm can)
+    Result<MoveId> moveJ(const JointPositions& target, const MoveParameters& parameters);
+    /// Moves the TCP on a straight line to a pose in the base frame. Source: URScript movel
+    /// Errors   as startJog, and LimitExceeded (a speed above the cap on the TCP)
+    Result<MoveId> moveL(const Pose& target, const MoveParameters& parameters);
+    /// Keeps a held move alive.
+    /// Returns  false when the move has ended
+    bool refreshMove(MoveId move);
+
+    /// Ends whatever is active. When it returns, no command given before can move the arm any more.
+    void stop(StopCause cause);
+    /// Ends this motion; another one goes on.
+    /// Returns  false when it had ended already
+    bool end(MotionId motion, StopCause cause);
+
+    MotionState motionState(MotionId motion) const;
+    ControllerStatus status() const;
+    const MotionLimits& limits() const;
+    /// From the connection of the last takeControl(); zeros before.
+    SoftwareVersion version() const;
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d_;
+};
+
+}  // namespace tiller::control

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The dashboard for threads that must not wait: calls are queued, run one after the other on a thread of
+// their own, and their results are posted back to the caller's event loop.
+
+#include <QObject>
+#include <QString>
+#include <chrono>
+#include <functional>
+#include <memory>
+
+#include "robot/dashboard/dashboard_client.h"
+
+namespace tiller::dashboard {
+
+/// Thread: one, normal priority; started by the constructor's owner through start(), ended by stop() or the
+/// destructor, which cancel the call under way and drop those that wait. Calls cross to it, results from it.
+class DashboardWorker {
+public:
+    DashboardWorker(QString host, int port = kDashboardPort);
+    ~DashboardWorker();
+    DashboardWorker(const DashboardWorker&) = delete;
+    DashboardWorker& operator=(const DashboardWorker&) = delete;
+
+    /// Starts the thread; it connects when the first call comes, and again after a connection was lost.
+    void start();
+    void stop();
+
+    /// Runs `call` on the worker, then `done` with its result in the thread of `context` (not at all once
+    /// context is gone, or the worker stopped).
+    /// atMost  for the whole call, connecting included
+    /// Example  worker.post([](auto& c, auto& d) { return c.powerOn(d); }, this, [this](auto r) {...});
+    /// Threads  any. Blocks: never
+    template <class T>
+    void post(std::function<Result<T>(DashboardClient&, const Deadline&)> call, QObject* context,
+              std::function<void(const Result<T>&)> done,
+              std::chrono::milliseconds atMost = std::chrono::milliseconds(3000)) {
+        enqueue(
+            [call = std::move(call), done = std::move(done)](DashboardClient* client, const Error& error,
+                                                             const Deadline& deadline) {
+                Result<T> result = client ? call(*client, deadline) : Result<T>(error);
+                return std::function<void()>([done, result = std::move(result)] { done(result); });
+            },
+            context, atMost);
+    }
+
+private:
+    /// Runs with the connected client, or with null and the reason; gives what to run for the caller.
+    using Job = std::function<std::function<void()>(DashboardClient*, const Error&, const Deadline&)>;
+    void enqueue(Job job, QObject* context, std::chrono::milliseconds atMost);
+
+    struct Private;
+    std::unique_ptr<Private> d_;
+};
+
+}  // namespace tiller::dashboard

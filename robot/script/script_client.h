@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Sends URScript to the controller. It keeps the connection open after sending: a controller can drop a
+// program whose sender hangs up at once. What became of the program is told by the primary interface only,
+// see primary_client.h.
+
+#include <QString>
+#include <memory>
+
+#include "robot/core/deadline.h"
+#include "robot/core/result.h"
+
+class QTcpSocket;
+
+namespace tiller::script {
+
+inline constexpr int kPrimaryPort = 30001;
+inline constexpr int kSecondaryPort = 30002;
+
+/// Threads  one at a time, the one that connected
+class ScriptClient {
+public:
+    /// port  30001 to 30003, offset included
+    explicit ScriptClient(QString host, int port = kPrimaryPort);
+    ~ScriptClient();
+    ScriptClient(const ScriptClient&) = delete;
+    ScriptClient& operator=(const ScriptClient&) = delete;
+
+    /// Errors   AddressInvalid, HostUnreachable, ConnectionRefused, Timeout, Cancelled
+    Result<void> connect(const Deadline& deadline);
+    /// Sends the text and sees it off the machine. Adds the newline without which nothing is executed.
+    /// Errors   NotConnected, ConnectionClosed, Timeout, Cancelled, InvalidArgument (empty text)
+    Result<void> send(const QString& text, const Deadline& deadline);
+    void close();
+    bool isConnected() const;
+
+private:
+    QString host_;
+    int port_;
+    std::unique_ptr<QTcpSocket> socket_;
+};
+
+}  // namespace tiller::script
