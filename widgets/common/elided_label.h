@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// A label of one line that gives way: when there is too little room it ends in an ellipsis and the whole text
+// becomes its tooltip.
+
+#include <QLabel>
+
+namespace tiller {
+
+class ElidedLabel : public QLabel {
+    Q_OBJECT
+
+public:
+    explicit ElidedLabel(const QString& text = {}, QWidget* parent = nullptr);
+
+    QString fullText() const { return fullText_; }
+    void setFullText(const QString& text);
+    void setElideMode(Qt::TextElideMode mode);
+    /// Never narrower than this many pixels, however long the text [px]; 24 unless told.
+    void setLeastWidth(int pixels);
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void elide();
+
+    QString fullText_;
+    Qt::TextElideMode mode_ = Qt::ElideRight;
+    int leastWidth_ = 24;
+};
+
+}  // namespace tiller

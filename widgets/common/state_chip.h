@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// A small labelled box of the header: a caption, and below it one state as icon shape and words. Grey while all
+// is normal; coloured only when a person must look or act.
+
+#include <QWidget>
+
+namespace tiller {
+
+class StateChip : public QWidget {
+    Q_OBJECT
+
+public:
+    /// Colour comes only with a reason to look.
+    enum class Emphasis { Normal, Moving, Warning, Alarm, OperatorNeeded, Muted };
+    Q_ENUM(Emphasis)
+    /// Drawn in front of the words, so that no state is told by colour alone.
+    enum class Shape { None, Circle, Triangle, WarningTriangle, Octagon, Hand, Square, Power, Bars, Cross };
+    Q_ENUM(Shape)
+
+    explicit StateChip(const QString& caption, QWidget* parent = nullptr);
+
+    QString caption() const { return caption_; }
+    QString text() const { return text_; }
+    Emphasis emphasis() const { return emphasis_; }
+    Shape shape() const { return shape_; }
+    /// advice  what it means and what to do, as the tooltip
+    void setState(const QString& text, Shape shape, Emphasis emphasis, const QString& advice = {});
+    /// Numbers in the fixed-width face.
+    void setFigures(bool figures);
+    /// Never narrower than the caption and this many characters of the value; the rest is elided.
+    void setLeastCharacters(int characters);
+    /// Shows the little arrow of something that opens a menu.
+    void setMenuArrow(bool arrow);
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+    static constexpr int kHeight = 52;
+
+Q_SIGNALS:
+    void clicked();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    QFont valueFont() const;
+    int widthFor(const QString& value) const;
+
+    QString caption_;
+    QString text_;
+    Shape shape_ = Shape::None;
+    Emphasis emphasis_ = Emphasis::Normal;
+    bool figures_ = false;
+    bool menuArrow_ = false;
+    int leastCharacters_ = 4;
+};
+
+}  // namespace tiller
