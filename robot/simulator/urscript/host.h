@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What a running script needs from the robot around it. The interpreter owns threads, variables and time
+// slices; everything that exists outside the program (arm, registers, I/O, sockets, messages) is reached
+// through these interfaces, which a simulated controller implements over its arm.
+//
+// Conventions for all of them: SI units, base frame unless said otherwise, called only from the thread that
+// calls Interpreter::runFrame(), never blocking. What takes time is started with one call and asked after
+// with another, once per frame. An Error ends the program as a runtime exception; its controllerMessage (or,
+// when that is empty, its context) becomes the text. Methods with a body here are for equipment that a host
+// may leave out.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "robot/core/joints.h"
+#include "robot/core/result.h"
+#include "robot/core/spatial.h"
+
+namespace tiller::simulator::urscript {
+
+/// Identifies a script thread within one program: 0 is the main body, handles of `run` are 1, 2, 3...
+using ThreadId = std::int32_t;
+
+/// The error a host gives for what it does not simulate.
+Error notSimulated(std::string_view what);
+/// An error whose text becomes the runtime exception.
+Error scriptError(std::string text);
+
+// ---------------------------------------------------------------------------------------------- motion
+// commands
+
+/// Where a move goes: joint positions [rad] or a TCP pose in the base frame. The host converts as it needs
+/// (forward kinematics for movel, inverse near the current joints for movej).
+using MoveTarget = std::variant<JointPositions, Pose>;
+
+/// movej, movel, movep, movec, optimovej, optimovel.
+struct Move {
+    enum class Kind { J, L, P, C, OptimoveJ, OptimoveL };
+    Kind kind = Kind::J;
+    MoveTarget target;
+    std::optional<MoveTarget> via;  ///< movec only; of a pose only the position counts
+    double acceleration = 0;  ///< [rad/s2] leading axis (J), [m/s2] (L, P, C), fraction (0,1] (Optimove)
+    double velocity = 0;      ///< [rad/s], [m/s], fraction (0,1]
+    double duration = 0;      ///< [s], 0 = not given; has priority over acceleration and velocity
+    double blend = 0;         ///< [m]
+    int orientationMode = 0;  ///< movec: 0 unconstrained, 1 fixed relative to the arc
+};
+
+struct ServoJ {
+    JointPositions q;
+    double duration = 0.002;  ///< [s]
+    double lookahead = 0.1;   ///< [s]
+    double gain = 300;
+};
+
+struct ServoC {
+    MoveTarget target;
+    double acceleration = 1.2, velocity = 0.25, blend = 0;
+};
+
+struct SpeedJ {
+    JointVelocities qd;
+    double acceleration = 0;         ///< [rad/s2], may be 0, very large or infinite
+    std::optional<double> duration;  ///< [s]; none = until the speed is reached, at least one frame
+};
+
+struct SpeedL {
+    Twist xd;
+    double acceleration = 0;          ///< [m/s2]
+    double rotationAcceleration = 0;  ///< [rad/s2]
+    std::optional<double> duration;
+};
+
+struct StopJ {
+    double deceleration = 0;  ///< [rad/s2] leading axis
+};
+
+struct StopL {
+    double deceleration = 0, rotationDeceleration = 0;  ///< [m/s2], [rad/s2]
+};
+
+struct DirectTorque {
+    JointTorques torque;               ///< without gravity
+    bool frictionCompensation = true;  ///< form with one switch
+    std::optional<Vector6> viscous;    ///< form with scales 0..1
+    std::optional<Vector6> coulomb;
+};
+
+/// path_offset_disable, stop_conveyor_tracking: ends the superposition, done at standstill.
+struct StopSuperposition {
+    double deceleration = 20;  ///< [rad/s2]
+};
+
+using MotionCommand =
+    std::variant<Move, ServoJ, ServoC, SpeedJ, SpeedL, StopJ, StopL, DirectTorque, StopSuperposition>;
+
+struct ForceMode {
+    Pose taskFrame;
+    std::array<bool, 6> compliant{};
+    Wrench wrench;  ///< in the task frame
+    int type = 2;
+    Vector6 limits = Vector6::Zero();
+};
+
+struct Freedrive {
+    std::array<bool, 6> freeAxes{true, true, true, true, true, true};
+    Pose feature;              ///< relative to the base, when `tool` is false
+    bool tool = false;         ///< feature is the tool
+    bool checkPayload = true;  ///< false for freedrive_mode_no_incorrect_payload_check
+};
+
+/// Starting motion and asking whether it is over. The interpreter sees to it that only one thread has an
+/// unfinished command at a time.
+class MotionHost {
+public:
+    virtual ~MotionHost() = default;
+
+    /// Starts `command` for `thread`. The arm may still be moving from an earlier command, also one whose
+    /// thread has been killed. Error: the program ends with it (no inverse solution, target outside the joint
+    /// range...).
+    virtual Result<void> startMotion(ThreadId thread, const MotionCommand& command) = 0;
+    /// Asked at the beginning of each later frame, never in the frame of the start. True when the calling
+    /// thread may go on: target reached and standing, blend zone entered, duration over (in program time, so
+    /// longer at a reduced speed slider), standstill after a stop.
+    virtual Result<bool> motionFinished(ThreadId thread) = 0;
+    /// The thread was killed, or ended, with its command unfinished. The arm keeps its speed until the next
+    /// command of another thread or the end of the program.
+    virtual void motionAbandoned(ThreadId thread) = 0;
+
+    virtual Result<void> forceMode(const ForceMode& mode) = 0;  ///< may be called every frame
+    virtual void endForceMode() = 0;
+    virtual Result<void> setForceModeDamping(double damping) = 0;
+    virtual double forceModeDamping() const = 0;
+    virtual Result<void> setForceModeGainScaling(double scaling) = 0;
+    virtual double forceModeGainScaling() const = 0;
+
+    virtual Result<void> freedrive(const Freedrive& mode) = 0;  ///< teach_mode() too; may be repeated
+    virtual void endFreedrive() = 0;
+    virtual int freedriveStatus() const { return 0; }
+
+    virtual Result<void> screwDriving(double force, double speedLimit);
+    virtual Result<void> endScrewDriving();
+    virtual Result<void> setJointPositions(const JointPositions& q);  ///< set_pos
+    virtual Result<void> resetRevolutionCounter(const JointPositions& qNear);
+};
+
+/// Offsets superimposed on a path: path_offset_* and conveyor tracking. May be left out.
+class SuperpositionHost {
+public:
+    virtual ~SuperpositionHost() = default;
+    virtual Result<void> enablePathOffset();
+    virtual Result<void> setPathOffset(const Pose& offset, int type);
+    virtual Result<Pose> pathOffset(int type) const;
+    virtual Result<void> setPathOffsetFilter(double alpha);
+    virtual Result<void> setPathOffsetLimits(double translation, double rotation);
+    virtual Result<void> trackConveyorLinear(const Pose& direction, double ticksPerMeter, int encoder);
+    virtual Result<void> trackConveyorCircular(const Pose& center, double ticksPerRevolution, bool rotateTool,
+                                               int encoder);
+    virtual Result<double> encoderTicks(int encoder) const;
+    virtual Result<void> setEncoderTicks(int encoder, double ticks);
+    virtual Result<void> enableEncoder(int encoder, int decoder, int inputA, int inputB);
+    virtual Result<void> setEncoderRange(int encoder, int rangeId);
+};
+
+// ------------------------------------------------------------------------------------------------- robot
+// state
+
+enum class Source { Actual, Target };
+
+/// What the arm does now; constant within a frame.
+class StateHost {
+public:
+    virtual ~StateHost() = default;
+
+    virtual JointPositions jointPositions(Source) const = 0;
+    virtual JointVelocities jointVelocities(Source) const = 0;
+    virtual JointAccelerations jointAccelerations(Source) const = 0;
+    /// Positions `steps` controller steps ago, 0 = now. Error beyond the buffer (give it some seconds).
+    virtual Result<JointPositions> jointPositionsHistory(int steps) const = 0;
+    virtual JointTorques externalJointTorques() const = 0;  ///< get_joint_torques
+
+    virtual Pose tcpPose(Source) const = 0;
+    virtual Twist tcpSpeed(Source) const = 0;
+    virtual Pose flangePose() const = 0;      ///< actual, without TCP offset
+    virtual Pose targetWaypoint() const = 0;  ///< of the active move, else the target TCP pose
+    virtual Wrench tcpForce() const = 0;
+    virtual bool isSteady() const = 0;
+    /// Steps back to just before a contact along `direction` (zero: any), 0 = none.
+    virtual int toolContact(const Eigen::Vector3d& direction) const = 0;
+
+    virtual double jointTemperature(int joint) const = 0;   ///< [deg C], joint 0..5
+    virtual double controllerTemperature() const = 0;       ///< [deg C]
+    virtual double toolTemperature() const = 0;             ///< [deg C]
+    virtual double toolCurrent() const = 0;                 ///< [A]
+    virtual Eigen::Vector3d toolAccelerometer() const = 0;  ///< [m/s2]
+
+    using FieldValue =
+        std::variant<bool, std::int32_t, double, std::vector<double>, std::vector<std::int32_t>>;
+    /// An RTDE output field by name, one step old.
+    virtual Result<FieldValue> rtdeValue(std::string_view field) const;
+};
+
+/// Kinematics and dynamics of the calibrated arm. `tcp` and `q` absent mean the active TCP and current
+/// joints.
+class KinematicsHost {
+public:
+    virtual ~KinematicsHost() = default;
+
+    virtual Pose forwardKinematics(const std::optional<JointPositions>& q,
+                                   const std::optional<Pose>& tcp) const = 0;
+    struct InverseRequest {
+        Pose pose;
+        std::optional<JointPositions> qNear;  ///< absent: current joints
+        double maxPositionError = 1e-10;      ///< [m]
+        double maxOrientationError = 1e-10;   ///< [rad]
+        std::optional<Pose> tcp;
+    };
+    /// The solution nearest to qNear, or nothing.
+    virtual std::optional<JointPositions> inverseKinematics(const InverseRequest& request) const = 0;
+    virtual bool isWithinSafetyLimits(const MoveTarget& target) const = 0;
+
+    virtual Result<Matrix6> jacobian(const std::optional<JointPositions>& q,
+                                     const std::optional<Pose>& tcp) const;
+    virtual Result<Matrix6> jacobianTimeDerivative(const std::optional<JointPositions>& q,
+                                                   const std::optional<JointVelocities>& qd,
+                                                   const std::optional<Pose>& tcp) const;
+    virtual Result<Matrix6> massMatrix(const std::optional<JointPositions>& q, bool includeRotors) const;
+    virtual Result<JointTorques> coriolisTorques(const std::optional<JointPositions>& q,
+                                                 const std::optional<JointVelocities>& qd) const;
+};
+
+struct Payload {
+    double mass = 0;                                            ///< [kg]
+    Eigen::Vector3d centreOfGravity = Eigen::Vector3d::Zero();  ///< [m], flange frame
+    Vector6 inertia = Vector6::Zero();  ///< Ixx Iyy Izz Ixy Ixz Iyz [kg m2] about the centre of gravity
+};
+
+struct ExternalForceSensor {
+    bool enabled = false;
+    double mass = 0;                                            ///< [kg]
+    Eigen::Vector3d measuringOffset = Eigen::Vector3d::Zero();  ///< [m] from the flange
+    Eigen::Vector3d centreOfGravity = Eigen::Vector3d::Zero();  ///< [m] from the flange
+    bool viaRtde =
+        true;  ///< ft_rtde_input_enable; false: enable_external_ft_sensor (torques of opposite sign)
+};
+
+/// What is mounted on the arm and how the arm is mounted. Kept between programs.
+class SetupHost {
+public:
+    virtual ~SetupHost() = default;
+    virtual Pose tcpOffset() const = 0;
+    virtual Result<void> setTcpOffset(const Pose& flangeToTcp, std::string_view name) = 0;
+    virtual Payload payload() const = 0;
+    /// `transition` [s] blends from the old payload. `zeroSensor`: the older calls also zero the F/T reading.
+    virtual Result<void> setPayload(const Payload& payload, double transition, bool zeroSensor) = 0;
+    virtual Eigen::Vector3d gravity() const = 0;  ///< [m/s2], upright: 0 0 9.82
+    virtual Result<void> setGravity(const Eigen::Vector3d& gravity) = 0;
+    virtual Eigen::Vector3d baseAcceleration() const { return Eigen::Vector3d::Zero(); }
+    virtual Result<void> setBaseAcceleration(const Eigen::Vector3d& acceleration);
+    virtual void zeroForceSensor() = 0;
+    virtual Result<void> setExternalForceSensor(const ExternalForceSensor& sensor) = 0;
+    /// Settings a simulation may ignore, by builtin name with its numbers: "position_deviation_warning",
+    /// "set_baselight_solid", "motion_version_set"... The default accepts them without effect.
+    virtual Result<void> applySetting(std::string_view builtin, std::span<const double> values);
+};
+
+// ------------------------------------------------------------------------------------------ registers and
+// I/O
+
+enum class RegisterSide { Input, Output };
+
+/// General purpose registers. Addresses are checked by the caller: bool 0..127, int and float 0..47.
+class RegisterHost {
+public:
+    virtual ~RegisterHost() = default;
+    virtual bool boolRegister(RegisterSide, int address) const = 0;
+    virtual std::int32_t intRegister(RegisterSide, int address) const = 0;
+    virtual double floatRegister(RegisterSide, int address) const = 0;
+    virtual void setBoolOutput(int address, bool value) = 0;
+    virtual void setIntOutput(int address, std::int32_t value) = 0;
+    virtual void setFloatOutput(int address, double value) = 0;
+    virtual bool flag(int number) const = 0;  ///< 0..32, kept between programs
+    virtual void setFlag(int number, bool value) = 0;
+};
+
+enum class DigitalBank { Standard, Configurable, Tool };             ///< 0..7, 0..7, 0..1
+enum class AnalogPort { StandardInput, StandardOutput, ToolInput };  ///< 0..1 each
+
+struct ToolCommunication {
+    bool enabled = false;
+    int baudRate = 115200, parity = 0, stopBits = 1;
+    double rxIdleChars = 1.5, txIdleChars = 3.5;
+};
+
+/// Pins. Numbers are checked by the caller.
+class IoHost {
+public:
+    virtual ~IoHost() = default;
+    virtual bool digitalInput(DigitalBank, int n) const = 0;
+    virtual bool digitalOutput(DigitalBank, int n) const = 0;
+    virtual void setDigitalOutput(DigitalBank, int n, bool value) = 0;
+    virtual double analog(AnalogPort, int n) const = 0;               ///< [A] or [V] by domain
+    virtual void setAnalogOutput(int n, double level) = 0;            ///< 0..1 of the range
+    virtual void setAnalogDomain(AnalogPort, int n, int domain) = 0;  ///< 0: 4-20 mA, 1: 0-10 V
+    virtual void setToolVoltage(int volts) = 0;                       ///< 0, 12 or 24
+    virtual void setToolCommunication(const ToolCommunication& settings) = 0;
+};
+
+// -----------------------------------------------------------------------------------------------------
+// sockets
+
+/// TCP client sockets of the program, by script name. All are closed at the end of the program.
+class SocketHost {
+public:
+    virtual ~SocketHost() = default;
+    enum class State { Closed, Connecting, Open };
+
+    /// Begins to connect; an open socket of that name is closed first. False when that is impossible at once.
+    virtual bool openSocket(std::string_view name, std::string_view address, int port) = 0;
+    /// Open until closed by either side; bytes received before may still be read then.
+    virtual State socketState(std::string_view name) const = 0;
+    virtual void closeSocket(std::string_view name) = 0;  ///< unknown names are harmless
+    /// Hands over all bytes; false when the socket is not open.
+    virtual bool sendSocket(std::string_view name, std::string_view bytes) = 0;
+    /// Bytes received and not yet consumed. Valid until the next call of this interface.
+    virtual std::string_view receivedBytes(std::string_view name) const = 0;
+    virtual void consumeBytes(std::string_view name, std::size_t count) = 0;
+};
+
+// ---------------------------------------------------------------------------------------- messages and
+// program
+
+struct Popup {
+    std::string text, title;
+    bool warning = false, error = false, blocking = false;
+};
+
+enum class RequestKind { Boolean, Integer, Float, String };
+using RequestAnswer = std::variant<bool, std::int32_t, double, std::string>;
+
+/// What people and primary clients see.
+class MessageHost {
+public:
+    virtual ~MessageHost() = default;
+    virtual void textMessage(std::string_view text) = 0;               ///< primary type 0
+    virtual void programLabel(int number, std::string_view text) = 0;  ///< primary type 1, `$ 1 "name"`
+    virtual int showPopup(const Popup& popup) = 0;                     ///< returns an id, primary type 2
+    virtual bool popupOpen(int id) const = 0;  ///< asked for blocking popups once per frame
+    virtual Result<int> requestValue(RequestKind kind, std::string_view text);  ///< primary type 9, an id
+    virtual std::optional<RequestAnswer> requestedValue(int id);
+};
+
+enum class WatchdogAction { Pause, Stop, Ignore };
+enum class ProgramKind { Main, Secondary };
+
+/// The controller around the program.
+class ProgramHost {
+public:
+    virtual ~ProgramHost() = default;
+    virtual double stepTime() const = 0;                ///< [s] 0.002 or 0.008; length of one frame
+    virtual std::int64_t controllerTimeNs() const = 0;  ///< monotonic, since the controller started
+    virtual std::int64_t systemTimeNs() const = 0;      ///< UTC since 1970
+    /// Safety is told at once. The program runs on to the end of its frame; call Interpreter::pause().
+    virtual Result<void> protectiveStop() = 0;
+    virtual void powerDown() = 0;
+    virtual Result<void> setWatchdog(std::string_view field, double minFrequency, WatchdogAction action) = 0;
+    /// Main: decelerate, end force mode and freedrive, remove watchdogs, close sockets. Secondary: nothing.
+    /// Called exactly once per interpreter that ran, also after errors and stop().
+    virtual void programEnded(ProgramKind kind) = 0;
+};
+
+/// Everything a script can reach.
+class Host : public MotionHost,
+             public SuperpositionHost,
+             public StateHost,
+             public KinematicsHost,
+             public SetupHost,
+             public RegisterHost,
+             public IoHost,
+             public SocketHost,
+             public MessageHost,
+             public ProgramHost {};
+
+}  // namespace tiller::simulator::urscript

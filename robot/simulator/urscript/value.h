@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A URScript value. Numbers, bools and poses live inside; strings, lists, matrices and structs are shared
+// until one holder writes (copy on write), which gives the by-value semantics of the language at the price of
+// a pointer. Values of one program belong to one host thread: the counts are not atomic.
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "robot/core/spatial.h"
+
+namespace tiller::simulator::urscript {
+
+struct StringData;
+struct ListData;
+struct MatrixData;
+struct StructData;
+
+class Value {
+public:
+    enum class Type : std::uint8_t { Unset, None, Bool, Int, Float, Pose, String, List, Matrix, Struct };
+
+    Value() noexcept = default;
+    Value(bool b) noexcept : type_(Type::Bool) { u_.b = b; }         // NOLINT: implicit by intent
+    Value(std::int32_t i) noexcept : type_(Type::Int) { u_.i = i; }  // NOLINT: implicit by intent
+    Value(double d) noexcept : type_(Type::Float) { u_.d = d; }      // NOLINT: implicit by intent
+    Value(const std::array<double, 6>& pose) noexcept : type_(Type::Pose) { u_.pose = pose; }  // NOLINT
+    Value(const Pose& pose) noexcept : Value(pose.array()) {}  // NOLINT: implicit by intent
+    explicit Value(std::string text);
+    explicit Value(const char*) = delete;  // would become a bool
+
+    static Value none() noexcept {
+        Value v;
+        v.type_ = Type::None;
+        return v;
+    }
+    static Value list(ListData data);
+    static Value floats(const double* values, std::size_t count);
+    static Value ints(const std::int32_t* values, std::size_t count);
+    static Value matrix(MatrixData data);
+    static Value structure(StructData data);
+
+    Value(const Value& other) noexcept { copyFrom(other); }
+    Value(Value&& other) noexcept { takeFrom(other); }
+    Value& operator=(const Value& other) noexcept {
+        if (this != &other) {
+            Value keep(other);  // `other` may live inside what this releases
+            release();
+            takeFrom(keep);
+        }
+        return *this;
+    }
+    Value& operator=(Value&& other) noexcept {
+        if (this != &other) {
+            Value keep(std::move(other));
+            release();
+            takeFrom(keep);
+        }
+        return *this;
+    }
+    ~Value() { release(); }
+
+    Type type() const noexcept { return type_; }
+    bool isUnset() const noexcept { return type_ == Type::Unset; }
+    bool isNumber() const noexcept { return type_ == Type::Int || type_ == Type::Float; }
+    bool is(Type t) const noexcept { return type_ == t; }
+
+    // Unchecked: the caller has looked at type().
+    bool asBool() const noexcept { return u_.b; }
+    std::int32_t asInt() const noexcept { return u_.i; }
+    double asFloat() const noexcept { return u_.d; }
+    double number() const noexcept { return type_ == Type::Int ? static_cast<double>(u_.i) : u_.d; }
+    const std::array<double, 6>& pose() const noexcept { return u_.pose; }
+    std::array<double, 6>& pose() noexcept { return u_.pose; }
+    const std::string& string() const noexcept;
+    const ListData& list() const noexcept { return *u_.list; }
+    const MatrixData& matrix() const noexcept { return *u_.matrix; }
+    const StructData& structure() const noexcept { return *u_.structure; }
+    /// Own copy for writing.
+    ListData& ownList();
+    MatrixData& ownMatrix();
+    StructData& ownStructure();
+
+    void setInt(std::int32_t i) noexcept {
+        release();
+        type_ = Type::Int;
+        u_.i = i;
+    }
+    void setFloat(double d) noexcept {
+        release();
+        type_ = Type::Float;
+        u_.d = d;
+    }
+    void setBool(bool b) noexcept {
+        release();
+        type_ = Type::Bool;
+        u_.b = b;
+    }
+    void reset() noexcept {
+        release();
+        type_ = Type::Unset;
+    }
+
+    /// A copy that shares nothing (constants handed to another host thread).
+    Value detached() const;
+    /// "int", "float", "pose"...: for error texts.
+    const char* typeName() const noexcept;
+    /// Same type and content; 2 and 2.0 are equal, NaN is not.
+    bool equals(const Value& other) const;
+    /// Number of values inside, 1 for plain ones: bounds how much a nested value may grow.
+    std::size_t weight() const noexcept;
+
+private:
+    bool shared() const noexcept { return type_ >= Type::String; }
+    void copyFrom(const Value& other) noexcept {
+        type_ = other.type_;
+        if (type_ <= Type::Float) {
+            u_.bits = other.u_.bits;
+        } else if (type_ == Type::Pose) {
+            u_.pose = other.u_.pose;
+        } else {
+            u_.counter = other.u_.counter;
+            ++*u_.counter;
+        }
+    }
+    void takeFrom(Value& other) noexcept {
+        type_ = other.type_;
+        if (type_ == Type::Pose) {
+            u_.pose = other.u_.pose;
+        } else {
+            u_.bits = other.u_.bits;
+        }
+        other.type_ = Type::Unset;
+    }
+    void release() noexcept {
+        if (shared()) {
+            releaseShared();
+        }
+    }
+    void releaseShared() noexcept;
+
+    Type type_ = Type::Unset;
+    union Content {
+        std::uint64_t bits = 0;
+        bool b;
+        std::int32_t i;
+        double d;
+        std::array<double, 6> pose;
+        std::uint32_t* counter;  // every shared data begins with its count
+        StringData* string;
+        ListData* list;
+        MatrixData* matrix;
+        StructData* structure;
+    } u_;
+};
+
+struct StringData {
+    std::uint32_t count = 1;
+    std::string text;
+};
+
+/// One element type per list. Numbers and bools are kept as doubles (int32 fits exactly), others as values.
+struct ListData {
+    enum class Kind : std::uint8_t { Bool, Int, Float, Other };
+
+    std::uint32_t count = 1;
+    Kind kind = Kind::Int;
+    std::size_t capacity = 0;     ///< fixed at creation
+    std::vector<double> numbers;  ///< Bool, Int, Float
+    std::vector<Value> values;    ///< Other: strings, poses, structs
+
+    std::size_t size() const { return kind == Kind::Other ? values.size() : numbers.size(); }
+    bool isNumeric() const { return kind == Kind::Int || kind == Kind::Float; }
+    Value at(std::size_t i) const;
+    /// False when the element type does not fit; ints and floats mix, the list becomes one of floats.
+    bool set(std::size_t i, const Value& v);
+    bool insert(std::size_t i, const Value& v);
+    void erase(std::size_t i);
+    void clear();
+    bool accepts(const Value& v) const;
+
+private:
+    void adopt(const Value& v);
+};
+
+struct MatrixData {
+    std::uint32_t count = 1;
+    std::size_t rows = 0, cols = 0;
+    bool integer = true;          ///< all elements are ints
+    std::vector<double> numbers;  ///< row by row
+};
+
+struct StructData {
+    std::uint32_t count = 1;
+    std::vector<std::pair<std::string, Value>> members;
+    Value* find(std::string_view name);
+    const Value* find(std::string_view name) const;
+};
+
+/// to_str and str_cat: six decimals without trailing zeros, ", " between elements. May be longer than what
+/// the language allows; stops soon after `limit` characters.
+std::string toStr(const Value& v, std::size_t limit = 2048);
+/// textmsg: six significant digits, "," between elements.
+std::string toMessageText(const Value& v, std::size_t limit = 65536);
+
+}  // namespace tiller::simulator::urscript
