@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// An RTDE connection: opens the socket with Qt Network, runs the handshake within a deadline, and then moves
+// data packages over the native descriptor without allocating. Whoever owns it reads and writes it from one
+// thread; it has none of its own. The destructor closes it, at once, whatever the peer does.
+
+#include <QString>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "robot/core/deadline.h"
+#include "robot/core/native_socket.h"
+#include "robot/core/result.h"
+#include "robot/rtde/protocol.h"
+#include "robot/rtde/session.h"
+
+namespace tiller::rtde {
+
+struct ConnectionOptions {
+    QString host;
+    std::uint16_t port = kPort;
+    SessionRequest request;
+};
+
+class Connection {
+public:
+    /// Connects and shakes hands. Processes Qt events of the calling thread while the TCP connection is being
+    /// made: call it from a worker.
+    /// Errors   AddressInvalid, HostUnreachable, ConnectionRefused, ConnectionClosed, Timeout, Cancelled,
+    ///          ProtocolError, FieldUnknown (none of the outputs exists), RegisterInUse, Rejected; the
+    ///          context names host and port
+    /// Threads  any. Blocks: until the deadline at most. Real-time: no
+    static Result<std::unique_ptr<Connection>> open(const ConnectionOptions& options,
+                                                    const Deadline& deadline);
+    ~Connection();
+    Connection(const Connection&) = delete;
+    Connection& operator=(const Connection&) = delete;
+
+    const SoftwareVersion& version() const;
+    ProtocolVersion protocol() const;
+    const Recipe& outputs() const;
+    const std::vector<Recipe>& inputs() const;
+    /// The whole answer of the handshake: names in use, text messages.
+    const Session& session() const;
+    /// Time between two data packages [s].
+    double period() const;
+    /// "192.168.0.10:30004", for messages.
+    const QString& peer() const;
+    native_socket::Descriptor descriptor() const;
+
+    enum class Read {
+        Package,   ///< values were filled
+        Nothing,   ///< no package within the time
+        Closed,    ///< the controller ended the connection
+        Failed,    ///< the connection broke
+        Malformed  ///< bytes that are no RTDE; see error()
+    };
+    /// Waits for the next data package and decodes it. Packages of other kinds are taken in silently (text
+    /// messages are kept in session()). A zero time only looks.
+    /// values   at least outputs().size() numbers
+    /// Blocks: atMost. Real-time: yes (two system calls a package)
+    Read readPackage(std::span<double> values, std::chrono::nanoseconds atMost);
+    /// True when another package has already been received: readPackage() will not wait.
+    bool hasPackage() const;
+
+    enum class Send {
+        Sent,
+        Busy,    ///< the peer does not read; the package was dropped, a later one may pass
+        Failed,  ///< the connection broke, or the recipe is not valid
+    };
+    /// Sends one data package.
+    /// recipe   index into inputs()
+    /// values   inputs()[recipe].size() numbers in its order
+    /// Blocks: never. Real-time: yes (one system call)
+    Send sendInputs(std::size_t recipe, std::span<const double> values);
+
+    /// Errors  Timeout, Cancelled, ConnectionClosed, Rejected, ProtocolError. Blocks: deadline
+    Result<void> start(const Deadline& deadline);
+    Result<void> pause(const Deadline& deadline);
+
+    /// Closes the socket. Reading and sending fail from now on. Blocks: never
+    void close();
+    bool isOpen() const;
+    /// Why the last read or send did not work.
+    Error error() const;
+
+private:
+    struct State;
+    explicit Connection(std::unique_ptr<State> state);
+    std::unique_ptr<State> d_;
+};
+
+}  // namespace tiller::rtde
