@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A stream of fixed-size records from one producer to any number of consumers. The producer never waits and
+// never asks who listens: when a consumer is too slow the oldest records are overwritten, and that consumer
+// learns how many it missed.
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace tiller::realtime {
+
+/// Threads  push() one; every consumer brings its own Cursor and uses it from one thread at a time.
+/// Real-time: yes (allocates at construction only)
+class BroadcastRing {
+public:
+    /// A consumer's place in the stream.
+    struct Cursor {
+        std::uint64_t next = 0;  ///< number of the record to be read next
+        std::uint64_t lost = 0;  ///< records that were overwritten before they were read
+    };
+
+    /// words     64-bit words in a record
+    /// capacity  records kept, rounded up to a power of two
+    BroadcastRing(std::size_t words, std::size_t capacity)
+        : words_(words)
+        , mask_(roundUp(capacity) - 1)
+        , stamps_(std::make_unique<std::atomic<std::uint64_t>[]>(mask_ + 1))
+        , data_(std::make_unique<std::atomic<std::uint64_t>[]>((mask_ + 1) * words)) {}
+
+    std::size_t words() const { return words_; }
+    std::size_t capacity() const { return mask_ + 1; }
+    /// Records pushed so far.
+    std::uint64_t count() const { return head_.load(std::memory_order_acquire); }
+
+    /// A place that sees everything pushed from now on.
+    Cursor atEnd() const { return {count(), 0}; }
+    /// A place at the oldest record still there.
+    Cursor atBegin() const {
+        const std::uint64_t head = count();
+        return {head > capacity() ? head - capacity() : 0, 0};
+    }
+    std::uint64_t pending(const Cursor& cursor) const { return count() - cursor.next; }
+
+    void push(std::span<const std::uint64_t> record) {
+        const std::uint64_t number = head_.load(std::memory_order_relaxed);
+        const std::size_t slot = number & mask_;
+        stamps_[slot].store(2 * number + 1, std::memory_order_relaxed);
+        std::atomic<std::uint64_t>* words = &data_[slot * words_];
+        for (std::size_t i = 0; i < words_; ++i) {
+            words[i].store(record[i], std::memory_order_release);
+        }
+        stamps_[slot].store(2 * number + 2, std::memory_order_release);
+        head_.store(number + 1, std::memory_order_release);
+    }
+
+    /// Takes the next record.
+    /// Returns  false when there is none
+    bool pop(Cursor& cursor, std::span<std::uint64_t> record) const {
+        for (;;) {
+            const std::uint64_t head = count();
+            if (cursor.next >= head) {
+                return false;
+            }
+            if (head - cursor.next > capacity()) {
+                cursor.lost += head - capacity() - cursor.next;
+                cursor.next = head - capacity();
+            }
+            const std::size_t slot = cursor.next & mask_;
+            const std::uint64_t whole = 2 * cursor.next + 2;
+            if (stamps_[slot].load(std::memory_order_acquire) == whole) {
+                const std::atomic<std::uint64_t>* words = &data_[slot * words_];
+                for (std::size_t i = 0; i < words_; ++i) {
+                    record[i] = words[i].load(std::memory_order_acquire);
+                }
+                if (stamps_[slot].load(std::memory_order_relaxed) == whole) {
+                    ++cursor.next;
+                    return true;
+                }
+            }
+            // The producer has come round and is writing over this very record.
+            ++cursor.next;
+            ++cursor.lost;
+        }
+    }
+
+private:
+    static std::size_t roundUp(std::size_t capacity) {
+        std::size_t size = 2;
+        while (size < capacity) {
+            size *= 2;
+        }
+        return size;
+    }
+
+    std::size_t words_;
+    std::size_t mask_;
+    std::unique_ptr<std::atomic<std::uint64_t>[]> stamps_;
+    std::unique_ptr<std::atomic<std::uint64_t>[]> data_;
+    std::atomic<std::uint64_t> head_{0};
+};
+
+}  // namespace tiller::realtime

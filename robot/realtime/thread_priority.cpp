@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "robot/realtime/thread_priority.h"
+
+#include <algorithm>
+
+#ifdef _WIN32
+#include <windows.h>
+#else
+#include <pthread.h>
+#include <sched.h>
+
+#include <cerrno>
+#include <cstring>
+#endif
+
+namespace tiller::realtime {
+
+#ifdef _WIN32
+
+// Written to the Windows documentation; not run in this project's CI.
+PriorityReport requestThreadPriority(int priority) {
+    PriorityReport report;
+    report.requested = std::clamp(priority, 0, 99);
+    if (report.requested == 0) {
+        return report;
+    }
+    const int wanted = report.requested >= 80 ? THREAD_PRIORITY_TIME_CRITICAL : THREAD_PRIORITY_HIGHEST;
+    if (SetThreadPriority(GetCurrentThread(), wanted)) {
+        report.granted = report.requested;
+    } else {
+        report.advice = QStringLiteral("The system refused a higher thread priority (error %1).")
+                            .arg(static_cast<unsigned>(GetLastError()));
+    }
+    return report;
+}
+
+void nameThread(const char* name) {
+    const QString text = QString::fromUtf8(name);
+    SetThreadDescription(GetCurrentThread(), reinterpret_cast<const wchar_t*>(text.utf16()));
+}
+
+#else
+
+PriorityReport requestThreadPriority(int priority) {
+    PriorityReport report;
+    report.requested = std::clamp(priority, 0, 99);
+    if (report.requested == 0) {
+        return report;
+    }
+    sched_param wanted{};
+    wanted.sched_priority =
+        std::clamp(report.requested, sched_get_priority_min(SCHED_FIFO), sched_get_priority_max(SCHED_FIFO));
+    const int failure = pthread_setschedparam(pthread_self(), SCHED_FIFO, &wanted);
+
+    int policy = SCHED_OTHER;
+    sched_param actual{};
+    if (pthread_getschedparam(pthread_self(), &policy, &actual) == 0 && policy == SCHED_FIFO) {
+        // macOS (not run in this project's CI) ends at 47; its best counts as what was asked for.
+        report.granted =
+            wanted.sched_priority < report.requested && actual.sched_priority == wanted.sched_priority
+                ? report.requested
+                : actual.sched_priority;
+    }
+    if (report.ok()) {
+        return report;
+    }
+    if (failure == EPERM) {
+        report.advice =
+            QStringLiteral(
+                "Real-time priority %1 was refused. Add the lines \"@realtime - rtprio 99\" and "
+                "\"@realtime - memlock unlimited\" to /etc/security/limits.d/realtime.conf, put the user "
+                "into the group realtime and log in again.")
+                .arg(report.requested);
+    } else {
+        report.advice = QStringLiteral("Real-time priority %1 was refused: %2")
+                            .arg(report.requested)
+                            .arg(QString::fromLocal8Bit(std::strerror(failure)));
+    }
+    return report;
+}
+
+void nameThread(const char* name) {
+#ifdef __APPLE__
+    pthread_setname_np(name);
+#else
+    char text[16] = {};
+    std::strncpy(text, name, sizeof text - 1);
+    pthread_setname_np(pthread_self(), text);
+#endif
+}
+
+#endif
+
+}  // namespace tiller::realtime
