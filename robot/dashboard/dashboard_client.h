@@ -30,7 +30,8 @@ struct ProgramState {
 ///          RemoteControlRequired (the robot is in Local), Rejected (any other reply than the documented one,
 ///          which is then in controllerMessage), InvalidArgument (a line break in a text). The context names
 ///          address and command. After Timeout or Cancelled the connection is closed, because a late reply
-///          would be taken for the answer to the next command.
+///          would be taken for the answer to the next command; and after RemoteControlRequired, because
+///          controllers honour the switch to Remote on new connections only.
 class DashboardClient {
 public:
     explicit DashboardClient(QString host, int port = kDashboardPort);
@@ -43,6 +44,9 @@ public:
     Result<void> connect(const Deadline& deadline);
     void close();
     bool isConnected() const;
+    /// Looks whether the server has hung up since the last reply, and closes this end then too.
+    /// Returns  isConnected(). Blocks: never
+    bool checkConnection();
 
     // Power and recovery. A reply means "begun": the change shows in robotMode().
     Result<void> powerOn(const Deadline& deadline);

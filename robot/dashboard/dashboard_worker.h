@@ -9,6 +9,8 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <type_traits>
+#include <utility>
 
 #include "robot/dashboard/dashboard_client.h"
 
@@ -29,18 +31,21 @@ public:
 
     /// Runs `call` on the worker, then `done` with its result in the thread of `context` (not at all once
     /// context is gone, or the worker stopped).
-    /// atMost  for the whole call, connecting included
-    /// Example  worker.post([](auto& c, auto& d) { return c.powerOn(d); }, this, [this](auto r) {...});
-    /// Threads  any. Blocks: never
-    template <class T>
-    void post(std::function<Result<T>(DashboardClient&, const Deadline&)> call, QObject* context,
-              std::function<void(const Result<T>&)> done,
+    /// call     (DashboardClient&, const Deadline&) -> Result<T>
+    /// done     (const Result<T>&)
+    /// atMost   for the whole call, connecting included
+    /// Example  worker.post([](auto& c, auto& d) { return c.powerOn(d); }, this, [this](auto& r) { ... });
+    /// Threads  any; context must outlive this call and be deleted in its own thread. Blocks: never
+    template <class Call, class Done>
+    void post(Call call, QObject* context, Done done,
               std::chrono::milliseconds atMost = std::chrono::milliseconds(3000)) {
+        using R = std::invoke_result_t<Call&, DashboardClient&, const Deadline&>;
         enqueue(
             [call = std::move(call), done = std::move(done)](DashboardClient* client, const Error& error,
-                                                             const Deadline& deadline) {
-                Result<T> result = client ? call(*client, deadline) : Result<T>(error);
-                return std::function<void()>([done, result = std::move(result)] { done(result); });
+                                                             const Deadline& deadline) mutable {
+                R result = client ? call(*client, deadline) : R(error);
+                return std::function<void()>(
+                    [done, result = std::move(result)]() mutable { done(std::as_const(result)); });
             },
             context, atMost);
     }
