@@ -13,7 +13,7 @@ std::size_t Histogram::bucketOf(std::int64_t ns) {
     if (value < kSub) {
         return value;
     }
-    const int doubling = std::bit_width(value) - 1 - kSubBits;
+    const int doubling = static_cast<int>(std::bit_width(value)) - 1 - kSubBits;
     const std::size_t sub = (value >> doubling) & (kSub - 1);
     return std::min(static_cast<std::size_t>(doubling + 1) * kSub + sub, kBuckets - 1);
 }
