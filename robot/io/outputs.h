@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Sets digital outputs and the speed slider through an RTDE connection of its own, whether or not a program
+// runs. Only the bits asked for are touched (masks), and a command is done when the robot reports the new
+// value, not when it was sent. Others may own some of these inputs: then only those are unavailable, and say
+// so.
+
+#include <QString>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "robot/core/deadline.h"
+#include "robot/core/result.h"
+#include "robot/receive/receiver.h"
+#include "robot/rtde/protocol.h"
+
+namespace tiller::io {
+
+/// Digital outputs as the robot numbers their bits.
+inline constexpr int kStandardOutputs = 8;    ///< 0 ... 7
+inline constexpr int kFirstConfigurable = 8;  ///< 8 ... 15
+inline constexpr int kFirstTool = 16;         ///< 16, 17
+inline constexpr int kDigitalOutputs = 18;
+/// A slider at zero has caused protective stops, so lower wishes are raised to this.
+inline constexpr double kLowestSpeedFraction = 0.02;
+
+/// What the robot reports, for confirmation. Each may answer "not known yet".
+struct Feedback {
+    std::function<std::optional<std::uint64_t>()> digitalOutputs;
+    std::function<std::optional<double>()> speedSlider;
+
+    /// From the newest sample of a receiver, which must outlive the Outputs.
+    static Feedback fromReceiver(const receive::Receiver& receiver);
+};
+
+struct OutputsOptions {
+    QString host;
+    std::uint16_t port = rtde::kPort;
+};
+
+/// Threads  any; calls are carried out one after the other. Has no thread of its own: call from a worker,
+///          since confirmation waits.
+class Outputs {
+public:
+    Outputs(OutputsOptions options, Feedback feedback);
+    ~Outputs();
+    Outputs(const Outputs&) = delete;
+    Outputs& operator=(const Outputs&) = delete;
+
+    /// Connects anew, whatever there was before.
+    /// Errors  as rtde::Connection::open; inputs owned by others are no error here
+    Result<void> connect(const Deadline& deadline);
+    void disconnect();
+    bool isConnected() const;
+
+    /// Sets the outputs whose bit is set in `mask` to their bit in `values`, others stay.
+    /// Errors  NotConnected, InvalidArgument (no such output), RegisterInUse (who asks reads which inputs are
+    ///         owned by another client), FieldUnknown (this robot has no such input), LinkLost, Timeout
+    ///         (sent, but the robot does not report it), Cancelled
+    /// Blocks  until the robot reports the new values, at most until the deadline
+    Result<void> setDigitalOutputs(std::uint32_t mask, std::uint32_t values, const Deadline& deadline);
+    Result<void> setDigitalOutput(int output, bool on, const Deadline& deadline);
+
+    /// fraction  0.02 ... 1; smaller values are raised to 0.02
+    /// Errors    as setDigitalOutputs; InvalidArgument when it is no number or above 1
+    Result<void> setSpeedSlider(double fraction, const Deadline& deadline);
+
+    /// Whether a group of outputs can be set; the error says why not.
+    Result<void> canSetDigitalOutput(int output) const;
+    Result<void> canSetSpeedSlider() const;
+
+private:
+    struct Link;
+    std::unique_ptr<Link> d_;
+};
+
+}  // namespace tiller::io

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Follows a robot: one RTDE connection, one thread, every package published as "the newest" and into a ring
+// that any number of subscribers read at their own pace. Comes back by itself when the connection breaks.
+
+#include <QString>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot/core/clock.h"
+#include "robot/core/result.h"
+#include "robot/core/version.h"
+#include "robot/realtime/histogram.h"
+#include "robot/realtime/ring.h"
+#include "robot/realtime/thread_priority.h"
+#include "robot/receive/sample.h"
+#include "robot/rtde/protocol.h"
+
+namespace tiller::receive {
+
+/// What the interface shows and what recordings usually want: all of it known to every robot or absent
+/// without harm.
+std::vector<std::string> defaultFields();
+
+struct ReceiverOptions {
+    QString host;
+    std::uint16_t port = rtde::kPort;
+    /// Packages a second; 0: as many as the controller gives (500, on CB3 125).
+    double frequency = 0;
+    /// "timestamp" is added if missing.
+    std::vector<std::string> fields = defaultFields();
+    /// SCHED_FIFO priority of the thread, where the system permits; 0 asks for none.
+    int priority = 90;
+    /// Stamps samples and measures ages. Must outlive the receiver.
+    const Clock* clock = &SteadyClock::shared();
+    /// How long one attempt to connect and shake hands may take.
+    std::chrono::milliseconds connectTimeout{3000};
+    /// Waits between attempts; the last one repeats.
+    std::vector<std::chrono::milliseconds> reconnectDelays{
+        std::chrono::milliseconds(500), std::chrono::milliseconds(1000), std::chrono::milliseconds(2000),
+        std::chrono::milliseconds(5000)};
+    /// Silence on the clock after which the connection is given up and made anew.
+    std::chrono::milliseconds silenceLimit{2500};
+    /// Samples kept for subscribers that are busy: 8 s at 500 Hz.
+    std::size_t ringCapacity = 4096;
+};
+
+enum class ReceiverState {
+    Stopped,     ///< start() not called, or stop() was
+    Connecting,  ///< an attempt is under way
+    Receiving,   ///< connected; see Counters and ageNs() for whether data come
+    Waiting,     ///< an attempt failed or the connection broke; the next attempt is due
+};
+
+struct ReceiverCounters {
+    std::uint64_t packets = 0;
+    std::uint64_t late = 0;         ///< came more than half a period after their time
+    std::uint64_t lost = 0;         ///< skipped by the controller, by its own time stamps
+    std::uint64_t reconnects = 0;   ///< connections made after the first
+    double rateHz = 0;              ///< over the last half second
+    std::int64_t lastJitterNs = 0;  ///< how far the newest package was from its time
+};
+
+/// One consumer's place in the stream.
+/// Threads  one at a time. Stays valid after the receiver is gone. Real-time: yes
+class Subscription {
+public:
+    Subscription() = default;
+
+    /// Fills `sample` with the next one. A Sample that is passed again and again is filled without
+    /// allocating.
+    /// Returns  false when there is none just now
+    bool next(Sample& sample);
+    /// Samples that were overwritten because nobody fetched them.
+    std::uint64_t lost() const { return cursor_.lost; }
+    std::uint64_t pending() const;
+    bool isValid() const { return stream_ != nullptr; }
+
+private:
+    friend class Receiver;
+    struct Stream;
+    std::shared_ptr<const Stream> stream_;
+    realtime::BroadcastRing::Cursor cursor_;
+};
+
+/// Owns the thread "tiller-receive" (SCHED_FIFO 90 where permitted), which opens, reads and closes the RTDE
+/// connection. What crosses: samples outward through a seqlock and a ring; stop() inward through a flag.
+/// Threads  any for everything; start() and stop() from one
+class Receiver {
+public:
+    explicit Receiver(ReceiverOptions options);
+    ~Receiver();
+    Receiver(const Receiver&) = delete;
+    Receiver& operator=(const Receiver&) = delete;
+
+    /// Starts the thread; does not wait for a connection. Blocks: never
+    void start();
+    /// Ends the thread, within 250 ms whatever the peer does.
+    void stop();
+
+    ReceiverState state() const;
+    /// Why the last attempt failed or the last connection broke; code None when connected.
+    Error lastError() const;
+    ReceiverCounters counters() const;
+    /// Counters back to zero, reconnects too. Takes effect with the next package.
+    void resetCounters();
+    /// Distance between neighbouring packages on the host [ns], since the last reset.
+    realtime::Histogram intervals() const;
+
+    /// Of the controller connected to last; zeros before the first connection.
+    SoftwareVersion version() const;
+    /// Time between two packages [s]; 0 before the first connection.
+    double period() const;
+    /// Fields asked for that the robot does not have.
+    std::vector<std::string> absentFields() const;
+    /// What the system said to the wish for priority.
+    realtime::PriorityReport priority() const;
+
+    const std::shared_ptr<const SampleLayout>& layout() const;
+    /// The newest sample; sequence 0 when there is none yet. Real-time: latest(Sample&) yes, latest() no
+    Sample latest() const;
+    void latest(Sample& into) const;
+    /// Age of the newest sample on the receiver's clock; the largest number there is when there is none.
+    std::int64_t ageNs() const;
+    bool isFresh(std::chrono::nanoseconds limit) const { return ageNs() <= limit.count(); }
+
+    /// Everything received from now on.
+    Subscription subscribe() const;
+
+private:
+    struct Worker;
+    std::unique_ptr<Worker> d_;
+};
+
+}  // namespace tiller::receive

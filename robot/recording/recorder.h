@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Writes what the robot sends to a CSV file, one row per package: `timestamp` first, then one column per
+// number, named as ur_rtde recordings are (actual_q_0 ... actual_q_5), at last `packages_lost`: how many
+// packages are missing between the row before and this one (0 in a recording without gaps). Numbers are the
+// shortest that read back exactly, with a point whatever the locale; a field the robot does not have stays
+// empty, which pandas reads as NaN.
+//
+// Rows reach the file at least every half second and only whole, so a killed process costs less than a second
+// and leaves a file that ends with a complete row.
+
+#include <QString>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "robot/core/result.h"
+#include "robot/receive/receiver.h"
+
+namespace tiller::recording {
+
+/// Columns written unless others are asked for, as field names.
+std::vector<std::string> defaultRecordedFields();
+
+/// The name of the last column.
+inline constexpr const char* kLostColumn = "packages_lost";
+
+struct RecorderOptions {
+    QString path;
+    /// Field names; those the receiver does not follow are left out. `timestamp` always comes first.
+    std::vector<std::string> fields = defaultRecordedFields();
+};
+
+enum class RecorderState {
+    Idle,
+    Recording,
+    Finished,  ///< stop() was called; the file is complete
+    Failed,    ///< see error(); what was written before is kept
+};
+
+struct RecorderProgress {
+    RecorderState state = RecorderState::Idle;
+    std::uint64_t rows = 0;      ///< written to the file
+    double seconds = 0;          ///< of robot time, first to last row
+    std::uint64_t lost = 0;      ///< packages missing in the file, by whatever cause
+    std::int64_t bytes = 0;      ///< size of the file
+    std::int64_t freeBytes = 0;  ///< on its disk, looked up about once a second
+};
+
+/// Owns the thread "tiller-record" (normal priority) that drains a subscription into the file.
+/// Threads  start() and stop() from one, the rest from any
+class Recorder {
+public:
+    Recorder();
+    ~Recorder();  ///< stops
+    Recorder(const Recorder&) = delete;
+    Recorder& operator=(const Recorder&) = delete;
+
+    /// Creates the file (an existing one is replaced), writes the header and begins with the next package.
+    /// Errors   FileNotWritable, DiskFull, InvalidArgument (a recording is under way; no column is left)
+    /// Blocks   as long as the file system takes to create a file
+    Result<void> start(const RecorderOptions& options, receive::Subscription subscription,
+                       std::shared_ptr<const receive::SampleLayout> layout);
+    Result<void> start(const RecorderOptions& options, const receive::Receiver& receiver);
+    /// Writes what is still waiting and closes the file.
+    void stop();
+
+    RecorderProgress progress() const;
+    /// Why it failed: DiskFull, FileNotWritable; code None otherwise.
+    Error error() const;
+    QString path() const;
+
+private:
+    struct Worker;
+    std::unique_ptr<Worker> d_;
+};
+
+}  // namespace tiller::recording
