@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A controller with a simulated arm, which speaks to the world as a real one does: RTDE, primary, secondary,
+// realtime and dashboard over TCP, and URScript that is really executed. Clients need not know.
+//
+// In real time it steps every control period on an absolute schedule. In virtual time its sockets are served
+// all the time (so that a client may connect and shake hands whenever it likes), but the robot stands still
+// in time until step() is called; together with waitForInputPackages() a test moves robot and client on in
+// lock-step, however slow the machine is.
+//
+// Besides the sockets there are only the hooks below: what on a real robot is a hand, a button or a cable.
+
+#include <QString>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "robot/core/deadline.h"
+#include "robot/core/joints.h"
+#include "robot/core/modes.h"
+#include "robot/core/result.h"
+#include "robot/core/robot_model.h"
+#include "robot/core/spatial.h"
+#include "robot/core/version.h"
+
+namespace tiller::simulator {
+
+enum class Time { Real, Virtual };
+
+/// The start pose of the vendor's simulated UR5e [rad]. Source: its first primary package.
+inline const JointPositions kHomeJoints{-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310};
+
+struct ControllerOptions {
+    RobotModelId model = RobotModelId::UR5e;
+    SoftwareVersion software{5, 22, 1, 1214193};
+    QString listenAddress = QStringLiteral("127.0.0.1");
+    int portOffset = 0;         ///< added to every standard port
+    bool anyFreePorts = false;  ///< the system picks the ports; ask ports() after start()
+    Time time = Time::Real;
+    bool poweredOn = false;  ///< start with the brakes released, in RUNNING
+    JointPositions startJoints = kHomeJoints;
+    std::optional<int> priority;  ///< SCHED_FIFO priority wished for the thread; none: normal
+    std::uint64_t seed = 1;       ///< of measurement noise and of the scripts' random()
+    bool remoteControl = true;    ///< the pendant's Local/Remote switch
+    bool gateLocalControl =
+        false;  ///< refuse what a robot in Local refuses (the vendor's simulator does not)
+    bool gateLoopbackClients = false;  ///< refuse dashboard clients on this machine too
+    bool fastTransitions = false;      ///< power on and brake release within a few control periods
+    double startTime = 60.0;  ///< `timestamp` at start [s]; below 40 some clients wait for the boot to end
+    QString programsFolder;   ///< where `load` finds programs; empty: there are none
+    QString serialNumber = QStringLiteral("20225502022");
+};
+
+/// Port numbers in use; 0 before start().
+struct Ports {
+    std::uint16_t dashboard = 29999;
+    std::uint16_t primary = 30001;
+    std::uint16_t secondary = 30002;
+    std::uint16_t realtime = 30003;
+    std::uint16_t rtde = 30004;
+    std::uint16_t primaryReadOnly = 30011;
+    std::uint16_t secondaryReadOnly = 30012;
+    std::uint16_t realtimeReadOnly = 30013;
+};
+
+/// What the simulated robot is really doing, for tests that check what a client made of it.
+struct Truth {
+    std::uint64_t tick = 0;
+    double timestamp = 0;  ///< [s]
+    RobotMode robotMode = RobotMode::PowerOff;
+    SafetyMode safetyMode = SafetyMode::Normal;
+    RuntimeState runtimeState = RuntimeState::Stopped;
+    JointPositions q;
+    JointVelocities qd;
+    Pose tcpPose;
+    Twist tcpSpeed;
+    double speedSlider = 1;
+    std::uint64_t digitalOutputs = 0;
+};
+
+/// One thread, owned by this object, between start() and stop(); priority as in the options. Everything
+/// crosses into it through a queue that it empties between control periods.
+class Controller {
+public:
+    explicit Controller(const ControllerOptions& options = {});
+    ~Controller();
+    Controller(const Controller&) = delete;
+    Controller& operator=(const Controller&) = delete;
+
+    /// Opens all ports and begins.
+    /// Errors   AddressInvalid; Rejected when a port is in use, naming port and address and what to do
+    /// Threads  any, not at once with stop(). Blocks: until all ports accept
+    Result<void> start();
+    /// Ends the thread and closes every connection. Harmless when not running.
+    void stop();
+    bool isRunning() const;
+
+    Ports ports() const;
+    QString listenAddress() const;
+    const ControllerOptions& options() const;
+    /// Time of one step [s].
+    double stepTime() const;
+
+    // ---- time, in virtual mode --------------------------------------------------------------------------
+
+    /// Moves time on by whole control periods. Returns when all data of the last one have been handed to the
+    /// sockets. Does nothing in real time.
+    /// Threads  any. Blocks: while stepping
+    void step(int ticks = 1);
+    void stepSeconds(double seconds);
+    /// Reads everything that has arrived and answers requests, without moving time on.
+    void drainSockets();
+    /// RTDE input packages accepted since start(), of all clients.
+    std::uint64_t inputPackages() const;
+    /// Reads until so many input packages have come, or the deadline is over.
+    /// Returns  true when they have
+    bool waitForInputPackages(std::uint64_t total, const Deadline& deadline);
+    /// Clients connected to the RTDE port now.
+    int rtdeClients() const;
+
+    /// Threads  any. Consistent within one control period
+    Truth truth() const;
+
+    // ---- hooks: each takes effect in the next control period; none waits -------------------------------
+
+    void protectiveStop();
+    void emergencyStop(bool pressed);       ///< the pendant's button
+    void systemEmergencyStop(bool active);  ///< the external input
+    void safeguardStop(bool open);
+    void reducedMode(bool active);
+    void violation();
+    void fault();
+    void setDigitalInput(int number, bool value);   ///< 0-7 standard, 8-15 configurable, 16-17 tool
+    void setAnalogInput(int number, double value);  ///< 0, 1 [A or V]; 2, 3 are the tool's
+    void setRemoteControl(bool remote);
+    void pressFreedriveButton(bool pressed);
+    /// A hand on the tool; zero lets go. wrench  [N, Nm] at the TCP, base frame
+    void pressHand(const Wrench& wrench);
+    void setSpeedSlider(double fraction);
+    /// A mute controller: time goes on, nothing is sent, nothing is read, connections stay.
+    void silence(bool silent);
+    /// Ends every connection in good order, as a restarting controller does. Ports stay open.
+    void closeClients();
+
+private:
+    class Impl;
+    std::unique_ptr<Impl> d_;
+};
+
+}  // namespace tiller::simulator
