@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line.h"
+
+#include <QCommandLineParser>
+#include <QCoreApplication>
+
+namespace tiller::app {
+
+Result<CommandLine> parseCommandLine(const QStringList& arguments) {
+    const auto tr = [](const char* text) { return QCoreApplication::translate("CommandLine", text); };
+
+    QCommandLineParser parser;
+    parser.setApplicationDescription(tr("Jog, teach, run and monitor a Universal Robots arm from a PC."));
+    const QCommandLineOption help = parser.addHelpOption();
+    const QCommandLineOption version = parser.addVersionOption();
+    const QCommandLineOption simulator("simulator", tr("Start with the built-in simulated UR5e."));
+    const QCommandLineOption robot("robot", tr("Connect to the robot at this address or host name."), "host");
+    const QCommandLineOption demo(
+        "demo", tr("Run the scripted demonstration on the simulated robot, leave its files in this folder, exit."),
+        "folder");
+    const QCommandLineOption session("session", tr("Open this session file (waypoints)."), "file");
+    const QCommandLineOption theme("theme", tr("Colours: light or dark."), "name");
+    parser.addOptions({simulator, robot, demo, session, theme});
+
+    const auto wrong = [&](const QString& what) {
+        return Error{ErrorCode::InvalidArgument, what, tr("see tiller --help")};
+    };
+    if (!parser.parse(arguments)) {
+        return wrong(parser.errorText());
+    }
+    if (!parser.positionalArguments().isEmpty()) {
+        return wrong(tr("\"%1\" was not expected").arg(parser.positionalArguments().constFirst()));
+    }
+
+    CommandLine line;
+    line.showHelp = parser.isSet(help);
+    line.showVersion = parser.isSet(version);
+    line.helpText = parser.helpText();
+    line.demoDirectory = parser.value(demo);
+    line.sessionFile = parser.value(session);
+    line.theme = parser.value(theme).toLower();
+    if (!line.theme.isEmpty() && line.theme != "light" && line.theme != "dark") {
+        return wrong(tr("--theme takes light or dark, not \"%1\"").arg(line.theme));
+    }
+    if (parser.isSet(robot) && parser.isSet(simulator)) {
+        return wrong(tr("--robot and --simulator exclude each other"));
+    }
+    if (parser.isSet(demo) && parser.isSet(robot)) {
+        // The demonstration moves the arm by itself: never on a real one.
+        return wrong(tr("--demo runs on the simulated robot only, not with --robot"));
+    }
+    if (parser.isSet(demo) && line.demoDirectory.isEmpty()) {
+        return wrong(tr("--demo needs a folder"));
+    }
+    if (parser.isSet(robot)) {
+        line.robotHost = parser.value(robot).trimmed();
+        if (line.robotHost.isEmpty()) {
+            return wrong(tr("--robot needs an address, as in --robot 192.168.0.10"));
+        }
+        line.start = CommandLine::Start::Robot;
+    } else if (parser.isSet(simulator) || parser.isSet(demo)) {
+        line.start = CommandLine::Start::Simulator;
+    }
+    return line;
+}
+
+}  // namespace tiller::app
