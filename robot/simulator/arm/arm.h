@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The simulated arm: give it motion commands, step it once a control period, read its state.
+// Deterministic (seeded noise), no threads, no sockets, no URScript; nothing allocates in step().
+//
+//     Arm arm(robotModel(RobotModelId::UR5e));
+//     arm.setDriveState(DriveState::Running);
+//     const MotionStart move = arm.motion().moveJ(target, {1.4, 1.05});
+//     while (arm.motion().progress(move.id) == MotionProgress::Running) arm.step();
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "robot/core/joints.h"
+#include "robot/core/robot_model.h"
+#include "robot/core/spatial.h"
+#include "robot/simulator/arm/arm_state.h"
+#include "robot/simulator/arm/compliance.h"
+#include "robot/simulator/arm/environment.h"
+#include "robot/simulator/arm/motion.h"
+#include "robot/simulator/arm/motion_types.h"
+
+namespace tiller::simulator::arm {
+
+struct ArmOptions {
+    double period = 0;       ///< control period [s]; 0 = 0.002, or 0.008 for CB3 models
+    std::uint64_t seed = 1;  ///< of the sensor noise
+    bool ideal = false;      ///< no noise and no tracking lag: actual equals target
+    /// Start position: that of the manufacturer's simulator. Source: recorded primary packet.
+    JointPositions start{-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310};
+};
+
+class Arm {
+public:
+    explicit Arm(const RobotModel& model, const ArmOptions& options = {});
+    ~Arm();
+    Arm(const Arm&) = delete;
+    Arm& operator=(const Arm&) = delete;
+
+    /// Advances by one control period.
+    void step();
+    double period() const;
+    const RobotModel& model() const;
+    const ArmState& state() const;
+
+    Motion& motion();            ///< moves, servo, speed, stops
+    Compliance& compliance();    ///< force mode, freedrive
+    Environment& environment();  ///< what is really there: load, hand, planes
+
+    // power and program time
+    /// Leaving Running stops the motion at once (brakes) and drops every command.
+    void setDriveState(DriveState state);
+    DriveState driveState() const;
+    /// Speed slider, 0..1 (clamped). Ramped inside, so that it may jump.
+    void setSpeedFraction(double fraction);
+    /// Pause: decelerates on the path and freezes program time. resume() goes on from there.
+    void hold();
+    void resume();
+    bool isHeld() const;
+    /// Ends everything: drops all commands, force mode and freedrive, stops in joint space with
+    /// `deceleration` [rad/s2] of the leading axis. For stops of the program and of category 1.
+    void abort(double deceleration = 10.0);
+
+    /// The stop the arm made by itself, until cleared.
+    const std::optional<ProtectiveStop>& protectiveStop() const;
+    void clearProtectiveStop();
+    /// Next warning, once each; nothing if there is none.
+    std::optional<MotionWarning> takeWarning();
+
+    // tool and mounting
+    void setTcp(const Pose& T_flange_tcp);
+    const Pose& tcp() const;
+    /// Payload as configured. Unless environment().setLoad() said otherwise the arm carries exactly this.
+    void setPayload(const Payload& payload);
+    const Payload& payload() const;
+    /// Acceleration the base experiences; upright [0, 0, 9.82] m/s2.
+    void setGravity(const Eigen::Vector3d& gravity);
+    const Eigen::Vector3d& gravity() const;
+    /// zero_ftsensor(): the present reading becomes zero.
+    void zeroForceSensor();
+    /// set_pos(): places the arm at rest; drops every command.
+    void setJointPositions(const JointPositions& q);
+
+    // history and model
+    /// Joints `steps` control periods ago (0 = now); nothing beyond the last 10 s.
+    std::optional<JointPositions> jointHistory(int steps) const;
+    /// tool_contact(): control periods since contact began, 0 = none. Direction in base axes, zero = any.
+    int toolContact(const Eigen::Vector3d& direction) const;
+    Matrix6 massMatrix(const JointPositions& q) const;
+    JointTorques coriolisTorques(const JointPositions& q, const JointVelocities& qd) const;
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace tiller::simulator::arm

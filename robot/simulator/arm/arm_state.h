@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What the simulated arm shows after each control period: the figures RTDE and the primary interface report.
+// Plain data in SI units, vectors in the base frame unless a name says otherwise. `target` is what the
+// motion generator asks for, `actual` what the simulated drives and sensors answer.
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "robot/core/joints.h"
+#include "robot/core/spatial.h"
+
+namespace tiller::simulator::arm {
+
+/// Payload as the controller knows it: mass [kg], centre of gravity in the flange frame [m], inertia about
+/// the centre of gravity Ixx, Iyy, Izz, Ixy, Ixz, Iyz [kg m2].
+struct Payload {
+    double mass = 0;
+    Eigen::Vector3d centreOfGravity = Eigen::Vector3d::Zero();
+    Vector6 inertia = Vector6::Zero();
+
+    friend bool operator==(const Payload&, const Payload&) = default;
+};
+
+/// Power at the joints. The arm moves in Running only; in the other two the brakes hold it.
+enum class DriveState : std::uint8_t {
+    Off,      ///< no joint power: no voltage, no current
+    Braked,   ///< powered, brakes applied: robot mode IDLE
+    Running,  ///< powered, brakes released, position control
+};
+
+struct ArmState {
+    // joints
+    JointPositions targetQ;                         ///< target_q [rad]
+    JointVelocities targetQd;                       ///< target_qd [rad/s]
+    JointAccelerations targetQdd;                   ///< target_qdd [rad/s2]
+    JointPositions actualQ;                         ///< actual_q [rad]
+    JointVelocities actualQd;                       ///< actual_qd [rad/s]
+    Vector6 targetCurrent = Vector6::Zero();        ///< target_current [A]
+    Vector6 actualCurrent = Vector6::Zero();        ///< actual_current [A]
+    Vector6 actualCurrentWindow = Vector6::Zero();  ///< actual_current_window [A]
+    Vector6 jointControlOutput = Vector6::Zero();   ///< joint_control_output [A]
+    JointTorques targetMoment;                      ///< target_moment [Nm]
+    JointTorques actualMoment;                      ///< actual_current_as_torque [Nm]
+    JointTorques externalTorque;  ///< get_joint_torques(): actual minus what the model explains [Nm]
+    Vector6 jointTemperature = Vector6::Zero();  ///< joint_temperatures [degC]
+    Vector6 jointVoltage = Vector6::Zero();      ///< actual_joint_voltage [V]
+    double positionDeviationRatio{};  ///< joint_position_deviation_ratio, 1 would be a protective stop
+
+    // tool, in the base frame and with the TCP offset, unless the name says flange or tool
+    Pose targetTcpPose;           ///< target_TCP_pose
+    Twist targetTcpSpeed;         ///< target_TCP_speed
+    Twist targetTcpAcceleration;  ///< target_TCP_acceleration [m/s2, rad/s2]
+    Pose actualTcpPose;           ///< actual_TCP_pose
+    Twist actualTcpSpeed;         ///< actual_TCP_speed
+    Twist actualTcpAcceleration;  ///< actual_TCP_acceleration [m/s2, rad/s2]
+    Pose actualFlangePose;        ///< without the TCP offset
+    Wrench tcpForce;              ///< actual_TCP_force: what pushes on the tool, base axes
+    double tcpForceScalar{};      ///< tcp_force_scalar [N]
+    Wrench ftRawWrench;           ///< ft_raw_wrench: flange frame, neither compensated nor zeroed
+    Wrench wrenchFromCurrents;    ///< wrench_calc_from_currents: base axes at the TCP
+    Eigen::Vector3d toolAccelerometer =
+        Eigen::Vector3d::Zero();  ///< actual_tool_accelerometer, tool frame [m/s2]
+    Eigen::Vector3d elbowPosition = Eigen::Vector3d::Zero();  ///< elbow_position [m]
+    Eigen::Vector3d elbowVelocity = Eigen::Vector3d::Zero();  ///< elbow_velocity [m/s]
+    double momentum{};                                        ///< actual_momentum [kg m/s]
+
+    // supply
+    double mainVoltage{};      ///< actual_main_voltage [V]
+    double robotVoltage{};     ///< actual_robot_voltage [V]
+    double robotCurrent{};     ///< actual_robot_current [A]
+    double toolCurrent{};      ///< [A]
+    double toolTemperature{};  ///< tool_temperature [degC]
+    double energyConsumed{};   ///< actual_robot_energy_consumed [J]
+
+    // motion
+    /// Factor by which the trajectory limiter, a pause or a resume slows the motion now, 0..1
+    /// (speed_scaling). The speed slider is not part of it.
+    double speedScaling = 1;
+    double speedFraction = 1;     ///< the speed slider as set (target_speed_fraction), 0..1
+    double standstillTime{};      ///< for how long the target velocity has been zero [s]
+    std::uint64_t controlStep{};  ///< control periods since construction
+
+    /// is_steady(): at rest for 0.5 s.
+    bool isSteady() const { return standstillTime >= 0.5; }
+    /// The target does not move now.
+    bool isStandstill() const { return standstillTime > 0; }
+};
+
+}  // namespace tiller::simulator::arm

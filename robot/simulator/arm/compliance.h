@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Force mode and freedrive: motion that gives way to forces, laid over the programmed motion.
+// Source: URScript force_mode, freedrive_mode.
+
+#include "robot/core/spatial.h"
+#include "robot/simulator/arm/motion_types.h"
+
+namespace tiller::simulator::arm {
+
+class ComplianceController;
+
+class Compliance {
+public:
+    explicit Compliance(ComplianceController& controller) : controller_(controller) {}
+
+    /// Starts force mode or changes it while active; may be called every period.
+    /// Errors    InvalidArgument, NotOperational
+    MotionError startForceMode(const ForceModeParameters& parameters);
+    /// Back to position control; harmless when not active.
+    void endForceMode();
+    bool isForceMode() const;
+    void setDamping(double damping);      ///< 0..1 (clamped), kept until changed
+    double damping() const;               ///< 0.005 at the start
+    void setGainScaling(double scaling);  ///< 0..2 (clamped), kept until changed
+    double gainScaling() const;
+
+    /// The hand moves the arm; motion commands return but do not move it. May be repeated.
+    MotionError startFreedrive(const FreedriveParameters& parameters = {});
+    void endFreedrive();
+    bool isFreedrive() const;
+    /// get_freedrive_status(): 0 normal, 1 near a singularity, 2 too close.
+    int freedriveStatus() const;
+
+private:
+    ComplianceController& controller_;
+};
+
+}  // namespace tiller::simulator::arm

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The words in which motion is ordered and answered: targets, parameters, handles, refusals, stops.
+
+#include <array>
+#include <cstdint>
+#include <variant>
+
+#include "robot/core/joints.h"
+#include "robot/core/spatial.h"
+
+namespace tiller::simulator::arm {
+
+/// A waypoint given by joints or by a TCP pose in the base frame.
+using MoveTarget = std::variant<JointPositions, Pose>;
+
+/// moveJ: a [rad/s2], v [rad/s] of the leading axis. moveL, moveP, moveC: a [m/s2], v [m/s].
+/// t [s] has priority over a and v when above 0 (moveJ, moveL). r [m] is the blend radius.
+struct MoveParameters {
+    double a = 1.2;
+    double v = 0.25;
+    double t = 0;
+    double r = 0;
+};
+
+/// movec mode.
+enum class ArcOrientation : std::uint8_t {
+    Interpolated,  ///< mode 0: from the start orientation to the target's
+    FixedToArc,    ///< mode 1: turns with the arc; the target's orientation is ignored
+};
+
+/// Names one motion command. 0 is none; numbers only grow.
+using MotionId = std::uint64_t;
+
+/// Why a command was refused. The script that gave it ends with a runtime error.
+enum class MotionError : std::uint8_t {
+    None,
+    InvalidArgument,        ///< not a number, acceleration or speed not above zero, lookahead out of range...
+    JointTargetOutOfRange,  ///< a joint beyond its range
+    NoInverseKinematics,    ///< moveJ to a pose the arm cannot take
+    NotOperational,         ///< drives not running, or a protective stop not yet cleared
+    Busy,                   ///< a blend is already waiting for its second move
+};
+
+/// Answer to a motion command: a handle, or why there is none.
+struct MotionStart {
+    MotionId id = 0;
+    MotionError error = MotionError::None;
+    int joint = -1;  ///< the joint at fault, or -1
+    bool ok() const { return error == MotionError::None; }
+};
+
+/// Where a command is. A caller that blocks goes on when it is no longer Running.
+enum class MotionProgress : std::uint8_t {
+    Running,     ///< the calling thread is held
+    Returned,    ///< done: target reached, blend zone reached, time over, or standstill
+    Superseded,  ///< another command took the arm, or it was abandoned
+    Failed,      ///< a protective stop ended it
+};
+
+/// Why the arm stopped by itself. The arm decelerates, then refuses motion until it is cleared.
+enum class StopReason : std::uint8_t {
+    Singularity,         ///< Cartesian motion into or through a singular position
+    PoseUnreachable,     ///< a Cartesian target or a point of its path outside the workspace
+    JointPositionLimit,  ///< a joint was driven to the end of its range
+    JointSpeedLimit,     ///< the path cannot be followed within the joint limits
+    TcpForceLimit,       ///< contact with the environment above the limit
+};
+
+struct ProtectiveStop {
+    StopReason reason = StopReason::Singularity;
+    int joint = -1;  ///< the joint concerned, or -1
+    MotionId motion = 0;
+};
+
+enum class MotionWarning : std::uint8_t {
+    OverlappingBlends,  ///< a waypoint was skipped because its blend zone overlaps the one before
+};
+
+/// A name for logs: "Singularity", "JointTargetOutOfRange".
+const char* stopReasonName(StopReason reason);
+const char* motionErrorName(MotionError error);
+
+/// force_mode().
+struct ForceModeParameters {
+    Pose T_base_task;                 ///< force frame in the base frame
+    std::array<bool, 6> compliant{};  ///< axes x y z rx ry rz of the force frame
+    Wrench wrench;                    ///< to be exerted along compliant axes, force frame [N, Nm]
+    int type = 2;                     ///< 1, 2 or 3: how the frame is turned
+    /// Compliant axes: highest TCP speed [m/s, rad/s]; others: largest deviation from the path [m, rad].
+    Vector6 limits = Vector6::Constant(0.1);
+};
+
+/// freedrive_mode().
+struct FreedriveParameters {
+    std::array<bool, 6> freeAxes{true, true, true, true, true, true};  ///< x y z rx ry rz of the feature
+    Pose T_base_feature;      ///< feature in the base frame; not used with `followTool`
+    bool followTool = false;  ///< feature "tool": the axes turn with the tool
+};
+
+}  // namespace tiller::simulator::arm
