@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A key that moves the arm while it is held: jog keys, joint keys, "Go to (hold)", "Home (hold)". It listens to
-// the left mouse button or one touch point only; keyboard and wheel never press it. The rules are HoldGuard's.
+// A key that moves the arm while it is held: jog keys, joint keys, "Go to (hold)", "Home (hold)". It listens
+// to the left mouse button or one touch point only; keyboard and wheel never press it. The rules are
+// HoldGuard's.
 
 #include <QAbstractButton>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 // The one place with the rules by which a held key moves the arm and, above all, stops it. A guard belongs to
-// one key. While its motion runs it watches the key, the window and the whole application, and the first thing
-// that is not plain holding ends the motion for good: a stopped motion needs a new press.
+// one key. While its motion runs it watches the key, the window and the whole application, and the first
+// thing that is not plain holding ends the motion for good: a stopped motion needs a new press.
 
 #include <QObject>
 #include <QPoint>
@@ -27,8 +27,8 @@ struct HoldMotion {
     /// Keeps it alive. Returns false once it has been stopped or has arrived.
     std::function<bool(Id)> hold;
     std::function<void(Id, control::StopCause)> end;
-    /// Asked at the press: true for a short bounded step, which runs to its end after the key is let go. Every
-    /// other rule still ends it. May be empty: then letting go ends the motion.
+    /// Asked at the press: true for a short bounded step, which runs to its end after the key is let go.
+    /// Every other rule still ends it. May be empty: then letting go ends the motion.
     std::function<bool()> runsToEnd;
 };
 

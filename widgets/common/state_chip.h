@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A small labelled box of the header: a caption, and below it one state as icon shape and words. Grey while all
-// is normal; coloured only when a person must look or act.
+// A small labelled box of the header: a caption, and below it one state as icon shape and words. Grey while
+// all is normal; coloured only when a person must look or act.
 
 #include <QWidget>
 

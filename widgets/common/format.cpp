@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/format.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tiller::format {
+
+namespace {
+
+constexpr QChar kMinus(0x2212);
+constexpr double kDegPerRad = 180.0 / std::numbers::pi;
+
+QString withSign(double value, int digits, bool plus) {
+    if (!std::isfinite(value)) {
+        return QStringLiteral("–");
+    }
+    const QString magnitude = QString::number(std::abs(value), 'f', digits);
+    const bool zero = std::all_of(magnitude.begin(), magnitude.end(),
+                                  [](QChar c) { return c == QLatin1Char('0') || c == QLatin1Char('.'); });
+    if (zero) {
+        return magnitude;
+    }
+    if (value < 0) {
+        return kMinus + magnitude;
+    }
+    return plus ? QLatin1Char('+') + magnitude : magnitude;
+}
+
+}  // namespace
+
+QString number(double value, int digits) {
+    return withSign(value, digits, false);
+}
+
+QString signedNumber(double value, int digits) {
+    return withSign(value, digits, true);
+}
+
+QString millimetres(double metres, int digits) {
+    return signedNumber(metres * 1e3, digits) + QStringLiteral(" mm");
+}
+
+QString degrees(double radians, int digits) {
+    return number(radians * kDegPerRad, digits) + QStringLiteral("°");
+}
+
+QString newtons(double value) {
+    return number(value, 1) + QStringLiteral(" N");
+}
+
+QString newtonMetres(double value) {
+    return number(value, 2) + QStringLiteral(" Nm");
+}
+
+QString amperes(double value) {
+    return number(value, 3) + QStringLiteral(" A");
+}
+
+QString percent(double fraction) {
+    return number(fraction * 100.0, 0) + QStringLiteral(" %");
+}
+
+QString millimetresPerSecond(double metresPerSecond) {
+    return number(metresPerSecond * 1e3, 0) + QStringLiteral(" mm/s");
+}
+
+QString degreesPerSecond(double radiansPerSecond) {
+    return number(radiansPerSecond * kDegPerRad, 0) + QStringLiteral(" °/s");
+}
+
+QString grouped(std::uint64_t value) {
+    QString digits = QString::number(value);
+    for (qsizetype i = digits.size() - 3; i > 0; i -= 3) {
+        digits.insert(i, QChar(0x202F));
+    }
+    return digits;
+}
+
+QString duration(double seconds) {
+    const auto total = static_cast<std::int64_t>(std::isfinite(seconds) ? std::max(0.0, seconds) : 0.0);
+    return QStringLiteral("%1:%2:%3")
+        .arg(total / 3600, 2, 10, QLatin1Char('0'))
+        .arg(total / 60 % 60, 2, 10, QLatin1Char('0'))
+        .arg(total % 60, 2, 10, QLatin1Char('0'));
+}
+
+QString bytes(std::int64_t value) {
+    constexpr const char* kUnits[] = {"B", "kB", "MB", "GB", "TB"};
+    double amount = static_cast<double>(std::max<std::int64_t>(value, 0));
+    int unit = 0;
+    while (amount >= 1000.0 && unit < 4) {
+        amount /= 1000.0;
+        ++unit;
+    }
+    const int digits = unit == 0 || amount >= 10.0 ? 0 : 1;
+    return QStringLiteral("%1 %2").arg(QString::number(amount, 'f', digits), QLatin1String(kUnits[unit]));
+}
+
+}  // namespace tiller::format

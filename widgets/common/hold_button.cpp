@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/hold_button.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QTouchEvent>
+#include <QWheelEvent>
+
+#include "widgets/common/theme.h"
+
+namespace tiller {
+
+HoldButton::HoldButton(const QString& text, QWidget* parent) : QAbstractButton(parent), guard_(*this) {
+    setText(text);
+    setAccessibleName(text);
+    setFocusPolicy(Qt::ClickFocus);
+    setAttribute(Qt::WA_AcceptTouchEvents);
+    setAttribute(Qt::WA_Hover);
+    connect(&guard_, &HoldGuard::began, this, [this] { setDown(true); });
+    connect(&guard_, &HoldGuard::ended, this, [this] {
+        setDown(false);
+        setConfirmed(false);
+    });
+}
+
+HoldButton::~HoldButton() {
+    guard_.stop(control::StopCause::WindowClosed);
+}
+
+void HoldButton::setConfirmed(bool confirmed) {
+    if (confirmed != confirmed_) {
+        confirmed_ = confirmed;
+        update();
+    }
+}
+
+void HoldButton::setUnavailable(const QString& reason) {
+    const bool available = reason.isEmpty();
+    if (isEnabled() && !available) {
+        availableToolTip_ = toolTip();
+    }
+    if (isEnabled() == available && (available || toolTip() == reason)) {
+        return;
+    }
+    setEnabled(available);
+    setToolTip(available ? availableToolTip_ : reason);
+    setAccessibleDescription(reason);
+}
+
+QSize HoldButton::sizeHint() const {
+    const QFontMetrics metrics(textFont(15));
+    return {metrics.horizontalAdvance(text()) + 28, 40};
+}
+
+QSize HoldButton::minimumSizeHint() const {
+    const QFontMetrics metrics(textFont(15));
+    return {metrics.horizontalAdvance(text()) + 10, 32};
+}
+
+QColor HoldButton::textColor() const {
+    const Theme& theme = Theme::current();
+    return isEnabled() ? theme.text : theme.disabledText;
+}
+
+void HoldButton::paintSurface(QPainter& painter) const {
+    const Theme& theme = Theme::current();
+    painter.setRenderHint(QPainter::Antialiasing);
+    QColor fill = underMouse() && isEnabled() ? theme.hover : theme.raised;
+    QPen border(theme.border, 1);
+    if (confirmed_) {
+        fill = theme.movingTint;
+        border = QPen(theme.moving, 2);
+    } else if (isDown()) {
+        border = QPen(theme.secondary, 2);
+    } else if (!isEnabled()) {
+        fill = theme.panel;
+    }
+    const double inset = border.widthF() / 2;
+    painter.setPen(border);
+    painter.setBrush(fill);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(inset, inset, -inset, -inset), kCornerRadius,
+                            kCornerRadius);
+}
+
+void HoldButton::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    paintSurface(painter);
+    painter.setFont(textFont(15));
+    painter.setPen(textColor());
+    painter.drawText(rect(), Qt::AlignCenter, text());
+}
+
+void HoldButton::mousePressEvent(QMouseEvent* event) {
+    event->accept();
+    if (event->button() == Qt::LeftButton && event->buttons() == Qt::LeftButton) {
+        guard_.press();
+    } else {
+        guard_.stop(control::StopCause::SecondButton);
+    }
+}
+
+void HoldButton::mouseDoubleClickEvent(QMouseEvent* event) {
+    mousePressEvent(event);  // the second of two quick presses is a press like any other
+}
+
+void HoldButton::mouseMoveEvent(QMouseEvent* event) {
+    event->accept();
+    if (!event->buttons().testFlag(Qt::LeftButton)) {
+        guard_.release();  // the release itself went to somebody else
+        return;
+    }
+    guard_.pointerMoved(event->position().toPoint());
+}
+
+void HoldButton::mouseReleaseEvent(QMouseEvent* event) {
+    event->accept();
+    if (event->button() == Qt::LeftButton) {
+        guard_.release();
+    }
+}
+
+void HoldButton::keyPressEvent(QKeyEvent* event) {
+    event->ignore();
+}
+
+void HoldButton::keyReleaseEvent(QKeyEvent* event) {
+    event->ignore();
+}
+
+void HoldButton::wheelEvent(QWheelEvent* event) {
+    event->accept();  // nor may it scroll the key away under the finger
+}
+
+bool HoldButton::event(QEvent* event) {
+    switch (event->type()) {
+        case QEvent::TouchBegin:
+        case QEvent::TouchUpdate:
+        case QEvent::TouchEnd:
+        case QEvent::TouchCancel:
+            return touchEvent(event);
+        default:
+            return QAbstractButton::event(event);
+    }
+}
+
+bool HoldButton::touchEvent(QEvent* event) {
+    const auto* touch = static_cast<QTouchEvent*>(event);
+    event->accept();
+    if (!isEnabled()) {
+        return true;
+    }
+    if (event->type() == QEvent::TouchCancel) {
+        guard_.stop(control::StopCause::DeviceLost);
+    } else if (touch->points().size() != 1) {
+        guard_.stop(control::StopCause::SecondButton);
+    } else if (event->type() == QEvent::TouchBegin) {
+        guard_.press();
+    } else if (event->type() == QEvent::TouchEnd) {
+        guard_.release();
+    } else {
+        guard_.pointerMoved(touch->points().first().position().toPoint());
+    }
+    return true;
+}
+
+}  // namespace tiller

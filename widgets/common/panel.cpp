@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/panel.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPainterPath>
+#include <QVBoxLayout>
+
+#include "widgets/common/elided_label.h"
+#include "widgets/common/theme.h"
+
+namespace tiller {
+
+Panel::Panel(const QString& title, QWidget* parent)
+    : QFrame(parent)
+    , header_(new QWidget(this))
+    , headerLayout_(new QHBoxLayout(header_))
+    , layout_(new QVBoxLayout(this))
+    , title_(new QLabel(title, header_))
+    , subtitle_(new QLabel(header_))
+    , hint_(new ElidedLabel({}, header_)) {
+    setAccessibleName(title);
+    layout_->setContentsMargins(1, 1, 1, 1);
+    layout_->setSpacing(0);
+    header_->setFixedHeight(kHeaderHeight);
+    headerLayout_->setContentsMargins(12, 0, 12, 0);
+    headerLayout_->setSpacing(10);
+
+    title_->setFont(textFont(15, QFont::Bold));
+    title_->setTextFormat(Qt::PlainText);
+    subtitle_->setFont(textFont(14));
+    subtitle_->setTextFormat(Qt::PlainText);
+    subtitle_->setProperty("role", QStringLiteral("secondary"));
+    subtitle_->hide();
+    hint_->setFont(textFont(13));
+    hint_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    hint_->setProperty("role", QStringLiteral("secondary"));
+    headerLayout_->addWidget(title_);
+    headerLayout_->addWidget(subtitle_);
+    headerLayout_->addWidget(hint_, 1);
+    layout_->addWidget(header_);
+    layout_->addSpacing(1);
+    setContent(new QWidget(this));
+}
+
+QString Panel::title() const {
+    return title_->text();
+}
+
+void Panel::setTitle(const QString& title) {
+    title_->setText(title);
+    setAccessibleName(title);
+}
+
+void Panel::setSubtitle(const QString& text) {
+    subtitle_->setText(text);
+    subtitle_->setVisible(!text.isEmpty());
+}
+
+void Panel::setHint(const QString& text) {
+    hint_->setFullText(text);
+}
+
+void Panel::addHeaderWidget(QWidget* widget) {
+    headerLayout_->addWidget(widget, 0, Qt::AlignVCenter);
+}
+
+void Panel::setHeaderWidget(QWidget* widget) {
+    title_->hide();
+    subtitle_->hide();
+    hint_->hide();
+    headerLayout_->setContentsMargins(0, 0, 0, 0);
+    headerLayout_->insertWidget(0, widget, 1);
+    header_->setFixedHeight(std::max(kHeaderHeight, widget->sizeHint().height()));
+}
+
+void Panel::setContent(QWidget* content) {
+    if (content_ != nullptr) {
+        layout_->removeWidget(content_);
+        content_->deleteLater();
+    }
+    content_ = content;
+    layout_->addWidget(content, 1);
+}
+
+void Panel::paintEvent(QPaintEvent*) {
+    const Theme& theme = Theme::current();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(theme.border);
+    painter.setBrush(theme.panel);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), kCornerRadius, kCornerRadius);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    const int y = header_->geometry().bottom() + 1;
+    painter.drawLine(1, y, width() - 2, y);
+}
+
+}  // namespace tiller

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/segmented_control.h"
+
+#include <QAbstractButton>
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QPainterPath>
+#include <QWheelEvent>
+
+#include "widgets/common/theme.h"
+
+namespace tiller {
+
+namespace {
+
+/// One key; it knows whether it is an end of the row, where the corners are round.
+class Segment : public QAbstractButton {
+public:
+    Segment(const QString& label, bool first, bool last, QWidget* parent)
+        : QAbstractButton(parent), first_(first), last_(last) {
+        setText(label);
+        setCheckable(true);
+        setFocusPolicy(Qt::TabFocus);
+        setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+        setAttribute(Qt::WA_Hover);
+    }
+
+    QSize sizeHint() const override {
+        // Measured bold, so that choosing a key does not move its neighbours.
+        const QFontMetrics metrics(textFont(15, QFont::Bold));
+        return {metrics.horizontalAdvance(text()) + 16, 38};
+    }
+    QSize minimumSizeHint() const override {
+        const QFontMetrics metrics(textFont(15));
+        return {metrics.horizontalAdvance(text()) + 6, 30};
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        const Theme& theme = Theme::current();
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        const double r = kCornerRadius - 1;
+        // Inner edges overlap by one pixel, so neighbours share one line.
+        const QRectF box = QRectF(rect()).adjusted(first_ ? 0.5 : -0.5, 0.5, -0.5, -0.5);
+        QPainterPath path;
+        path.setFillRule(Qt::WindingFill);
+        path.addRoundedRect(box, r, r);
+        if (!first_) {
+            path.addRect(QRectF(box.left(), box.top(), r + 1, box.height()));
+        }
+        if (!last_) {
+            path.addRect(QRectF(box.right() - r - 1, box.top(), r + 1, box.height()));
+        }
+        const bool chosen = isChecked();
+        QColor fill = chosen ? theme.inverse : isDown() || underMouse() ? theme.hover : theme.raised;
+        QColor ink = chosen ? theme.inverseText : theme.text;
+        if (!isEnabled()) {
+            fill = chosen ? theme.border : theme.panel;
+            ink = theme.disabledText;
+        }
+        painter.setPen(theme.border);
+        painter.setBrush(fill);
+        painter.drawPath(path.simplified());
+        if (hasFocus()) {
+            painter.setPen(QPen(theme.moving, 2));
+            painter.setBrush(Qt::NoBrush);
+            painter.drawRoundedRect(QRectF(rect()).adjusted(2, 2, -2, -2), r - 1, r - 1);
+        }
+        painter.setFont(textFont(15, chosen ? QFont::Bold : QFont::Normal));
+        painter.setPen(ink);
+        painter.drawText(rect(), Qt::AlignCenter, text());
+    }
+    void wheelEvent(QWheelEvent* event) override { event->ignore(); }
+
+private:
+    bool first_;
+    bool last_;
+};
+
+}  // namespace
+
+SegmentedControl::SegmentedControl(const QStringList& labels, QWidget* parent)
+    : QWidget(parent), layout_(new QHBoxLayout(this)), group_(new QButtonGroup(this)) {
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    layout_->setContentsMargins(0, 0, 0, 0);
+    layout_->setSpacing(0);
+    group_->setExclusive(true);
+    for (int i = 0; i < labels.size(); ++i) {
+        auto* segment = new Segment(labels[i], i == 0, i == labels.size() - 1, this);
+        segments_.append(segment);
+        group_->addButton(segment, i);
+        // Keys share the row by the length of their words.
+        layout_->addWidget(segment, std::max(segment->sizeHint().width(), 54));
+    }
+    if (!segments_.isEmpty()) {
+        segments_.first()->setChecked(true);
+    }
+    connect(group_, &QButtonGroup::idToggled, this, [this](int index, bool checked) {
+        if (checked && index != current_) {
+            current_ = index;
+            Q_EMIT currentChanged(index);
+        }
+    });
+}
+
+void SegmentedControl::setCurrentIndex(int index) {
+    if (index >= 0 && index < count()) {
+        segments_[index]->setChecked(true);
+    }
+}
+
+QString SegmentedControl::text(int index) const {
+    return segments_.at(index)->text();
+}
+
+void SegmentedControl::setText(int index, const QString& text) {
+    segments_.at(index)->setText(text);
+    segments_.at(index)->updateGeometry();
+}
+
+void SegmentedControl::setSegmentEnabled(int index, bool enabled, const QString& reason) {
+    segments_.at(index)->setEnabled(enabled);
+    segments_.at(index)->setToolTip(reason);
+}
+
+QAbstractButton* SegmentedControl::segment(int index) const {
+    return segments_.at(index);
+}
+
+void SegmentedControl::setNames(const QString& objectName, const QString& accessibleName) {
+    setObjectName(objectName);
+    setAccessibleName(accessibleName);
+    for (int i = 0; i < count(); ++i) {
+        segments_[i]->setObjectName(QStringLiteral("%1.%2").arg(objectName).arg(i));
+        segments_[i]->setAccessibleName(QStringLiteral("%1: %2").arg(accessibleName, segments_[i]->text()));
+    }
+}
+
+}  // namespace tiller

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/state_chip.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+
+#include "widgets/common/shapes.h"
+#include "widgets/common/theme.h"
+
+namespace tiller {
+
+namespace {
+
+constexpr int kPadding = 12;
+constexpr int kShapeRoom = 18;
+constexpr int kArrowRoom = 16;
+
+QFont captionFont(bool strong) {
+    QFont font = textFont(11, strong ? QFont::Bold : QFont::Normal);
+    font.setLetterSpacing(QFont::AbsoluteSpacing, 0.4);
+    return font;
+}
+
+struct Colours {
+    QColor fill, border, caption, value, shape;
+};
+
+Colours coloursOf(StateChip::Emphasis emphasis, const Theme& t) {
+    switch (emphasis) {
+        case StateChip::Emphasis::Moving:
+            return {t.moving, t.moving, t.movingText, t.movingText, t.movingText};
+        case StateChip::Emphasis::Warning:
+            return {t.warningBackground, t.warning, t.warning, t.warning, t.warning};
+        case StateChip::Emphasis::Alarm:
+            return {t.stop, t.stop, t.stopText, t.stopText, t.stopText};
+        case StateChip::Emphasis::OperatorNeeded:
+            return {t.operatorNeeded, t.operatorNeeded, t.operatorNeededText, t.operatorNeededText,
+                    t.operatorNeededText};
+        case StateChip::Emphasis::Muted:
+            return {t.panel, t.border, t.secondary, t.secondary, t.secondary};
+        case StateChip::Emphasis::Normal:
+            break;
+    }
+    return {t.panel, t.border, t.secondary, t.text, t.text};
+}
+
+}  // namespace
+
+StateChip::StateChip(const QString& caption, QWidget* parent) : QWidget(parent), caption_(caption) {
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    setAccessibleName(caption);
+}
+
+void StateChip::setState(const QString& text, Shape shape, Emphasis emphasis, const QString& advice) {
+    setToolTip(advice);
+    if (text == text_ && shape == shape_ && emphasis == emphasis_) {
+        return;
+    }
+    const bool resized = text.size() != text_.size() || emphasis != emphasis_ || shape != shape_ || !figures_;
+    text_ = text;
+    shape_ = shape;
+    emphasis_ = emphasis;
+    setAccessibleDescription(text);
+    if (resized) {
+        updateGeometry();
+    }
+    update();
+}
+
+void StateChip::setFigures(bool figures) {
+    figures_ = figures;
+    updateGeometry();
+}
+
+void StateChip::setLeastCharacters(int characters) {
+    leastCharacters_ = characters;
+    updateGeometry();
+}
+
+void StateChip::setMenuArrow(bool arrow) {
+    menuArrow_ = arrow;
+    setFocusPolicy(arrow ? Qt::TabFocus : Qt::NoFocus);
+    setCursor(arrow ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    updateGeometry();
+}
+
+QFont StateChip::valueFont() const {
+    const bool strong = emphasis_ != Emphasis::Normal && emphasis_ != Emphasis::Muted;
+    return figures_ ? figureFont(15) : textFont(15, strong ? QFont::Bold : QFont::Normal);
+}
+
+int StateChip::widthFor(const QString& value) const {
+    const int captionWidth = QFontMetrics(captionFont(true)).horizontalAdvance(caption_);
+    const int valueWidth = QFontMetrics(valueFont()).horizontalAdvance(value) +
+                           (shape_ == Shape::None ? 0 : kShapeRoom) + (menuArrow_ ? kArrowRoom : 0);
+    return std::max(captionWidth, valueWidth) + 2 * kPadding + 2;
+}
+
+QSize StateChip::sizeHint() const {
+    return {widthFor(text_), kHeight};
+}
+
+QSize StateChip::minimumSizeHint() const {
+    const QString least =
+        text_.size() > leastCharacters_ ? text_.left(leastCharacters_) + QChar(0x2026) : text_;
+    return {widthFor(least), kHeight};
+}
+
+void StateChip::paintEvent(QPaintEvent*) {
+    const Theme& theme = Theme::current();
+    const Colours colours = coloursOf(emphasis_, theme);
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(hasFocus() ? QPen(theme.moving, 2) : QPen(colours.border, 1));
+    painter.setBrush(colours.fill);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), kCornerRadius, kCornerRadius);
+
+    const bool strong = emphasis_ != Emphasis::Normal && emphasis_ != Emphasis::Muted;
+    painter.setFont(captionFont(strong));
+    painter.setPen(colours.caption);
+    painter.drawText(QRect(kPadding, 7, width() - 2 * kPadding, 16), Qt::AlignLeft | Qt::AlignVCenter,
+                     caption_);
+
+    int x = kPadding;
+    constexpr int kValueTop = 23;
+    constexpr int kValueHeight = 22;
+    if (shape_ != Shape::None) {
+        drawShape(painter, shape_, QRectF(x, kValueTop + 4, 14, 14), colours.shape, colours.fill);
+        x += kShapeRoom;
+    }
+    painter.setFont(valueFont());
+    painter.setPen(colours.value);
+    const int room = width() - x - kPadding - (menuArrow_ ? kArrowRoom : 0);
+    const QString shown = painter.fontMetrics().elidedText(text_, Qt::ElideRight, room + 1);
+    painter.drawText(QRect(x, kValueTop, room + 1, kValueHeight), Qt::AlignLeft | Qt::AlignVCenter, shown);
+    if (menuArrow_) {
+        const int left = x + painter.fontMetrics().horizontalAdvance(shown) + 6;
+        const double y = kValueTop + kValueHeight / 2.0 - 2;
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(colours.value);
+        painter.drawPolygon(QPolygonF({{left + 0.0, y}, {left + 9.0, y}, {left + 4.5, y + 6}}));
+    }
+}
+
+void StateChip::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton && rect().contains(event->position().toPoint())) {
+        Q_EMIT clicked();
+    }
+}
+
+void StateChip::keyPressEvent(QKeyEvent* event) {
+    if (menuArrow_ && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)) {
+        Q_EMIT clicked();
+        return;
+    }
+    QWidget::keyPressEvent(event);
+}
+
+}  // namespace tiller

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/style_sheet.h"
+
+#include <QHash>
+
+#include "widgets/common/theme.h"
+
+namespace tiller {
+
+namespace {
+
+// Colours are written as @role and filled in from the theme.
+constexpr char kTemplate[] = R"(
+QMainWindow, QDialog, QMessageBox { background: @background; }
+QMainWindow::separator { background: @background; width: 10px; height: 10px; }
+QSplitter::handle { background: transparent; }
+QToolTip { background: @raised; color: @text; border: 1px solid @border; padding: 4px 6px; font-size: 13px; }
+
+QLabel[role="secondary"] { color: @secondary; }
+QLabel[role="caption"] { color: @secondary; font-size: 13px; }
+QLabel[role="strong"] { font-weight: bold; }
+QLabel[role="warning"] { color: @warning; font-weight: bold; }
+QLabel[role="alarm"] { color: @alarm; font-weight: bold; }
+
+QPushButton, QToolButton { background: @raised; color: @text; border: 1px solid @border; border-radius: 5px;
+    padding: 0 14px; min-height: 36px; font-size: 15px; }
+QToolButton { padding: 0 10px; }
+QPushButton:hover, QToolButton:hover { background: @hover; }
+QPushButton:pressed, QToolButton:pressed, QToolButton:checked { background: @movingTint; }
+QPushButton:focus, QToolButton:focus { border-color: @moving; }
+QPushButton:disabled, QToolButton:disabled { background: @panel; color: @disabledText; }
+QPushButton[primary="true"], QToolButton[primary="true"] { background: @inverse; color: @inverseText;
+    border-color: @inverse; font-weight: bold; }
+QPushButton[primary="true"]:disabled, QToolButton[primary="true"]:disabled { background: @border;
+    color: @disabledText; border-color: @border; }
+QPushButton[danger="true"] { background: @stop; color: @stopText; border-color: @stop; font-weight: bold; }
+QToolButton[quiet="true"], QPushButton[quiet="true"] { background: transparent; border: none; padding: 0 6px;
+    min-height: 24px; font-size: 14px; }
+QToolButton[quiet="true"]:hover, QPushButton[quiet="true"]:hover { background: @hover; border-radius: 4px; }
+QToolButton::menu-indicator { image: none; width: 0; }
+
+QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox, QPlainTextEdit, QTextEdit { background: @raised; color: @text;
+    border: 1px solid @border; border-radius: 5px; padding: 2px 8px; selection-background-color: @moving;
+    selection-color: @movingText; }
+QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox { min-height: 28px; }
+QLineEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus, QComboBox:focus { border-color: @moving; }
+QComboBox::drop-down { border: none; width: 20px; }
+QComboBox QAbstractItemView { background: @raised; color: @text; border: 1px solid @border; outline: none;
+    selection-background-color: @movingTint; selection-color: @text; }
+
+QTabWidget::pane { border: none; }
+QTabBar { background: transparent; border: none; }
+QTabBar::tab { background: transparent; color: @secondary; border: none; border-bottom: 3px solid transparent;
+    padding: 9px 16px 7px 16px; font-size: 15px; }
+QTabBar::tab:selected { color: @text; font-weight: bold; border-bottom-color: @text; }
+QTabBar::tab:hover:!selected { color: @text; }
+
+QTableView, QTreeView, QListView { background: transparent; alternate-background-color: transparent;
+    color: @text; border: none; outline: none; gridline-color: @border; font-size: 15px;
+    selection-background-color: @movingTint; selection-color: @text; }
+QTableView::item, QTreeView::item, QListView::item { border: none; border-bottom: 1px solid @border;
+    padding: 0 10px; }
+QTableView::item:selected, QTreeView::item:selected, QListView::item:selected { background: @movingTint;
+    color: @text; }
+QHeaderView { background: transparent; border: none; }
+QHeaderView::section { background: transparent; color: @secondary; border: none;
+    border-bottom: 1px solid @border; padding: 6px 10px; font-size: 13px; font-weight: normal; }
+QTableCornerButton::section { background: transparent; border: none; }
+
+QScrollArea { background: transparent; border: none; }
+QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
+QScrollBar:horizontal { background: transparent; height: 10px; margin: 0; }
+QScrollBar::handle { background: @border; border-radius: 4px; margin: 1px; }
+QScrollBar::handle:vertical { min-height: 28px; }
+QScrollBar::handle:horizontal { min-width: 28px; }
+QScrollBar::handle:hover { background: @secondary; }
+QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
+QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
+
+QMenu { background: @raised; color: @text; border: 1px solid @border; padding: 4px 0; font-size: 15px; }
+QMenu::item { padding: 7px 28px 7px 16px; }
+QMenu::item:selected { background: @movingTint; }
+QMenu::item:disabled { color: @disabledText; }
+QMenu::separator { height: 1px; background: @border; margin: 4px 0; }
+QMenuBar { background: @raised; color: @text; }
+QMenuBar::item:selected { background: @movingTint; }
+
+QCheckBox, QRadioButton { spacing: 8px; }
+QProgressBar { background: @border; border: none; border-radius: 3px; max-height: 6px; }
+QProgressBar::chunk { background: @moving; border-radius: 3px; }
+QGroupBox { border: 1px solid @border; border-radius: 6px; margin-top: 18px; padding: 8px; }
+QGroupBox::title { subcontrol-origin: margin; left: 8px; color: @secondary; }
+QDockWidget { titlebar-close-icon: none; titlebar-normal-icon: none; }
+)";
+
+}  // namespace
+
+QString styleSheet(const Theme& t) {
+    const QHash<QString, QColor> roles = {
+        {QStringLiteral("background"), t.background}, {QStringLiteral("panel"), t.panel},
+        {QStringLiteral("raised"), t.raised},         {QStringLiteral("border"), t.border},
+        {QStringLiteral("hover"), t.hover},           {QStringLiteral("text"), t.text},
+        {QStringLiteral("secondary"), t.secondary},   {QStringLiteral("disabledText"), t.disabledText},
+        {QStringLiteral("inverse"), t.inverse},       {QStringLiteral("inverseText"), t.inverseText},
+        {QStringLiteral("moving"), t.moving},         {QStringLiteral("movingText"), t.movingText},
+        {QStringLiteral("movingTint"), t.movingTint}, {QStringLiteral("warning"), t.warning},
+        {QStringLiteral("alarm"), t.alarm},           {QStringLiteral("stop"), t.stop},
+        {QStringLiteral("stopText"), t.stopText},
+    };
+    QString out;
+    const QString source = QString::fromLatin1(kTemplate);
+    out.reserve(source.size() + 512);
+    for (qsizetype i = 0; i < source.size(); ++i) {
+        if (source[i] != QLatin1Char('@')) {
+            out += source[i];
+            continue;
+        }
+        qsizetype end = i + 1;
+        while (end < source.size() && source[end].isLetter()) {
+            ++end;
+        }
+        out += roles.value(source.mid(i + 1, end - i - 1), t.text).name();
+        i = end - 1;
+    }
+    return out;
+}
+
+}  // namespace tiller

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The style sheet of the standard widgets. Ours paint themselves; see theme.h.
+
+#include <QString>
+
+namespace tiller {
+
+struct Theme;
+
+/// Dynamic properties it knows: QPushButton[primary="true"], QPushButton[danger="true"],
+/// QToolButton[quiet="true"], QLabel[role="secondary"|"caption"|"strong"|"warning"|"alarm"].
+QString styleSheet(const Theme& theme);
+
+}  // namespace tiller
