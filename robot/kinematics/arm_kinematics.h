@@ -52,7 +52,7 @@ std::optional<JointPositions> inverseNearest(const DhParameters& dh, const Pose&
 struct SingularityMeasure {
     double wrist = 0;     ///< |sin q5|
     double elbow = 0;     ///< |sin q3|
-    double shoulder = 0;  ///< distance of the wrist centre from the cylinder around axis 1 [m]
+    double shoulder = 0;  ///< how far, along the arm's plane, the wrist centre is from axis 1 [m]
 };
 SingularityMeasure singularityMeasure(const DhParameters& dh, const JointPositions& q);
 

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#include "robot/kinematics/arm_kinematics.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace tiller::kinematics {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+
+Eigen::Isometry3d link(double a, double d, double alpha, double theta) {
+    const double ct = std::cos(theta);
+    const double st = std::sin(theta);
+    const double ca = std::cos(alpha);
+    const double sa = std::sin(alpha);
+    Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+    T.linear() << ct, -st * ca, st * sa,  //
+        st, ct * ca, -ct * sa,            //
+        0, sa, ca;
+    T.translation() << a * ct, a * st, d;
+    return T;
+}
+
+/// Into (-pi, pi].
+double wrapped(double angle) {
+    const double result = angle - kTwoPi * std::floor((angle + kPi) / kTwoPi);
+    return result <= -kPi ? result + kTwoPi : result;
+}
+
+Matrix6 jacobianAt(const std::array<Eigen::Isometry3d, 7>& frames, const Eigen::Vector3d& point) {
+    Matrix6 J;
+    for (int i = 0; i < kJointCount; ++i) {
+        const Eigen::Isometry3d& frame = frames[static_cast<std::size_t>(i)];
+        const Eigen::Vector3d axis = frame.linear().col(2);
+        J.block<3, 1>(0, i) = axis.cross(point - frame.translation());
+        J.block<3, 1>(3, i) = axis;
+    }
+    return J;
+}
+
+/// What separates the two, as a twist over one unit of time, in the base frame.
+Vector6 difference(const Eigen::Isometry3d& target, const Eigen::Isometry3d& actual) {
+    Vector6 result;
+    result << target.translation() - actual.translation(),
+        rotationVector(target.linear() * actual.linear().transpose());
+    return result;
+}
+
+constexpr double kConverged = 1e-13;
+constexpr double kAccepted = 1e-9;
+constexpr int kMaxRefinements = 12;
+
+/// Newton steps on the true chain, damped just enough to stay finite in a singularity. The closed form is
+/// exact for right angles, so that usually one step closes the 1e-10 the controller's rounded pi/2 leaves.
+/// Returns  false when the pose cannot be met
+bool refine(const DhParameters& dh, const Eigen::Isometry3d& target, JointPositions& q) {
+    constexpr double kDamping = 1e-14;
+    double best = std::numeric_limits<double>::infinity();
+    JointPositions candidate = q;
+    for (int i = 0; i <= kMaxRefinements; ++i) {
+        const auto frames = linkFrames(dh, candidate);
+        const Vector6 error = difference(target, frames[6]);
+        const double size = error.cwiseAbs().maxCoeff();
+        if (size < best) {
+            best = size;
+            q = candidate;
+        }
+        if (size < kConverged || size > 10 * best) {
+            break;
+        }
+        const Matrix6 J = jacobianAt(frames, frames[6].translation());
+        Matrix6 JJt = J * J.transpose();
+        JJt.diagonal().array() += kDamping;
+        candidate.values += J.transpose() * JJt.ldlt().solve(error);
+    }
+    return best < kAccepted;
+}
+
+/// One closed-form candidate, refined, wrapped, and kept if it is new.
+void keep(const DhParameters& dh, const Eigen::Isometry3d& target, JointPositions q, InverseSolutions& into) {
+    for (int i = 0; i < kJointCount; ++i) {
+        q[i] -= dh.theta[static_cast<std::size_t>(i)];
+    }
+    if (!q.allFinite() || !refine(dh, target, q)) {
+        return;
+    }
+    for (int i = 0; i < kJointCount; ++i) {
+        q[i] = wrapped(q[i]);
+    }
+    for (const JointPositions& known : into.span()) {
+        double distance = 0;
+        for (int i = 0; i < kJointCount; ++i) {
+            distance = std::max(distance, std::abs(wrapped(q[i] - known[i])));
+        }
+        if (distance < 1e-6) {
+            return;
+        }
+    }
+    into.q[static_cast<std::size_t>(into.count++)] = q;
+}
+
+}  // namespace
+
+std::array<Eigen::Isometry3d, 7> linkFrames(const DhParameters& dh, const JointPositions& q) {
+    std::array<Eigen::Isometry3d, 7> frames;
+    frames[0].setIdentity();
+    for (std::size_t i = 0; i < 6; ++i) {
+        frames[i + 1] = frames[i] * link(dh.a[i], dh.d[i], dh.alpha[i], q[static_cast<int>(i)] + dh.theta[i]);
+    }
+    return frames;
+}
+
+Eigen::Isometry3d forward(const DhParameters& dh, const JointPositions& q) {
+    return linkFrames(dh, q)[6];
+}
+
+Pose forwardTcp(const DhParameters& dh, const JointPositions& q, const Pose& tcpOffset) {
+    return Pose(forward(dh, q) * tcpOffset.transform());
+}
+
+Matrix6 jacobian(const DhParameters& dh, const JointPositions& q, const Pose& tcpOffset) {
+    const auto frames = linkFrames(dh, q);
+    return jacobianAt(frames, frames[6] * tcpOffset.position);
+}
+
+InverseSolutions inverse(const DhParameters& dh, const Eigen::Isometry3d& T_base_flange,
+                         double wrist3AtSingularity) {
+    // Poses on the edge of the workspace come with the last digits on either side of it.
+    constexpr double kEdge = 1e-8;
+    constexpr double kWristSingular = 1e-8;
+
+    InverseSolutions result;
+    if (!T_base_flange.matrix().allFinite()) {
+        return result;
+    }
+    const double d1 = dh.d[0];
+    const double a2 = dh.a[1];
+    const double a3 = dh.a[2];
+    const double d4 = dh.d[3];
+    const double d5 = dh.d[4];
+    const double d6 = dh.d[5];
+    const Eigen::Matrix3d R = T_base_flange.linear();
+    const Eigen::Vector3d p05 = T_base_flange.translation() - d6 * R.col(2);
+
+    // Seen from above, the wrist centre is d4 beside the plane of the arm.
+    const double radius2 = p05.x() * p05.x() + p05.y() * p05.y();
+    const double alongArm2 = radius2 - d4 * d4;
+    if (alongArm2 < -kEdge) {
+        return result;
+    }
+    const double alongArm = std::sqrt(std::max(alongArm2, 0.0));
+    const double heading = std::atan2(p05.y(), p05.x()) + kPi / 2;
+
+    for (const double shoulderSide : {1.0, -1.0}) {
+        const double theta1 = heading + shoulderSide * std::atan2(alongArm, d4);
+        const double s1 = std::sin(theta1);
+        const double c1 = std::cos(theta1);
+        // What axis 6, x and y of the flange have along axis 2: cos, and sin times cos and -sin of theta6.
+        const double cos5 = R(0, 2) * s1 - R(1, 2) * c1;
+        const double alongX = R(0, 0) * s1 - R(1, 0) * c1;
+        const double alongY = -R(0, 1) * s1 + R(1, 1) * c1;
+        const double sin5 = std::hypot(alongX, alongY);
+
+        for (const double wristSide : {1.0, -1.0}) {
+            double theta5 = wristSide * std::atan2(sin5, cos5);
+            double theta6 = std::atan2(wristSide * alongY, wristSide * alongX);
+            if (sin5 < kWristSingular) {
+                theta5 = cos5 > 0 ? 0 : kPi;
+                theta6 = wrist3AtSingularity + dh.theta[5];
+            }
+            const Eigen::Isometry3d T_4_6 = link(0, d5, -kPi / 2, theta5) * link(0, d6, 0, theta6);
+            const Eigen::Isometry3d T_1_4 =
+                link(0, d1, kPi / 2, theta1).inverse() * T_base_flange * T_4_6.inverse();
+            const Eigen::Vector3d p13 = T_1_4 * Eigen::Vector3d(0, -d4, 0);
+
+            const double reach2 = p13.x() * p13.x() + p13.y() * p13.y();
+            // 1 - cos and 1 + cos of theta3, which stay exact where cos alone does not.
+            const double fromStretched = ((a2 + a3) * (a2 + a3) - reach2) / (2 * a2 * a3);
+            const double fromFolded = (reach2 - (a2 - a3) * (a2 - a3)) / (2 * a2 * a3);
+            if (fromStretched < -kEdge || fromFolded < -kEdge) {
+                continue;
+            }
+            const double bend =
+                2 * std::atan2(std::sqrt(std::max(fromStretched, 0.0)), std::sqrt(std::max(fromFolded, 0.0)));
+            for (const double theta3 : {bend, -bend}) {
+                const double theta2 = std::atan2(p13.y(), p13.x()) -
+                                      std::atan2(a3 * std::sin(theta3), a2 + a3 * std::cos(theta3));
+                const Eigen::Isometry3d T_3_4 =
+                    (link(a2, 0, 0, theta2) * link(a3, 0, 0, theta3)).inverse() * T_1_4;
+                const double theta4 = std::atan2(T_3_4(1, 0), T_3_4(0, 0));
+                keep(dh, T_base_flange, {theta1, theta2, theta3, theta4, theta5, theta6}, result);
+            }
+        }
+    }
+    return result;
+}
+
+std::optional<JointPositions> inverseNearest(const DhParameters& dh, const Pose& tcpPose,
+                                             const Pose& tcpOffset, const JointPositions& qNear,
+                                             double jointLimit) {
+    const Eigen::Isometry3d T_base_flange =
+        tcpPose.transform() * tcpOffset.transform().inverse(Eigen::Isometry);
+    const InverseSolutions solutions = inverse(dh, T_base_flange, qNear[5]);
+
+    std::optional<JointPositions> nearest;
+    double nearestDistance = std::numeric_limits<double>::infinity();
+    for (const JointPositions& solution : solutions.span()) {
+        JointPositions turned;
+        double distance = 0;
+        for (int i = 0; i < kJointCount; ++i) {
+            // Every joint may be taken full turns further on its own.
+            double best = std::numeric_limits<double>::infinity();
+            for (const double turn : {-kTwoPi, 0.0, kTwoPi}) {
+                const double q = solution[i] + turn;
+                if (std::abs(q) <= jointLimit && std::abs(q - qNear[i]) < best) {
+                    best = std::abs(q - qNear[i]);
+                    turned[i] = q;
+                }
+            }
+            distance += best * best;
+        }
+        if (distance < nearestDistance) {
+            nearestDistance = distance;
+            nearest = turned;
+        }
+    }
+    return nearest;
+}
+
+SingularityMeasure singularityMeasure(const DhParameters& dh, const JointPositions& q) {
+    const double q2 = q[1] + dh.theta[1];
+    const double q23 = q2 + q[2] + dh.theta[2];
+    const double q234 = q23 + q[3] + dh.theta[3];
+    SingularityMeasure measure;
+    measure.wrist = std::abs(std::sin(q[4] + dh.theta[4]));
+    measure.elbow = std::abs(std::sin(q[2] + dh.theta[2]));
+    measure.shoulder = std::abs(dh.a[1] * std::cos(q2) + dh.a[2] * std::cos(q23) + dh.d[4] * std::sin(q234));
+    return measure;
+}
+
+}  // namespace tiller::kinematics
