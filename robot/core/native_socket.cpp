@@ -59,6 +59,16 @@ void close(Descriptor socket) {
     ::closesocket(handle(socket));
 }
 
+Descriptor duplicate(Descriptor socket) {
+    WSAPROTOCOL_INFOW info;
+    if (WSADuplicateSocketW(handle(socket), GetCurrentProcessId(), &info) != 0) {
+        return -1;
+    }
+    const SOCKET copy =
+        WSASocketW(FROM_PROTOCOL_INFO, FROM_PROTOCOL_INFO, FROM_PROTOCOL_INFO, &info, 0, WSA_FLAG_OVERLAPPED);
+    return copy == INVALID_SOCKET ? Descriptor{-1} : static_cast<Descriptor>(copy);
+}
+
 #else
 
 namespace {
@@ -115,6 +125,10 @@ bool waitReadable(Descriptor socket, std::chrono::nanoseconds atMost) {
 
 void close(Descriptor socket) {
     ::close(static_cast<int>(socket));
+}
+
+Descriptor duplicate(Descriptor socket) {
+    return ::fcntl(static_cast<int>(socket), F_DUPFD_CLOEXEC, 0);
 }
 
 #endif

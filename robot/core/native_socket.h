@@ -39,4 +39,8 @@ bool waitReadable(Descriptor socket, std::chrono::nanoseconds atMost);
 
 void close(Descriptor socket);
 
+/// A second descriptor of the same connection, so that it can outlive the Qt socket that opened it. Negative
+/// when the system has none left.
+Descriptor duplicate(Descriptor socket);
+
 }  // namespace tiller::native_socket

@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: MIT
+#include "robot/rtde/connection.h"
+
+#include <QCoreApplication>
+#include <QEventLoop>
+#include <QNetworkProxy>
+#include <QTcpSocket>
+#include <QTimer>
+#include <algorithm>
+#include <array>
+
+namespace tiller::rtde {
+
+namespace {
+
+using native_socket::Descriptor;
+using Status = native_socket::Status;
+using std::chrono::nanoseconds;
+
+constexpr Descriptor kNoSocket = -1;
+
+Error socketError(const QTcpSocket& socket, const QString& context) {
+    ErrorCode code = ErrorCode::HostUnreachable;
+    switch (socket.error()) {
+        case QAbstractSocket::ConnectionRefusedError:
+            code = ErrorCode::ConnectionRefused;
+            break;
+        case QAbstractSocket::HostNotFoundError:
+            code = ErrorCode::AddressInvalid;
+            break;
+        case QAbstractSocket::RemoteHostClosedError:
+            code = ErrorCode::ConnectionClosed;
+            break;
+        default:
+            break;
+    }
+    return {code, context, socket.errorString()};
+}
+
+/// Qt resolves the name and makes the connection; then the descriptor is taken over, because the Qt socket
+/// buffers, allocates, and belongs to one thread's event loop.
+Result<Descriptor> connectTcp(const QString& host, std::uint16_t port, const QString& context,
+                              const Deadline& deadline) {
+    if (host.trimmed().isEmpty()) {
+        return Error{ErrorCode::AddressInvalid, context, QStringLiteral("the address is empty")};
+    }
+    QTcpSocket socket;
+    socket.setProxy(QNetworkProxy::NoProxy);
+    socket.connectToHost(host.trimmed(), port);
+    if (QCoreApplication::instance() == nullptr) {
+        socket.waitForConnected(static_cast<int>(deadline.remaining().count()));
+    } else {
+        QEventLoop loop;
+        QTimer tick;  // to look at the deadline and its cancel flag
+        QObject::connect(&tick, &QTimer::timeout, &loop, &QEventLoop::quit);
+        QObject::connect(&socket, &QTcpSocket::connected, &loop, &QEventLoop::quit);
+        QObject::connect(&socket, &QTcpSocket::errorOccurred, &loop, &QEventLoop::quit);
+        tick.start(std::chrono::milliseconds(10));
+        while (socket.state() != QAbstractSocket::ConnectedState &&
+               socket.state() != QAbstractSocket::UnconnectedState && !deadline.hasExpired()) {
+            loop.exec(QEventLoop::ExcludeUserInputEvents);
+        }
+    }
+    if (socket.state() == QAbstractSocket::ConnectedState) {
+        const Descriptor descriptor = native_socket::duplicate(socket.socketDescriptor());
+        socket.abort();
+        if (descriptor < 0) {
+            return Error{ErrorCode::Internal, context,
+                         QStringLiteral("no descriptor left for another socket")};
+        }
+        native_socket::prepare(descriptor);
+        return descriptor;
+    }
+    if (deadline.isCancelled()) {
+        return Error{ErrorCode::Cancelled, context, {}};
+    }
+    if (socket.state() != QAbstractSocket::UnconnectedState ||
+        socket.error() == QAbstractSocket::SocketTimeoutError) {
+        return Error{ErrorCode::HostUnreachable, context, QStringLiteral("no answer in time")};
+    }
+    return socketError(socket, context);
+}
+
+}  // namespace
+
+struct Connection::State {
+    explicit State(SessionRequest request) : session(std::move(request)) {}
+
+    Session session;
+    PackageSplitter splitter;
+    Descriptor socket = kNoSocket;
+    QString peer;
+    Error error;
+    Bytes replies;  ///< what the session wants sent
+    // One data package being sent; more than zero bytes are left only if the peer is not reading.
+    std::array<std::uint8_t, kMaxPackageSize> outgoing{};
+    std::size_t outgoingBegin = 0;
+    std::size_t outgoingEnd = 0;
+
+    ~State() { close(); }
+
+    void close() {
+        if (socket != kNoSocket) {
+            native_socket::close(socket);
+            socket = kNoSocket;
+        }
+    }
+
+    void failWith(ErrorCode code, const QString& what) { error = {code, peer, what}; }
+
+    Status flush() {
+        while (outgoingBegin < outgoingEnd) {
+            const auto sent = native_socket::send(
+                socket, ByteView(outgoing).subspan(outgoingBegin, outgoingEnd - outgoingBegin));
+            if (sent.status != Status::Ok) {
+                return sent.status;
+            }
+            outgoingBegin += sent.bytes;
+        }
+        outgoingBegin = outgoingEnd = 0;
+        return Status::Ok;
+    }
+
+    Result<void> sendReplies(const Deadline& deadline) {
+        for (std::size_t at = 0; at < replies.size();) {
+            const auto sent = native_socket::send(socket, ByteView(replies).subspan(at));
+            if (sent.status == Status::Ok) {
+                at += sent.bytes;
+                continue;
+            }
+            if (sent.status != Status::WouldBlock) {
+                return Error{ErrorCode::ConnectionClosed, where(), {}};
+            }
+            if (deadline.hasExpired()) {
+                return expired(deadline);
+            }
+            native_socket::waitReadable(socket, deadline.nextPoll());
+        }
+        replies.clear();
+        return {};
+    }
+
+    QString where() const {
+        return session.awaited().isEmpty()
+                   ? QStringLiteral("RTDE at %1").arg(peer)
+                   : QStringLiteral("RTDE at %1, waiting for %2").arg(peer, session.awaited());
+    }
+
+    Error expired(const Deadline& deadline) const {
+        return {deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, where(), {}};
+    }
+
+    Error located(const Error& inner) const {
+        return {inner.code, QStringLiteral("RTDE at %1: %2").arg(peer, inner.context),
+                inner.controllerMessage};
+    }
+
+    /// Moves the session on until `done` says so.
+    template <class Done>
+    Result<void> converse(const Deadline& deadline, Done done) {
+        if (socket == kNoSocket) {
+            return Error{ErrorCode::NotConnected, QStringLiteral("RTDE at %1").arg(peer), {}};
+        }
+        for (;;) {
+            if (auto sent = sendReplies(deadline); !sent) {
+                return sent;
+            }
+            // Stop at the goal: what follows in the buffer is data for the caller.
+            while (!done() && !session.isFailed()) {
+                const auto package = splitter.next();
+                if (!package) {
+                    break;
+                }
+                session.handle(*package, replies);
+            }
+            if (session.isFailed()) {
+                return located(session.error());
+            }
+            if (splitter.fault() != PackageSplitter::Fault::None) {
+                return located(splitter.error());
+            }
+            if (!replies.empty()) {
+                continue;
+            }
+            if (done()) {
+                return {};
+            }
+            const auto got = native_socket::receive(socket, splitter.writable());
+            if (got.status == Status::Ok) {
+                splitter.commit(got.bytes);
+                continue;
+            }
+            if (got.status == Status::Closed || got.status == Status::Failed) {
+                return Error{ErrorCode::ConnectionClosed, where(), {}};
+            }
+            if (deadline.hasExpired()) {
+                return expired(deadline);
+            }
+            native_socket::waitReadable(socket, deadline.nextPoll());
+        }
+    }
+};
+
+Connection::Connection(std::unique_ptr<State> state) : d_(std::move(state)) {}
+
+Connection::~Connection() = default;
+
+Result<std::unique_ptr<Connection>> Connection::open(const ConnectionOptions& options,
+                                                     const Deadline& deadline) {
+    auto state = std::make_unique<State>(options.request);
+    state->peer = QStringLiteral("%1:%2").arg(options.host.trimmed()).arg(options.port);
+    const auto socket = connectTcp(options.host, options.port,
+                                   QStringLiteral("connect to RTDE at %1").arg(state->peer), deadline);
+    if (!socket) {
+        return socket.error();
+    }
+    state->socket = *socket;
+    Session& session = state->session;
+    session.begin(state->replies);
+    if (auto shaken = state->converse(deadline, [&] { return session.isReady(); }); !shaken) {
+        return shaken.error();
+    }
+    return std::unique_ptr<Connection>(new Connection(std::move(state)));
+}
+
+const SoftwareVersion& Connection::version() const {
+    return d_->session.version();
+}
+
+ProtocolVersion Connection::protocol() const {
+    return d_->session.protocol();
+}
+
+const Recipe& Connection::outputs() const {
+    return d_->session.outputs();
+}
+
+const std::vector<Recipe>& Connection::inputs() const {
+    return d_->session.inputs();
+}
+
+const Session& Connection::session() const {
+    return d_->session;
+}
+
+double Connection::period() const {
+    return d_->session.period();
+}
+
+const QString& Connection::peer() const {
+    return d_->peer;
+}
+
+Descriptor Connection::descriptor() const {
+    return d_->socket;
+}
+
+bool Connection::hasPackage() const {
+    return d_->splitter.hasNext();
+}
+
+Connection::Read Connection::readPackage(std::span<double> values, nanoseconds atMost) {
+    State& d = *d_;
+    if (d.socket == kNoSocket) {
+        return Read::Failed;
+    }
+    const auto end = std::chrono::steady_clock::now() + atMost;
+    const bool onlyLook = atMost.count() <= 0;
+    bool timeIsUp = false;
+    for (;;) {
+        while (const auto package = d.splitter.next()) {
+            if (package->type != PackageType::Data || d.session.state() != Session::State::Running) {
+                d.session.handle(*package, d.replies);
+                continue;
+            }
+            const auto data = readOutputData(package->payload, d.session.protocol());
+            const Recipe& recipe = d.session.outputs();
+            const bool numbered = d.session.protocol() != ProtocolVersion::V1;
+            if (!data || (numbered && data->recipeId != recipe.id()) ||
+                !decodeValues(recipe.layout(), data->values, values)) {
+                d.failWith(ErrorCode::ProtocolError,
+                           QStringLiteral("a data package does not fit the output recipe"));
+                return Read::Malformed;
+            }
+            return Read::Package;
+        }
+        if (d.splitter.fault() != PackageSplitter::Fault::None) {
+            d.error = d.located(d.splitter.error());
+            return Read::Malformed;
+        }
+        if (timeIsUp) {
+            return Read::Nothing;
+        }
+        // Waiting first costs two system calls a package, reading first would cost three.
+        if (!onlyLook) {
+            const auto left = end - std::chrono::steady_clock::now();
+            if (left.count() <= 0 || !native_socket::waitReadable(d.socket, left)) {
+                return Read::Nothing;
+            }
+        }
+        const auto got = native_socket::receive(d.socket, d.splitter.writable());
+        switch (got.status) {
+            case Status::Ok:
+                d.splitter.commit(got.bytes);
+                // A peer that floods us with something else must not keep us here.
+                timeIsUp = std::chrono::steady_clock::now() >= end;
+                break;
+            case Status::WouldBlock:
+                timeIsUp = onlyLook;
+                break;
+            case Status::Closed:
+                d.failWith(ErrorCode::ConnectionClosed,
+                           QStringLiteral("the controller ended the connection"));
+                return Read::Closed;
+            case Status::Failed:
+                d.failWith(ErrorCode::LinkLost, QStringLiteral("the connection broke"));
+                return Read::Failed;
+        }
+    }
+}
+
+Connection::Send Connection::sendInputs(std::size_t recipe, std::span<const double> values) {
+    State& d = *d_;
+    const auto& recipes = d.session.inputs();
+    if (d.socket == kNoSocket || recipe >= recipes.size() || !recipes[recipe].isValid()) {
+        return Send::Failed;
+    }
+    // The rest of an older package has to go first, or the stream would be broken.
+    Status status = d.flush();
+    if (status == Status::Ok) {
+        d.outgoingEnd = writeDataPackage(d.outgoing, recipes[recipe].id(), recipes[recipe].layout(), values);
+        if (d.outgoingEnd == 0) {
+            return Send::Failed;
+        }
+        status = d.flush();
+        if (status == Status::WouldBlock) {
+            // Nothing of it left the house: drop it. Otherwise the rest follows with the next one.
+            const bool begun = d.outgoingBegin > 0;
+            if (!begun) {
+                d.outgoingEnd = 0;
+            }
+            return begun ? Send::Sent : Send::Busy;
+        }
+    } else if (status == Status::WouldBlock) {
+        return Send::Busy;
+    }
+    if (status != Status::Ok) {
+        d.failWith(ErrorCode::LinkLost, QStringLiteral("the connection broke while sending"));
+        return Send::Failed;
+    }
+    return Send::Sent;
+}
+
+Result<void> Connection::start(const Deadline& deadline) {
+    Session& session = d_->session;
+    if (!session.outputs().isValid()) {
+        return Error{
+            ErrorCode::Rejected, QStringLiteral("RTDE at %1: start without outputs").arg(d_->peer), {}};
+    }
+    session.start(d_->replies);
+    return d_->converse(deadline, [&] { return session.state() == Session::State::Running; });
+}
+
+Result<void> Connection::pause(const Deadline& deadline) {
+    Session& session = d_->session;
+    session.pause(d_->replies);
+    return d_->converse(deadline, [&] { return session.state() == Session::State::Ready; });
+}
+
+void Connection::close() {
+    d_->close();
+}
+
+bool Connection::isOpen() const {
+    return d_->socket != kNoSocket;
+}
+
+Error Connection::error() const {
+    return d_->error;
+}
+
+}  // namespace tiller::rtde
