@@ -63,6 +63,8 @@ public:
     void unlockProtectiveStop();
     /// Uploads the control script; needs RUNNING, and Remote control where the controller has it.
     void takeControl();
+    /// Ends the control program; the robot is free for others.
+    void releaseControl();
 
     /// fraction  0.02 ... 1 (smaller values are raised to 0.02: a slider at 0 has caused protective stops)
     void setSpeedSlider(double fraction);
@@ -90,6 +92,9 @@ public:
     /// Makes a new SessionState from the newest sample and tells everybody. Called by a 60 Hz timer that the
     /// session owns; tests in virtual time call it themselves.
     void refresh();
+    /// Ends the link and waits for it: at the end of the program. Blocks: half a second at most, longer only
+    /// where a file system does
+    void shutDown();
 
 Q_SIGNALS:
     void stateChanged(const tiller::SessionState& state);
@@ -99,6 +104,11 @@ Q_SIGNALS:
     void message(tiller::Severity severity, const QString& text);
 
 private:
+    void keepOutputsConnected();
+    void askRemoteControl();
+    void reportChanges();
+    void reportControllerMessages();
+
     struct Backend;
     std::unique_ptr<Backend> d_;
 };

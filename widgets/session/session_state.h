@@ -3,9 +3,11 @@
 
 // One consistent picture of the robot for everything that paints: made once a frame from one sample.
 
+#include <QMetaType>
 #include <QString>
 #include <cstdint>
 
+#include "robot/control/control_status.h"
 #include "robot/control/motion_types.h"
 #include "robot/core/joints.h"
 #include "robot/core/modes.h"
@@ -81,6 +83,7 @@ struct SessionState {
     Vector6 jointCurrent = Vector6::Zero();      ///< [A]
     Vector6 jointTemperature = Vector6::Zero();  ///< [deg C]
     control::StopMeasurement lastStop;
+    control::Limiter limiter;  ///< what holds the asked-for speed down
 
     // I/O: bits 0-7 standard, 8-15 configurable, 16-17 tool
     std::uint64_t digitalInputs = 0;
@@ -100,3 +103,6 @@ struct SessionState {
 };
 
 }  // namespace tiller
+
+Q_DECLARE_METATYPE(tiller::SessionState)
+Q_DECLARE_METATYPE(tiller::control::StopMeasurement)

@@ -1,0 +1,490 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/session/robot_session.h"
+
+#include <algorithm>
+
+#include "widgets/session/session_backend.h"
+#include "widgets/session/texts.h"
+
+namespace tiller {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds kConnectTime{3000};
+constexpr milliseconds kTakeControlTime{5000};
+constexpr milliseconds kConfirmTime{2000};
+constexpr milliseconds kDashboardTime{3000};
+constexpr std::int64_t kAskRemoteEveryNs = kNsPerSecond;
+constexpr int kRefreshMs = 16;
+
+QString stopSentence(const control::StopMeasurement& stop) {
+    return RobotSession::tr("Stopped: %1 (%2 ms, %3 mm)")
+        .arg(texts::stopCauseText(stop.cause))
+        .arg(stop.durationMs, 0, 'f', 0)
+        .arg(stop.distanceMm, 0, 'f', 1);
+}
+
+}  // namespace
+
+RobotSession::RobotSession(const Clock& clock, QObject* parent)
+    : QObject(parent), d_(std::make_unique<Backend>(clock)) {
+    qRegisterMetaType<SessionState>();
+    d_->refreshTimer.setTimerType(Qt::PreciseTimer);
+    d_->refreshTimer.setInterval(kRefreshMs);
+    connect(&d_->refreshTimer, &QTimer::timeout, this, &RobotSession::refresh);
+    d_->refreshTimer.start();
+    d_->read();
+}
+
+RobotSession::~RobotSession() {
+    shutDown();
+}
+
+const SessionState& RobotSession::state() const {
+    return d_->state;
+}
+
+receive::Receiver* RobotSession::receiver() const {
+    return d_->link ? d_->link->receiver.get() : nullptr;
+}
+
+const control::MotionLimits& RobotSession::limits() const {
+    static const control::MotionLimits defaults;
+    return d_->link ? d_->link->controller->limits() : defaults;
+}
+
+// ---- connection
+// ----------------------------------------------------------------------------------------------------
+
+void RobotSession::connectTo(const RobotAddress& address) {
+    disconnectFromRobot();
+    d_->address = address;
+
+    auto link = std::make_unique<RobotLink>();
+
+    receive::ReceiverOptions receiverOptions;
+    receiverOptions.host = address.host;
+    receiverOptions.port = static_cast<std::uint16_t>(rtde::kPort + address.portOffset);
+    receiverOptions.clock = d_->clock;
+    link->receiver = std::make_shared<receive::Receiver>(receiverOptions);
+    link->receiver->start();
+
+    control::ControllerOptions controllerOptions;
+    controllerOptions.host = address.host;
+    controllerOptions.portOffset = address.portOffset;
+    controllerOptions.clock = d_->clock;
+    link->controller = std::make_shared<control::Controller>(controllerOptions);
+
+    io::OutputsOptions outputsOptions;
+    outputsOptions.host = address.host;
+    outputsOptions.port = receiverOptions.port;
+    link->outputs =
+        std::make_shared<io::Outputs>(outputsOptions, io::Feedback::fromReceiver(*link->receiver));
+
+    link->dashboard = std::make_unique<dashboard::DashboardWorker>(
+        address.host, dashboard::kDashboardPort + address.portOffset);
+    link->dashboard->start();
+
+    script::PrimaryClientOptions primaryOptions;
+    primaryOptions.host = address.host;
+    primaryOptions.port = script::kPrimaryPort + address.portOffset;
+    primaryOptions.clock = d_->clock;
+    link->primary = std::make_unique<script::PrimaryClient>(primaryOptions);
+    link->primary->start();
+
+    d_->link = std::move(link);
+    d_->sample = receive::Sample(d_->link->receiver->layout());
+    Q_EMIT message(Severity::Info, tr("Connecting to %1 (%2)").arg(address.name, address.host));
+    refresh();
+}
+
+void RobotSession::disconnectFromRobot() {
+    if (!d_->link) {
+        return;
+    }
+    stop(control::StopCause::ControlLost);
+    stopRecording();
+    ++d_->generation;
+    d_->worker.cancelAll();
+    // Joining the link's threads takes some tenths of a second: not here.
+    d_->worker.postCleanup([link = std::shared_ptr<RobotLink>(std::move(d_->link))]() mutable {
+        link->controller->release();
+        link->outputs->disconnect();
+        link->receiver->stop();
+        link.reset();
+    });
+    d_->link.reset();
+    d_->takingControl = false;
+    d_->refusal.clear();
+    d_->remoteControl.reset();
+    d_->remoteAsked = false;
+    d_->sampleConnection = 0;
+    d_->sliderBusy = false;
+    d_->sliderWanted.reset();
+    d_->stopsSeen = 0;
+    d_->linkSeen = LinkState::Disconnected;
+    Q_EMIT message(Severity::Info, tr("Disconnected from %1").arg(d_->address.name));
+    refresh();
+}
+
+void RobotSession::shutDown() {
+    d_->refreshTimer.stop();
+    disconnectFromRobot();
+}
+
+// ---- power and recovery
+// --------------------------------------------------------------------------------------------
+
+namespace {
+
+/// Sends one dashboard command and reports a refusal.
+template <class Call>
+void sendDashboard(RobotSession& session, dashboard::DashboardWorker* dashboard, const QString& done,
+                   Call call) {
+    if (dashboard == nullptr) {
+        Q_EMIT session.message(Severity::Error, texts::errorText({ErrorCode::NotConnected, done, {}}));
+        return;
+    }
+    dashboard->post(
+        std::move(call), &session,
+        [&session, done](const Result<void>& result) {
+            if (result) {
+                Q_EMIT session.message(Severity::Info, done);
+            } else {
+                Q_EMIT session.message(Severity::Error, texts::errorText(result.error()));
+            }
+        },
+        kDashboardTime);
+}
+
+dashboard::DashboardWorker* dashboardOf(const std::unique_ptr<RobotLink>& link) {
+    return link ? link->dashboard.get() : nullptr;
+}
+
+}  // namespace
+
+void RobotSession::powerOn() {
+    sendDashboard(*this, dashboardOf(d_->link), tr("Power on"),
+                  [](dashboard::DashboardClient& c, const Deadline& d) { return c.powerOn(d); });
+}
+
+void RobotSession::releaseBrakes() {
+    sendDashboard(*this, dashboardOf(d_->link), tr("Brake release"),
+                  [](dashboard::DashboardClient& c, const Deadline& d) { return c.brakeRelease(d); });
+}
+
+void RobotSession::powerOff() {
+    stop(control::StopCause::ControlLost);
+    sendDashboard(*this, dashboardOf(d_->link), tr("Power off"),
+                  [](dashboard::DashboardClient& c, const Deadline& d) { return c.powerOff(d); });
+}
+
+void RobotSession::unlockProtectiveStop() {
+    sendDashboard(*this, dashboardOf(d_->link), tr("Protective stop unlocked by the operator"),
+                  [](dashboard::DashboardClient& c, const Deadline& d) { return c.unlockProtectiveStop(d); });
+}
+
+void RobotSession::takeControl() {
+    if (!d_->link || d_->takingControl) {
+        return;
+    }
+    d_->takingControl = true;
+    d_->refusal.clear();
+    const std::uint64_t generation = d_->generation;
+    d_->worker.post(this, [this, generation, controller = d_->link->controller](const CancelToken& token) {
+        const Result<void> result = controller->takeControl(Deadline::after(kTakeControlTime, token));
+        return std::function<void()>([this, generation, result] {
+            if (generation != d_->generation) {
+                return;
+            }
+            d_->takingControl = false;
+            if (result) {
+                Q_EMIT message(Severity::Info, tr("In control"));
+            } else {
+                d_->refusal = texts::errorText(result.error());
+                Q_EMIT message(Severity::Error, d_->refusal);
+            }
+            refresh();
+        });
+    });
+    refresh();
+}
+
+void RobotSession::releaseControl() {
+    if (!d_->link) {
+        return;
+    }
+    d_->worker.post(this, [controller = d_->link->controller](const CancelToken&) {
+        controller->release();
+        return std::function<void()>();
+    });
+}
+
+// ---- outputs
+// -------------------------------------------------------------------------------------------------------
+
+void RobotSession::setSpeedSlider(double fraction) {
+    if (!d_->link) {
+        return;
+    }
+    const double wanted = std::clamp(fraction, io::kLowestSpeedFraction, 1.0);
+    if (d_->sliderBusy) {
+        // A slider is dragged faster than the robot confirms: only the newest wish counts.
+        d_->sliderWanted = wanted;
+        return;
+    }
+    d_->sliderBusy = true;
+    const std::uint64_t generation = d_->generation;
+    d_->worker.post(this, [this, generation, wanted, outputs = d_->link->outputs](const CancelToken& token) {
+        const Result<void> result = outputs->setSpeedSlider(wanted, Deadline::after(kConfirmTime, token));
+        return std::function<void()>([this, generation, result] {
+            if (generation != d_->generation) {
+                return;
+            }
+            d_->sliderBusy = false;
+            if (!result) {
+                Q_EMIT message(Severity::Error, texts::errorText(result.error()));
+            }
+            if (d_->sliderWanted) {
+                setSpeedSlider(*std::exchange(d_->sliderWanted, std::nullopt));
+            }
+        });
+    });
+}
+
+void RobotSession::setDigitalOutput(int output, bool on) {
+    if (!d_->link) {
+        return;
+    }
+    const std::uint64_t generation = d_->generation;
+    d_->worker.post(this, [this, generation, output, on,
+                           outputs = d_->link->outputs](const CancelToken& token) {
+        const Result<void> result =
+            outputs->setDigitalOutput(output, on, Deadline::after(kConfirmTime, token));
+        return std::function<void()>([this, generation, output, on, result] {
+            if (generation != d_->generation) {
+                return;
+            }
+            if (result) {
+                Q_EMIT message(Severity::Info, tr("Output %1 %2").arg(output).arg(on ? tr("on") : tr("off")));
+            } else {
+                Q_EMIT message(Severity::Error, texts::errorText(result.error()));
+            }
+        });
+    });
+}
+
+// ---- motion
+// --------------------------------------------------------------------------------------------------------
+
+namespace {
+
+Error notMovable(const SessionState& state) {
+    return {state.link == LinkState::Live ? ErrorCode::NotInControl : ErrorCode::NotConnected,
+            state.controlReason,
+            {}};
+}
+
+}  // namespace
+
+Result<RobotSession::MotionId> RobotSession::beginJog(const control::JogTarget& target) {
+    if (!d_->link) {
+        return notMovable(d_->state);
+    }
+    const Result<control::JogId> jog = d_->link->controller->startJog(target);
+    if (jog) {
+        d_->jogMotion = *jog;
+    }
+    return jog;
+}
+
+Result<RobotSession::MotionId> RobotSession::beginMove(const MoveRequest& request) {
+    if (!d_->link) {
+        return notMovable(d_->state);
+    }
+    const control::MoveParameters parameters{request.speed, request.acceleration, control::Holding::Held};
+    const Result<control::MoveId> move = request.kind == MoveRequest::Kind::MoveJ
+                                             ? d_->link->controller->moveJ(request.q, parameters)
+                                             : d_->link->controller->moveL(request.pose, parameters);
+    if (move) {
+        d_->moveMotion = *move;
+    }
+    return move;
+}
+
+bool RobotSession::hold(MotionId motion) {
+    if (!d_->link || motion == control::kNoMotion) {
+        return false;
+    }
+    return motion == d_->moveMotion ? d_->link->controller->refreshMove(motion)
+                                    : d_->link->controller->refreshJog(motion);
+}
+
+bool RobotSession::hold(MotionId motion, const control::JogTarget& target) {
+    return d_->link && motion != control::kNoMotion && d_->link->controller->refreshJog(motion, target);
+}
+
+void RobotSession::endMotion(MotionId motion, control::StopCause cause) {
+    if (d_->link) {
+        d_->link->controller->end(motion, cause);
+    }
+}
+
+void RobotSession::stop(control::StopCause cause) {
+    if (!d_->link) {
+        return;
+    }
+    d_->link->controller->stop(cause);
+    const bool foreignProgram =
+        !d_->link->controller->status().inControl && !d_->takingControl &&
+        (d_->state.runtimeState == RuntimeState::Playing || d_->state.runtimeState == RuntimeState::Resuming);
+    if (cause == control::StopCause::StopButton && foreignProgram) {
+        // Somebody else's program moves the arm: the operator who presses STOP means that too.
+        sendDashboard(*this, d_->link->dashboard.get(), tr("Program stopped"),
+                      [](dashboard::DashboardClient& c, const Deadline& d) { return c.stop(d); });
+    }
+}
+
+// ---- recording
+// -----------------------------------------------------------------------------------------------------
+
+Result<void> RobotSession::startRecording(const QString& path) {
+    if (!d_->link) {
+        return Error{ErrorCode::NotConnected, tr("record to %1").arg(path), {}};
+    }
+    recording::RecorderOptions options;
+    options.path = path;
+    Result<void> result = d_->recorder.start(options, *d_->link->receiver);
+    if (result) {
+        d_->wasRecording = true;
+        Q_EMIT message(Severity::Info, tr("Recording to %1").arg(path));
+    } else {
+        Q_EMIT message(Severity::Error, texts::errorText(result.error()));
+    }
+    refresh();
+    return result;
+}
+
+void RobotSession::stopRecording() {
+    if (!d_->wasRecording) {
+        return;
+    }
+    d_->wasRecording = false;
+    d_->recorder.stop();
+    const recording::RecorderProgress progress = d_->recorder.progress();
+    if (progress.state == recording::RecorderState::Finished) {
+        Q_EMIT message(Severity::Info,
+                       tr("Recorded %1 rows to %2").arg(progress.rows).arg(d_->recorder.path()));
+    }
+    refresh();
+}
+
+// ---- the frame
+// -----------------------------------------------------------------------------------------------------
+
+void RobotSession::refresh() {
+    d_->read();
+    reportChanges();
+    if (d_->link) {
+        keepOutputsConnected();
+        askRemoteControl();
+    }
+    Q_EMIT stateChanged(d_->state);
+}
+
+void RobotSession::keepOutputsConnected() {
+    const std::uint64_t connection = d_->sample.connection;
+    if (d_->sample.isEmpty() || connection == d_->sampleConnection) {
+        return;
+    }
+    // The first data of a connection: the robot is there, so the outputs can be connected (again).
+    d_->sampleConnection = connection;
+    d_->worker.post(this, [this, outputs = d_->link->outputs](const CancelToken& token) {
+        const Result<void> result = outputs->connect(Deadline::after(kConnectTime, token));
+        return std::function<void()>([this, result] {
+            if (!result && result.error().code != ErrorCode::Cancelled) {
+                Q_EMIT message(Severity::Warning, texts::errorText(result.error()));
+            }
+        });
+    });
+}
+
+void RobotSession::askRemoteControl() {
+    const std::int64_t now = d_->clock->nowNs();
+    if (d_->state.link != LinkState::Live || d_->remoteAsked || now - d_->remoteAskedNs < kAskRemoteEveryNs) {
+        return;
+    }
+    d_->remoteAsked = true;
+    d_->remoteAskedNs = now;
+    const std::uint64_t generation = d_->generation;
+    d_->link->dashboard->post(
+        [](dashboard::DashboardClient& c, const Deadline& d) { return c.isInRemoteControl(d); }, this,
+        [this, generation](const Result<bool>& result) {
+            if (generation != d_->generation) {
+                return;
+            }
+            d_->remoteAsked = false;
+            d_->remoteControl = result ? std::optional<bool>(*result) : std::nullopt;
+        },
+        kDashboardTime);
+}
+
+void RobotSession::reportChanges() {
+    const SessionState& state = d_->state;
+    if (state.lastStop.count > d_->stopsSeen) {
+        d_->stopsSeen = state.lastStop.count;
+        Q_EMIT motionStopped(state.lastStop);
+        Q_EMIT message(Severity::Info, stopSentence(state.lastStop));
+    }
+    if (state.link != d_->linkSeen) {
+        if (state.link == LinkState::Live && d_->linkSeen != LinkState::Stale) {
+            Q_EMIT message(Severity::Info, tr("Connected to %1").arg(state.robotName));
+        } else if (state.link == LinkState::Lost) {
+            Q_EMIT message(Severity::Error, state.linkReason);
+        }
+        d_->linkSeen = state.link;
+    }
+    if (state.hasData() && state.safetyMode != d_->safetySeen) {
+        d_->safetySeen = state.safetyMode;
+        const QString obstacle = texts::safetyModeObstacle(state.safetyMode);
+        Q_EMIT message(obstacle.isEmpty() ? Severity::Info : Severity::Error,
+                       obstacle.isEmpty() ? tr("Safety is normal again") : obstacle);
+    }
+    if (d_->wasRecording && !state.recording.error.isEmpty()) {
+        d_->wasRecording = false;
+        Q_EMIT message(Severity::Error, state.recording.error);
+    }
+    if (d_->link) {
+        reportControllerMessages();
+    }
+}
+
+void RobotSession::reportControllerMessages() {
+    using script::MessageKind;
+    for (const script::ControllerMessage& m : d_->link->primary->takeMessages()) {
+        const Severity severity = m.severity >= script::MessageSeverity::Violation ? Severity::Error
+                                  : m.severity == script::MessageSeverity::Warning ? Severity::Warning
+                                                                                   : Severity::Info;
+        switch (m.kind) {
+            case MessageKind::Text:
+                Q_EMIT message(severity, tr("Program: %1").arg(m.text));
+                break;
+            case MessageKind::ErrorCode:
+                Q_EMIT message(severity, tr("Controller: %1 %2").arg(m.codeName(), m.text).trimmed());
+                break;
+            case MessageKind::RuntimeException:
+                Q_EMIT message(
+                    Severity::Error,
+                    tr("Program error in line %1, column %2: %3").arg(m.line).arg(m.column).arg(m.text));
+                break;
+            case MessageKind::Popup:
+                Q_EMIT message(severity, tr("Popup on the robot: %1 %2").arg(m.title, m.text).trimmed());
+                break;
+            default:
+                break;
+        }
+    }
+}
+
+}  // namespace tiller

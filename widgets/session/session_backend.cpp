@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/session/session_backend.h"
+
+#include "robot/receive/robot_state.h"
+#include "widgets/session/texts.h"
+
+namespace tiller {
+namespace {
+
+constexpr std::int64_t kStaleNs = 300 * kNsPerMs;
+constexpr std::int64_t kLostNs = 1000 * kNsPerMs;
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("RobotSession", text);
+}
+
+/// The arm's model from what its primary interface says; the first of those that report the same type.
+RobotModelId modelOf(const script::RobotConfiguration& configuration, const SoftwareVersion& version,
+                     RobotModelId otherwise) {
+    for (const RobotModel& model : robotModels()) {
+        if (model.robotType == configuration.robotType && model.isCb3() == version.isCb3()) {
+            return model.id;
+        }
+    }
+    return otherwise;
+}
+
+}  // namespace
+
+void RobotSession::Backend::read() {
+    if (link == nullptr) {
+        const RecordingState recordingState = state.recording;
+        state = SessionState{};
+        state.recording = recordingState;
+        state.controlReason = tr("Not connected to a robot.");
+        readRecording();
+        return;
+    }
+    readLink();
+    readSample();
+    readControl();
+    readRecording();
+    state.controlReason = obstacle();
+}
+
+void RobotSession::Backend::readLink() {
+    const receive::Receiver& receiver = *link->receiver;
+    const std::int64_t age = receiver.ageNs();
+    const bool receiving = receiver.state() == receive::ReceiverState::Receiving;
+    const bool everReceived = state.sequence != 0 || !receiver.latest().isEmpty();
+    if (!everReceived) {
+        state.link =
+            receiver.state() == receive::ReceiverState::Waiting ? LinkState::Lost : LinkState::Connecting;
+    } else if (!receiving || age > kLostNs) {
+        state.link = LinkState::Lost;
+    } else {
+        state.link = age > kStaleNs ? LinkState::Stale : LinkState::Live;
+    }
+    const Error error = receiver.lastError();
+    state.linkReason = state.link == LinkState::Live   ? QString()
+                       : error.code == ErrorCode::None ? tr("Waiting for data from %1.").arg(address.host)
+                                                       : texts::errorText(error);
+    const receive::ReceiverCounters counters = receiver.counters();
+    state.quality.rateHz = counters.rateHz;
+    state.quality.packets = counters.packets;
+    state.quality.late = counters.late;
+    state.quality.lost = counters.lost;
+    state.quality.ageMs = everReceived ? static_cast<double>(age) / kNsPerMs : 0.0;
+    state.robotName = address.name;
+    state.address = address.host;
+    state.simulated = address.simulated;
+    state.version = receiver.version();
+    if (link->primary) {
+        if (const auto configuration = link->primary->configuration()) {
+            state.model = modelOf(*configuration, state.version, state.model);
+        }
+    }
+}
+
+void RobotSession::Backend::readSample() {
+    link->receiver->latest(sample);
+    if (sample.isEmpty()) {
+        return;
+    }
+    const receive::RobotState robot(sample);
+    state.sequence = sample.sequence;
+    state.robotTime = robot.timestamp();
+    state.robotMode = robot.robotMode();
+    state.safetyMode = robot.safetyMode();
+    state.runtimeState = robot.runtimeState();
+    state.q = robot.q();
+    state.qd = robot.qd();
+    state.tcpPose = robot.tcpPose();
+    state.tcpOffset = robot.tcpOffset();
+    state.tcpSpeed = robot.tcpSpeed();
+    state.tcpForce = robot.tcpForce();
+    state.jointCurrent = robot.jointCurrent();
+    state.jointTemperature = robot.jointTemperature();
+    state.speedFraction = robot.speedSlider();
+    state.speedScaling = robot.speedScaling();
+    state.digitalInputs = robot.digitalInputs();
+    state.digitalOutputs = robot.digitalOutputs();
+    state.remoteControl = state.version.isCb3() || remoteControl.value_or(false);
+}
+
+void RobotSession::Backend::readControl() {
+    const control::ControllerStatus status = link->controller->status();
+    state.quality.roundTripMs = status.roundTripMs;
+    state.limiter = status.limiter;
+    state.lastStop = status.lastStop;
+    state.jogActive = status.motion != control::kNoMotion && status.motion == jogMotion;
+    // Standing still is judged by the robot's own data, with or without control: 0.1 deg/s is above its
+    // noise.
+    constexpr double kStandstill = 0.0017;
+    state.moving = state.hasData() &&
+                   (status.inControl ? status.moving : state.qd.values.cwiseAbs().maxCoeff() > kStandstill);
+    if (takingControl) {
+        state.control = ControlState::Taking;
+    } else if (status.inControl) {
+        state.control = ControlState::InControl;
+        refusal.clear();
+    } else {
+        state.control = refusal.isEmpty() ? ControlState::None : ControlState::Refused;
+    }
+    lossSeen = status.loss;
+}
+
+void RobotSession::Backend::readRecording() {
+    const recording::RecorderProgress progress = recorder.progress();
+    state.recording.active = progress.state == recording::RecorderState::Recording;
+    state.recording.rows = progress.rows;
+    state.recording.seconds = progress.seconds;
+    state.recording.freeBytes = progress.freeBytes;
+    state.recording.path = recorder.path();
+    state.recording.error =
+        progress.state == recording::RecorderState::Failed ? texts::errorText(recorder.error()) : QString();
+}
+
+QString RobotSession::Backend::obstacle() const {
+    switch (state.link) {
+        case LinkState::Disconnected:
+            return tr("Not connected to a robot.");
+        case LinkState::Connecting:
+            return tr("Connecting to %1…").arg(address.host);
+        case LinkState::Lost:
+            return tr("No data from the robot. Reconnecting by itself; motion does not resume.");
+        case LinkState::Stale:
+            return tr("Data from the robot are late.");
+        case LinkState::Live:
+            break;
+    }
+    if (const QString safety = texts::safetyModeObstacle(state.safetyMode); !safety.isEmpty()) {
+        return safety;
+    }
+    if (const QString mode = texts::robotModeObstacle(state.robotMode); !mode.isEmpty()) {
+        return mode;
+    }
+    if (takingControl) {
+        return tr("Taking control…");
+    }
+    if (state.control == ControlState::InControl) {
+        return {};
+    }
+    return refusal.isEmpty() ? texts::controlLossText(lossSeen) : refusal;
+}
+
+}  // namespace tiller

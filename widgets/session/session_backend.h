@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What a session holds while it is connected, and what it remembers between two frames. Private to
+// widgets/session.
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <memory>
+#include <optional>
+
+#include "robot/control/controller.h"
+#include "robot/dashboard/dashboard_worker.h"
+#include "robot/io/outputs.h"
+#include "robot/receive/receiver.h"
+#include "robot/recording/recorder.h"
+#include "robot/script/primary_client.h"
+#include "robot/script/script_client.h"
+#include "widgets/session/robot_session.h"
+#include "widgets/session/session_worker.h"
+
+namespace tiller {
+
+/// Everything that talks to one robot. Torn down on the worker, because joining threads takes a moment.
+struct RobotLink {
+    std::shared_ptr<receive::Receiver> receiver;
+    std::shared_ptr<control::Controller> controller;
+    std::shared_ptr<io::Outputs> outputs;
+    std::unique_ptr<dashboard::DashboardWorker> dashboard;
+    std::unique_ptr<script::PrimaryClient> primary;
+};
+
+struct RobotSession::Backend {
+    explicit Backend(const Clock& c) : clock(&c) {}
+
+    const Clock* clock;
+    SessionState state;
+    RobotAddress address;
+    std::uint64_t generation = 0;  ///< of the connection; answers to an older one are dropped
+    std::unique_ptr<RobotLink> link;
+    recording::Recorder recorder;
+    QTimer refreshTimer;
+
+    receive::Sample sample;
+    std::uint64_t sampleConnection = 0;  ///< the receiver's connection the outputs were connected for
+    std::optional<bool> remoteControl;   ///< nothing until the controller has answered
+    std::int64_t remoteAskedNs = 0;
+    bool remoteAsked = false;
+    bool takingControl = false;
+    QString refusal;  ///< why taking control failed last
+    QString linkReason;
+
+    RobotSession::MotionId moveMotion = 0;  ///< the newest motion that is a move, to refresh it as one
+    RobotSession::MotionId jogMotion = 0;
+    std::uint64_t stopsSeen = 0;
+
+    std::optional<double> sliderWanted;  ///< newest wish while one is being carried out
+    bool sliderBusy = false;
+
+    bool wasRecording = false;
+    SafetyMode safetySeen = SafetyMode::Normal;
+    LinkState linkSeen = LinkState::Disconnected;
+    control::ControlLoss lossSeen = control::ControlLoss::NotTaken;
+
+    // Last: its jobs use what stands above.
+    SessionWorker worker;
+
+    /// Fills `state` from the newest sample and the controller's status.
+    void read();
+
+private:
+    void readLink();
+    void readSample();
+    void readControl();
+    void readRecording();
+    QString obstacle() const;
+};
+
+}  // namespace tiller
