@@ -10,10 +10,6 @@ namespace {
 constexpr std::int64_t kStaleNs = 300 * kNsPerMs;
 constexpr std::int64_t kLostNs = 1000 * kNsPerMs;
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("RobotSession", text);
-}
-
 /// The arm's model from what its primary interface says; the first of those that report the same type.
 RobotModelId modelOf(const script::RobotConfiguration& configuration, const SoftwareVersion& version,
                      RobotModelId otherwise) {
