@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "robot/simulator/safety_system.h"
+
+namespace tiller::simulator {
+
+namespace {
+// Sums of periods miss the whole second by rounding.
+constexpr double kTimeTolerance = 1e-6;
+}  // namespace
+
+void SafetySystem::protectiveStop() {
+    protective_ = true;
+    unlocking_ = false;
+    protectiveTime_ = 0;
+}
+
+bool SafetySystem::unlockProtectiveStop(bool enforceDelay) {
+    if (!protective_) {
+        return true;
+    }
+    if (enforceDelay && protectiveTime_ + kTimeTolerance < kUnlockDelay) {
+        return false;
+    }
+    unlocking_ = true;
+    unlockTime_ = 0;
+    return true;
+}
+
+void SafetySystem::restart() {
+    violation_ = false;
+    fault_ = false;
+    protective_ = false;
+    unlocking_ = false;
+}
+
+void SafetySystem::step(double dt) {
+    if (!protective_) {
+        return;
+    }
+    protectiveTime_ += dt;
+    if (unlocking_) {
+        unlockTime_ += dt;
+        if (unlockTime_ + kTimeTolerance >= kUnlockTime) {
+            protective_ = false;
+            unlocking_ = false;
+        }
+    }
+}
+
+SafetyMode SafetySystem::mode() const {
+    if (fault_) {
+        return SafetyMode::Fault;
+    }
+    if (violation_) {
+        return SafetyMode::Violation;
+    }
+    if (robotEmergency_) {
+        return SafetyMode::RobotEmergencyStop;
+    }
+    if (systemEmergency_) {
+        return SafetyMode::SystemEmergencyStop;
+    }
+    if (protective_) {
+        return SafetyMode::ProtectiveStop;
+    }
+    if (safeguard_) {
+        return SafetyMode::SafeguardStop;
+    }
+    return reduced_ ? SafetyMode::Reduced : SafetyMode::Normal;
+}
+
+std::uint32_t SafetySystem::statusBits() const {
+    const SafetyMode now = mode();
+    const auto bit = [](int n, bool on) { return on ? 1U << n : 0U; };
+    return bit(0, now == SafetyMode::Normal) | bit(1, reduced_) | bit(2, protective_) | bit(4, safeguard_) |
+           bit(5, systemEmergency_) | bit(6, robotEmergency_) | bit(7, isEmergencyStopped()) |
+           bit(8, violation_) | bit(9, fault_) | bit(10, !allowsMotion(now));
+}
+
+}  // namespace tiller::simulator
