@@ -59,6 +59,12 @@ public:
     /// Takes the next record.
     /// Returns  false when there is none
     bool pop(Cursor& cursor, std::span<std::uint64_t> record) const {
+        return popEach(cursor, [&](std::size_t i, std::uint64_t word) { record[i] = word; });
+    }
+    /// The same, straight to where the words belong: sink(index, word) is called for every word, more than
+    /// once if the producer comes in between; what it was given last counts, if true is returned.
+    template <class Sink>
+    bool popEach(Cursor& cursor, Sink sink) const {
         for (;;) {
             const std::uint64_t head = count();
             if (cursor.next >= head) {
@@ -73,7 +79,7 @@ public:
             if (stamps_[slot].load(std::memory_order_acquire) == whole) {
                 const std::atomic<std::uint64_t>* words = &data_[slot * words_];
                 for (std::size_t i = 0; i < words_; ++i) {
-                    record[i] = words[i].load(std::memory_order_acquire);
+                    sink(i, words[i].load(std::memory_order_acquire));
                 }
                 if (stamps_[slot].load(std::memory_order_relaxed) == whole) {
                     ++cursor.next;

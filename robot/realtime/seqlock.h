@@ -37,13 +37,19 @@ public:
 
     /// Returns  the version read; tries again while a write is under way
     std::uint64_t read(std::span<std::uint64_t> values) const {
+        return readEach([&](std::size_t i, std::uint64_t word) { values[i] = word; });
+    }
+    /// The same, straight to where the words belong: sink(index, word) is called for every word, more than
+    /// once if the writer comes in between; what it was given last counts.
+    template <class Sink>
+    std::uint64_t readEach(Sink sink) const {
         for (;;) {
             const std::uint64_t before = sequence_.load(std::memory_order_acquire);
             if (before % 2 != 0) {
                 continue;
             }
             for (std::size_t i = 0; i < size_; ++i) {
-                values[i] = words_[i].load(std::memory_order_acquire);
+                sink(i, words_[i].load(std::memory_order_acquire));
             }
             if (sequence_.load(std::memory_order_relaxed) == before) {
                 return before / 2;

@@ -45,6 +45,7 @@ enum class SafetyStatusBit : std::uint32_t {
 class RobotState {
 public:
     explicit RobotState(const Sample& sample) : sample_(&sample) {}
+    explicit RobotState(const Sample&&) = delete;
 
     bool has(std::string_view field) const { return !sample_->field(field).empty(); }
     /// One number of a field, or the fallback.

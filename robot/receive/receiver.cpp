@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: MIT
+#include "robot/receive/receiver.h"
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <condition_variable>
+#include <cstring>
+#include <mutex>
+#include <thread>
+
+#include "robot/realtime/seqlock.h"
+#include "robot/receive/stream_watch.h"
+#include "robot/rtde/connection.h"
+
+namespace tiller::receive {
+
+namespace {
+
+using std::chrono::milliseconds;
+
+// A record: sequence, host time, connection, lost before, then the values' bit patterns.
+constexpr std::size_t kSequence = 0;
+constexpr std::size_t kHostTime = 1;
+constexpr std::size_t kConnection = 2;
+constexpr std::size_t kLostBefore = 3;
+constexpr std::size_t kFirstValue = 4;
+
+// How long the thread sleeps in the socket before it looks at the stop flag.
+constexpr milliseconds kReadSlice{50};
+constexpr std::int64_t kRateWindowNs = 500 * kNsPerMs;
+
+void prepare(Sample& sample, const std::shared_ptr<const SampleLayout>& layout) {
+    if (sample.layout != layout) {
+        sample.layout = layout;
+        sample.values.resize(layout->size());
+    }
+}
+
+void putWord(Sample& sample, std::size_t index, std::uint64_t word) {
+    switch (index) {
+        case kSequence:
+            sample.sequence = word;
+            break;
+        case kHostTime:
+            sample.hostTimeNs = static_cast<std::int64_t>(word);
+            break;
+        case kConnection:
+            sample.connection = word;
+            break;
+        case kLostBefore:
+            sample.lostBefore = word;
+            break;
+        default:
+            sample.values[index - kFirstValue] = std::bit_cast<double>(word);
+    }
+}
+
+std::vector<std::string> withTimestamp(std::vector<std::string> fields) {
+    if (std::find(fields.begin(), fields.end(), "timestamp") == fields.end()) {
+        fields.insert(fields.begin(), "timestamp");
+    }
+    return fields;
+}
+
+}  // namespace
+
+struct Subscription::Stream {
+    Stream(std::shared_ptr<const SampleLayout> l, std::size_t capacity)
+        : layout(std::move(l)), ring(kFirstValue + layout->size(), capacity) {}
+
+    std::shared_ptr<const SampleLayout> layout;
+    realtime::BroadcastRing ring;
+};
+
+bool Subscription::next(Sample& sample) {
+    if (!stream_) {
+        return false;
+    }
+    prepare(sample, stream_->layout);
+    return stream_->ring.popEach(cursor_,
+                                 [&](std::size_t i, std::uint64_t word) { putWord(sample, i, word); });
+}
+
+std::uint64_t Subscription::pending() const {
+    return stream_ ? stream_->ring.pending(cursor_) : 0;
+}
+
+struct Receiver::Worker {
+    explicit Worker(ReceiverOptions o)
+        : options(std::move(o))
+        , layout(std::make_shared<SampleLayout>(withTimestamp(options.fields)))
+        , stream(std::make_shared<Subscription::Stream>(layout, options.ringCapacity))
+        , latest(kFirstValue + layout->size())
+        , record(kFirstValue + layout->size(), std::bit_cast<std::uint64_t>(kAbsent)) {
+        // Nothing received yet: number 0, every value absent.
+        std::fill_n(record.begin(), kFirstValue, 0U);
+        latest.write(record);
+    }
+
+    // Given, or made once.
+    const ReceiverOptions options;
+    const std::shared_ptr<const SampleLayout> layout;
+    const std::shared_ptr<Subscription::Stream> stream;
+    realtime::WordSeqlock latest;
+
+    // Between the threads.
+    std::thread thread;
+    std::atomic<bool> stopping{false};
+    CancelToken cancel;
+    std::mutex waitMutex;
+    std::condition_variable waitEnds;
+    std::atomic<ReceiverState> state{ReceiverState::Stopped};
+    std::atomic<std::uint64_t> packets{0};
+    std::atomic<std::uint64_t> late{0};
+    std::atomic<std::uint64_t> lost{0};
+    std::atomic<std::uint64_t> reconnects{0};
+    std::atomic<double> rate{0};
+    std::atomic<std::int64_t> jitter{0};
+    std::atomic<std::int64_t> lastHostNs{0};
+    std::atomic<bool> hasData{false};
+    std::atomic<bool> resetWanted{false};
+    realtime::Seqlock<realtime::Histogram> intervalsShown;
+    mutable std::mutex factsMutex;  // never taken while data flow
+    Error lastError;
+    SoftwareVersion version;
+    double period = 0;
+    std::vector<std::string> absent;
+    realtime::PriorityReport priority;
+
+    // The thread's own.
+    struct Move {
+        std::size_t from, to, count;
+    };
+    std::vector<std::uint64_t> record;
+    std::vector<double> wire;
+    std::vector<Move> moves;
+    std::uint64_t sequence = 0;
+    std::uint64_t connections = 0;
+    StreamWatch watch;
+    realtime::Histogram intervals;
+    std::int64_t previousHostNs = 0;
+    bool hasPrevious = false;  ///< in this connection
+    std::int64_t windowStartNs = 0;
+    std::uint64_t windowPackets = 0;
+
+    void run() {
+        realtime::nameThread("tiller-receive");
+        const auto report = realtime::requestThreadPriority(options.priority);
+        {
+            const std::lock_guard lock(factsMutex);
+            priority = report;
+        }
+        std::size_t failures = 0;
+        while (!stopping) {
+            state = ReceiverState::Connecting;
+            rtde::ConnectionOptions wanted;
+            wanted.host = options.host;
+            wanted.port = options.port;
+            wanted.request.outputs = withTimestamp(options.fields);
+            wanted.request.frequency = options.frequency;
+            auto opened = rtde::Connection::open(wanted, Deadline::after(options.connectTimeout, cancel));
+            const std::uint64_t before = sequence;
+            Error failure = opened ? follow(**opened) : opened.error();
+            if (opened) {
+                (*opened)->close();
+            }
+            if (stopping) {
+                break;
+            }
+            // Only data count as success: a peer that accepts and hangs up must not be called every half
+            // second.
+            failures = sequence != before ? 0 : failures;
+            {
+                const std::lock_guard lock(factsMutex);
+                lastError = std::move(failure);
+            }
+            state = ReceiverState::Waiting;
+            waitFor(delay(failures++));
+        }
+        state = ReceiverState::Stopped;
+    }
+
+    milliseconds delay(std::size_t failures) const {
+        const auto& delays = options.reconnectDelays;
+        return delays.empty() ? milliseconds(0) : delays[std::min(failures, delays.size() - 1)];
+    }
+
+    void waitFor(milliseconds time) {
+        std::unique_lock lock(waitMutex);
+        waitEnds.wait_for(lock, time, [&] { return stopping.load(); });
+    }
+
+    /// Where each number of the package belongs in a sample. Types are the robot's own: should one differ
+    /// from the catalogue, as many numbers are taken as fit.
+    void plan(const rtde::Recipe& recipe) {
+        wire.assign(recipe.size(), 0.0);
+        moves.clear();
+        for (const rtde::RecipeField& field : recipe.fields()) {
+            const SampleLayout::Entry* entry = layout->find(field.name);
+            if (entry == nullptr) {
+                continue;
+            }
+            const Move move{field.first, kFirstValue + entry->first,
+                            std::min(entry->count, componentCount(field.type))};
+            const bool joins = !moves.empty() && moves.back().from + moves.back().count == move.from &&
+                               moves.back().to + moves.back().count == move.to;
+            if (joins) {
+                moves.back().count += move.count;
+            } else {
+                moves.push_back(move);
+            }
+        }
+        std::fill(record.begin(), record.end(), std::bit_cast<std::uint64_t>(kAbsent));
+    }
+
+    Error follow(rtde::Connection& connection) {
+        plan(connection.outputs());
+        {
+            const std::lock_guard lock(factsMutex);
+            lastError = {};
+            version = connection.version();
+            period = connection.period();
+            absent = connection.outputs().absent();
+        }
+        if (++connections > 1) {
+            ++reconnects;
+        }
+        watch.begin(connection.period());
+        const std::int64_t began = options.clock->nowNs();
+        hasPrevious = false;
+        windowStartNs = began;
+        windowPackets = 0;
+        state = ReceiverState::Receiving;
+
+        // From here to the return: no lock, no allocation, no system call but the socket's.
+        std::int64_t heardNs = began;
+        while (!stopping) {
+            switch (connection.readPackage(wire, kReadSlice)) {
+                case rtde::Connection::Read::Package:
+                    heardNs = options.clock->nowNs();
+                    publish(heardNs);
+                    break;
+                case rtde::Connection::Read::Nothing:
+                    if (options.clock->nowNs() - heardNs > options.silenceLimit.count() * kNsPerMs) {
+                        showIntervals();
+                        return {ErrorCode::LinkLost, QStringLiteral("RTDE at %1").arg(connection.peer()),
+                                QStringLiteral("no data for %1 ms").arg(options.silenceLimit.count())};
+                    }
+                    break;
+                case rtde::Connection::Read::Closed:
+                case rtde::Connection::Read::Failed:
+                case rtde::Connection::Read::Malformed:
+                    showIntervals();
+                    return connection.error();
+            }
+        }
+        showIntervals();
+        return {};
+    }
+
+    void publish(std::int64_t hostNs) {
+        if (resetWanted.load(std::memory_order_relaxed)) {
+            resetWanted = false;
+            reset();
+        }
+        for (const Move& move : moves) {
+            std::memcpy(&record[move.to], &wire[move.from], move.count * sizeof(double));
+        }
+        // "timestamp" may stand anywhere in the list, but its place is always known.
+        const StreamWatch::Verdict verdict = watch.add(std::bit_cast<double>(record[timestampWord]), hostNs);
+        record[kSequence] = ++sequence;
+        record[kHostTime] = static_cast<std::uint64_t>(hostNs);
+        record[kConnection] = connections;
+        record[kLostBefore] = verdict.lost;
+        latest.write(record);
+        stream->ring.push(record);
+
+        packets.fetch_add(1, std::memory_order_relaxed);
+        if (hasPrevious) {
+            lost.fetch_add(verdict.lost, std::memory_order_relaxed);
+            late.fetch_add(verdict.late ? 1 : 0, std::memory_order_relaxed);
+            intervals.add(hostNs - previousHostNs);
+        }
+        jitter.store(verdict.jitterNs, std::memory_order_relaxed);
+        previousHostNs = hostNs;
+        hasPrevious = true;
+        lastHostNs.store(hostNs, std::memory_order_release);
+        hasData.store(true, std::memory_order_release);
+
+        ++windowPackets;
+        if (hostNs - windowStartNs >= kRateWindowNs) {
+            rate.store(static_cast<double>(windowPackets) * 1e9 / static_cast<double>(hostNs - windowStartNs),
+                       std::memory_order_relaxed);
+            windowStartNs = hostNs;
+            windowPackets = 0;
+            showIntervals();
+        }
+    }
+
+    void showIntervals() { intervalsShown.store(intervals); }
+
+    void reset() {
+        packets = 0;
+        late = 0;
+        lost = 0;
+        reconnects = 0;
+        intervals.clear();
+        showIntervals();
+    }
+
+    const std::size_t timestampWord = kFirstValue + layout->find("timestamp")->first;
+};
+
+Receiver::Receiver(ReceiverOptions options) : d_(std::make_unique<Worker>(std::move(options))) {}
+
+Receiver::~Receiver() {
+    stop();
+}
+
+void Receiver::start() {
+    if (d_->thread.joinable()) {
+        return;
+    }
+    d_->stopping = false;
+    d_->cancel = CancelToken();
+    d_->state = ReceiverState::Connecting;
+    d_->thread = std::thread([worker = d_.get()] { worker->run(); });
+}
+
+void Receiver::stop() {
+    if (!d_->thread.joinable()) {
+        return;
+    }
+    {
+        const std::lock_guard lock(d_->waitMutex);
+        d_->stopping = true;
+    }
+    d_->cancel.cancel();
+    d_->waitEnds.notify_all();
+    d_->thread.join();
+}
+
+ReceiverState Receiver::state() const {
+    return d_->state;
+}
+
+Error Receiver::lastError() const {
+    const std::lock_guard lock(d_->factsMutex);
+    return d_->lastError;
+}
+
+ReceiverCounters Receiver::counters() const {
+    ReceiverCounters counters;
+    counters.packets = d_->packets;
+    counters.late = d_->late;
+    counters.lost = d_->lost;
+    counters.reconnects = d_->reconnects;
+    counters.rateHz = ageNs() > 2 * kRateWindowNs ? 0.0 : d_->rate.load();
+    counters.lastJitterNs = d_->jitter;
+    return counters;
+}
+
+void Receiver::resetCounters() {
+    d_->resetWanted = true;
+}
+
+realtime::Histogram Receiver::intervals() const {
+    return d_->intervalsShown.load();
+}
+
+SoftwareVersion Receiver::version() const {
+    const std::lock_guard lock(d_->factsMutex);
+    return d_->version;
+}
+
+double Receiver::period() const {
+    const std::lock_guard lock(d_->factsMutex);
+    return d_->period;
+}
+
+std::vector<std::string> Receiver::absentFields() const {
+    const std::lock_guard lock(d_->factsMutex);
+    return d_->absent;
+}
+
+realtime::PriorityReport Receiver::priority() const {
+    const std::lock_guard lock(d_->factsMutex);
+    return d_->priority;
+}
+
+const std::shared_ptr<const SampleLayout>& Receiver::layout() const {
+    return d_->layout;
+}
+
+Sample Receiver::latest() const {
+    Sample sample;
+    latest(sample);
+    return sample;
+}
+
+void Receiver::latest(Sample& into) const {
+    prepare(into, d_->layout);
+    d_->latest.readEach([&](std::size_t i, std::uint64_t word) { putWord(into, i, word); });
+}
+
+std::int64_t Receiver::ageNs() const {
+    if (!d_->hasData.load(std::memory_order_acquire)) {
+        return std::numeric_limits<std::int64_t>::max();
+    }
+    return d_->options.clock->nowNs() - d_->lastHostNs.load(std::memory_order_acquire);
+}
+
+Subscription Receiver::subscribe() const {
+    Subscription subscription;
+    subscription.stream_ = d_->stream;
+    subscription.cursor_ = d_->stream->ring.atEnd();
+    return subscription;
+}
+
+}  // namespace tiller::receive
