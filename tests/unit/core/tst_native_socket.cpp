@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include <QTcpServer>
+#include <QTcpSocket>
+#include <QTest>
+#include <array>
+#include <vector>
+
+#include "robot/core/native_socket.h"
+
+using namespace tiller;
+using namespace std::chrono_literals;
+using native_socket::Status;
+
+namespace {
+
+/// Hands out the descriptor of the connection, as our servers do.
+class DescriptorServer : public QTcpServer {
+public:
+    qintptr taken = -1;
+
+protected:
+    void incomingConnection(qintptr descriptor) override { taken = descriptor; }
+};
+
+}  // namespace
+
+class TestNativeSocket : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() {
+        server_ = std::make_unique<DescriptorServer>();
+        QVERIFY(server_->listen(QHostAddress::LocalHost));
+        client_ = std::make_unique<QTcpSocket>();
+        client_->connectToHost(QHostAddress::LocalHost, server_->serverPort());
+        QVERIFY(client_->waitForConnected(5000));
+        QVERIFY(server_->waitForNewConnection(5000) || server_->taken != -1);
+        QVERIFY(server_->taken != -1);
+        native_socket::prepare(server_->taken);
+    }
+
+    void cleanup() {
+        client_.reset();
+        if (server_->taken != -1) {
+            native_socket::close(server_->taken);
+        }
+        server_.reset();
+    }
+
+    void emptySocketDoesNotBlock() {
+        std::array<std::uint8_t, 16> buffer{};
+        const auto got = native_socket::receive(server_->taken, buffer);
+        QVERIFY(got.status == Status::WouldBlock);
+        QCOMPARE(got.bytes, std::size_t(0));
+        QVERIFY(!native_socket::waitReadable(server_->taken, 0ns));
+        QVERIFY(!native_socket::waitReadable(server_->taken, -1ns));
+    }
+
+    void bytesArriveInOrder() {
+        client_->write("tiller");
+        QVERIFY(client_->waitForBytesWritten(5000));
+        QVERIFY(native_socket::waitReadable(server_->taken, 5s));
+        std::array<std::uint8_t, 16> buffer{};
+        const auto got = native_socket::receive(server_->taken, buffer);
+        QVERIFY(got.status == Status::Ok);
+        QCOMPARE(QByteArray(reinterpret_cast<const char*>(buffer.data()), static_cast<int>(got.bytes)),
+                 QByteArray("tiller"));
+    }
+
+    void bytesLeaveInOrder() {
+        const std::array<std::uint8_t, 3> bytes = {1, 2, 3};
+        const auto sent = native_socket::send(server_->taken, bytes);
+        QVERIFY(sent.status == Status::Ok);
+        QCOMPARE(sent.bytes, std::size_t(3));
+        QVERIFY(client_->waitForReadyRead(5000));
+        QCOMPARE(client_->readAll(), QByteArray("\x01\x02\x03"));
+    }
+
+    void closedPeerIsSeen() {
+        client_->disconnectFromHost();
+        QVERIFY(native_socket::waitReadable(server_->taken, 5s));
+        std::array<std::uint8_t, 16> buffer{};
+        QVERIFY(native_socket::receive(server_->taken, buffer).status == Status::Closed);
+    }
+
+    void fullPipeSaysWouldBlockAndNeverRaises() {
+        const std::vector<std::uint8_t> block(1 << 20, 0x55);
+        Status status = Status::Ok;
+        for (int n = 0; n < 1000 && status == Status::Ok; ++n) {
+            status = native_socket::send(server_->taken, block).status;
+        }
+        QVERIFY(status == Status::WouldBlock);
+    }
+
+    void brokenPipeIsAnErrorNotASignal() {
+        client_->abort();
+        client_.reset();
+        const std::array<std::uint8_t, 3> bytes = {1, 2, 3};
+        QTRY_VERIFY(native_socket::send(server_->taken, bytes).status == Status::Failed);
+    }
+
+private:
+    std::unique_ptr<DescriptorServer> server_;
+    std::unique_ptr<QTcpSocket> client_;
+};
+
+QTEST_GUILESS_MAIN(TestNativeSocket)
+#include "tst_native_socket.moc"

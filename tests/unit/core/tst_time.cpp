@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include <QTest>
+
+#include "robot/core/clock.h"
+#include "robot/core/deadline.h"
+
+using namespace tiller;
+using namespace std::chrono_literals;
+
+class TestTime : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void deadlineInTheFutureHasTimeLeft() {
+        const Deadline deadline = Deadline::after(1h);
+        QVERIFY(!deadline.hasExpired());
+        QVERIFY(deadline.remaining() > 59min);
+        QVERIFY(deadline.remaining() <= 1h);
+    }
+
+    void deadlineOfNoTimeHasExpired() {
+        const Deadline deadline = Deadline::after(0ms);
+        QVERIFY(deadline.hasExpired());
+        QVERIFY(!deadline.isCancelled());
+        QCOMPARE(deadline.remaining().count(), 0);
+        QCOMPARE(Deadline::after(-5s).remaining().count(), 0);
+    }
+
+    void cancellingEndsTheWaitOfEveryCopy() {
+        const CancelToken token;
+        const Deadline deadline = Deadline::after(1h, token);
+        const Deadline copy = deadline;
+        const CancelToken sameToken = token;
+        sameToken.cancel();
+        QVERIFY(deadline.hasExpired());
+        QVERIFY(copy.isCancelled());
+        QCOMPARE(copy.remaining().count(), 0);
+        QCOMPARE(copy.nextPoll().count(), 0);
+    }
+
+    void pollLooksAtTheTokenOften() { QCOMPARE(Deadline::after(1h).nextPoll(), 10ms); }
+
+    void separateDeadlinesAreCancelledSeparately() {
+        const Deadline first = Deadline::after(1h);
+        const Deadline second = Deadline::after(1h);
+        first.token().cancel();
+        QVERIFY(first.hasExpired());
+        QVERIFY(!second.hasExpired());
+    }
+
+    void virtualClockStandsStillUntilAdvanced() {
+        VirtualClock clock(5);
+        QCOMPARE(clock.nowNs(), 5);
+        QCOMPARE(clock.nowNs(), 5);
+        clock.advanceNs(2 * kNsPerMs);
+        QCOMPARE(clock.nowNs(), 2'000'005);
+    }
+
+    void steadyClockNeverGoesBack() {
+        const Clock& clock = SteadyClock::shared();
+        std::int64_t last = clock.nowNs();
+        for (int n = 0; n < 1000; ++n) {
+            const std::int64_t now = clock.nowNs();
+            QVERIFY(now >= last);
+            last = now;
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestTime)
+#include "tst_time.moc"
