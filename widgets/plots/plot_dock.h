@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The panel "Plots": TCP force above, joint currents below, what the robot did in a lane underneath, and the
+// controls in its title bar. It feeds itself from the session: samples at the full rate, states once a frame.
+
+#include <QString>
+#include <memory>
+
+#include "robot/core/result.h"
+#include "widgets/common/panel.h"
+#include "widgets/session/session_state.h"
+
+class QLabel;
+class QToolButton;
+
+namespace tiller {
+
+class ElidedLabel;
+class PlotSource;
+class PlotView;
+class RobotSession;
+class SamplePump;
+class SeriesBuffer;
+class StateLane;
+
+class PlotDock : public Panel {
+    Q_OBJECT
+
+public:
+    explicit PlotDock(RobotSession& session, QWidget* parent = nullptr);
+    ~PlotDock() override;
+
+    PlotView& view() { return *view_; }
+    SamplePump& pump() { return *pump_; }
+    const SeriesBuffer& history() const { return *history_; }
+    const StateLane& lane() const { return *lane_; }
+
+    /// Rows from here instead of the session's receiver; for tests and playback.
+    void setSource(std::unique_ptr<PlotSource> source);
+    /// Where "Record" puts its files; a folder "Tiller" in the user's documents unless told.
+    void setRecordingFolder(const QString& folder) { recordingFolder_ = folder; }
+
+    /// Shown range as CSV, columns named as in recordings, or as the picture on the screen.
+    Result<void> exportCsv(const QString& path) const;
+    Result<void> exportPng(const QString& path) const;
+    /// By the ending of the name; tells the operator how it went.
+    bool exportTo(const QString& path);
+
+public Q_SLOTS:
+    /// The jog key that is held, "X+" or "Wrist 2−": names the stretch in the lane. Empty: none.
+    void setJogLabel(const QString& label);
+    void setPaused(bool paused);
+
+private:
+    void buildHeader();
+    void onState(const SessionState& state);
+    void updateHeader();
+    void askExport();
+    void toggleRecording();
+
+    RobotSession& session_;
+    std::unique_ptr<SeriesBuffer> history_;
+    std::unique_ptr<StateLane> lane_;
+    std::unique_ptr<SamplePump> pump_;
+    PlotView* view_ = nullptr;
+    ElidedLabel* readout_ = nullptr;
+    QToolButton* span_ = nullptr;
+    QToolButton* pause_ = nullptr;
+    QToolButton* export_ = nullptr;
+    QToolButton* record_ = nullptr;
+    const void* receiver_ = nullptr;  // whose samples the pump drains; only compared
+    bool ownSource_ = false;
+    QString jogLabel_;
+    QString recordingFolder_;
+    bool recording_ = false;
+};
+
+}  // namespace tiller

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What the robot was doing, as stretches of time with a word each: the data behind the strip under the plots.
+
+#include <QString>
+#include <deque>
+#include <vector>
+
+namespace tiller {
+
+enum class LaneKind { NoData, Off, Idle, Moving, Stopped };
+
+struct LaneSegment {
+    double start = 0;  ///< [s]
+    double end = 0;    ///< [s]
+    LaneKind kind = LaneKind::NoData;
+    QString label;
+};
+
+class StateLane {
+public:
+    static constexpr std::size_t kMostSegments = 20000;
+
+    /// From this moment on it was so. The same kind and label prolong the last segment.
+    void add(double time, LaneKind kind, const QString& label);
+    /// Gives the last segment a better name, once it is known.
+    void renameLast(const QString& label);
+    /// Forgets what ended before this moment.
+    void forgetBefore(double time);
+    void clear() { segments_.clear(); }
+
+    bool isEmpty() const { return segments_.empty(); }
+    /// Whole segments, from oldest to newest; the last one ends where it was last confirmed.
+    const std::deque<LaneSegment>& segments() const { return segments_; }
+    /// The segments inside t0 ... t1, cut to it. Those narrower than `least` [s] are joined to their
+    /// successor.
+    std::vector<LaneSegment> visible(double t0, double t1, double least) const;
+
+private:
+    std::deque<LaneSegment> segments_;
+};
+
+}  // namespace tiller

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/time_window.h"
+
+#include <algorithm>
+
+namespace tiller {
+
+void TimeWindow::setHistory(double oldest, double newest) {
+    oldest_ = oldest;
+    newest_ = newest;
+    if (follows_) {
+        end_ = newest;
+    }
+}
+
+void TimeWindow::setSpan(double seconds) {
+    const double middle = end_ - span_ / 2;
+    span_ = std::clamp(seconds, kShortest, kLongest);
+    if (follows_) {
+        end_ = newest_;
+    } else {
+        end_ = middle + span_ / 2;
+        keepInside();
+    }
+}
+
+void TimeWindow::follow() {
+    follows_ = true;
+    end_ = newest_;
+}
+
+void TimeWindow::scrollBy(double seconds) {
+    follows_ = false;
+    end_ += seconds;
+    keepInside();
+}
+
+void TimeWindow::zoom(double factor, double anchor) {
+    const double before = span_;
+    span_ = std::clamp(span_ * factor, kShortest, kLongest);
+    if (follows_) {
+        end_ = newest_;
+    } else {
+        end_ = anchor + (end_ - anchor) * (span_ / before);
+        keepInside();
+    }
+}
+
+void TimeWindow::keepInside() {
+    // Not beyond the newest sample, and never so far back that nothing of the history is left to see. Where
+    // both cannot be had, the newest edge wins.
+    end_ = std::min(std::max(end_, oldest_ + span_), newest_);
+}
+
+}  // namespace tiller

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The arm as it stands, seen in perspective: links, tool frame, the ghost of a target with the way there, the
+// trace of the TCP, waypoints, and the direction of a jog. It only shows: nothing done in it moves the robot.
+
+#include <Eigen/Core>
+#include <QString>
+#include <QTimer>
+#include <QWidget>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "robot/core/clock.h"
+#include "robot/core/robot_model.h"
+#include "robot/core/spatial.h"
+#include "widgets/scene/camera.h"
+#include "widgets/session/session_state.h"
+
+namespace tiller {
+
+/// A target that is shown before the arm goes there.
+struct SceneGhost {
+    QString name;
+    JointPositions q;
+    bool linear = false;  ///< the TCP goes along a straight line (MoveL)
+    bool reachable = true;
+    double speed = 1.05;        ///< [rad/s], or [m/s] when linear, at 100 %
+    double acceleration = 1.4;  ///< [rad/s2], or [m/s2]
+};
+
+struct SceneWaypoint {
+    QString name;
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the TCP, in the base frame [m]
+    bool selected = false;
+};
+
+/// A jog under way, for the arrow at the tool.
+struct SceneJog {
+    Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< in the base frame, any length
+    QString label;                                        ///< "X+ Base"
+    int axis = 0;                                         ///< colour: 0 X, 1 Y, 2 Z
+};
+
+class SceneView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SceneView(QWidget* parent = nullptr);
+    ~SceneView() override;
+
+    void setModel(RobotModelId model);
+    void setJoints(const JointPositions& q);
+    void setTcpOffset(const Pose& offset);
+    void setGhost(const std::optional<SceneGhost>& ghost);
+    void setWaypoints(const std::vector<SceneWaypoint>& waypoints);
+    void setJogDirection(const std::optional<SceneJog>& jog);
+    /// Greyed; with a word in the middle unless it is empty.
+    void setStale(bool stale, const QString& word = {});
+    void setSpeedFraction(double fraction);
+
+    const std::optional<SceneGhost>& ghost() const { return ghost_; }
+    /// "ghost “above tray” · reachable · largest turn Wrist 2 41° · 2.4 s at 35 %"; empty without a ghost.
+    QString ghostText() const;
+    /// For the jog frame "View": R_base_view, columns X to the right, Y up, Z towards the eye.
+    Eigen::Matrix3d viewRotation() const { return camera_.viewRotation(); }
+    const Camera& camera() const { return camera_; }
+
+    /// Draws one frame; paintEvent() does nothing else. For benchmarks and pictures.
+    void paintScene(QPainter& painter, const QSizeF& size);
+
+    QSize sizeHint() const override { return {930, 520}; }
+    QSize minimumSizeHint() const override { return {240, 180}; }
+
+public Q_SLOTS:
+    void setState(const tiller::SessionState& state);
+    void resetView();
+
+Q_SIGNALS:
+    void ghostTextChanged(const QString& text);
+    /// The eye moved: a jog in the frame "View" must stop or follow.
+    void viewChanged();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    /// Asks for a repaint, at most 60 a second.
+    void changed();
+    void updateGhost();
+    void extendTrace(double now, const Eigen::Vector3d& tcp);
+
+    struct TracePoint {
+        double time;
+        Eigen::Vector3d position;
+    };
+
+    const RobotModel* model_;
+    JointPositions q_;
+    Pose tcpOffset_;
+    std::optional<SceneGhost> ghost_;
+    std::vector<Eigen::Vector3d> ghostPath_;
+    QString ghostText_;
+    std::vector<SceneWaypoint> waypoints_;
+    std::optional<SceneJog> jog_;
+    std::deque<TracePoint> trace_;
+    bool haveJoints_ = false;
+    bool stale_ = true;
+    QString staleWord_;
+    double speedFraction_ = 1.0;
+    Camera camera_;
+    QPointF dragFrom_;
+    bool dragging_ = false;
+    QTimer frameTimer_;
+    std::int64_t lastPaintNs_ = 0;
+};
+
+}  // namespace tiller
