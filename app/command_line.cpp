@@ -16,7 +16,8 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     const QCommandLineOption simulator("simulator", tr("Start with the built-in simulated UR5e."));
     const QCommandLineOption robot("robot", tr("Connect to the robot at this address or host name."), "host");
     const QCommandLineOption demo(
-        "demo", tr("Run the scripted demonstration on the simulated robot, leave its files in this folder, exit."),
+        "demo",
+        tr("Run the scripted demonstration on the simulated robot, leave its files in this folder, exit."),
         "folder");
     const QCommandLineOption session("session", tr("Open this session file (waypoints)."), "file");
     const QCommandLineOption theme("theme", tr("Colours: light or dark."), "name");

@@ -12,11 +12,11 @@ namespace tiller::app {
 
 struct CommandLine {
     enum class Start { Ask, Simulator, Robot };
-    Start start = Start::Ask;   ///< Ask: the connect dialog
+    Start start = Start::Ask;  ///< Ask: the connect dialog
     QString robotHost;
-    QString demoDirectory;      ///< not empty: run the scripted demonstration, leave its files there, exit
-    QString sessionFile;        ///< waypoints to open
-    QString theme;              ///< "light", "dark" or empty: as last time
+    QString demoDirectory;  ///< not empty: run the scripted demonstration, leave its files there, exit
+    QString sessionFile;    ///< waypoints to open
+    QString theme;          ///< "light", "dark" or empty: as last time
     bool showHelp = false;
     bool showVersion = false;
     QString helpText;

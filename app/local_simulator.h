@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The simulated robot inside the application: the first of 127.0.0.1, 127.0.0.2 ... whose standard ports are
+// free, so that several windows and `tiller-cli simulate` live side by side.
+
+#include <memory>
+
+#include "robot/core/result.h"
+#include "robot/simulator/controller.h"
+#include "widgets/session/robot_session.h"
+
+namespace tiller::app {
+
+class LocalSimulator {
+public:
+    /// Starts it, unless it runs already.
+    /// Returns  where the session finds it
+    /// Errors   Rejected when no loopback address has the ports free; AddressInvalid
+    Result<RobotAddress> start();
+    void stop();
+    simulator::Controller* controller() { return controller_.get(); }
+
+private:
+    std::unique_ptr<simulator::Controller> controller_;
+    RobotAddress address_;
+};
+
+}  // namespace tiller::app

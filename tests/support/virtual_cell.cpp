@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/virtual_cell.h"
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <thread>
+
+#include "robot/receive/receiver.h"
+
+namespace tiller::test {
+namespace {
+
+constexpr int kTickMs = 2;
+constexpr int kRefreshMs = 16;
+constexpr int kPumpMs = 20;
+/// How long a peer thread may take in real time before the test is given up: never reached on a machine that
+/// runs.
+constexpr std::chrono::seconds kPatience{20};
+
+simulator::ControllerOptions virtualOptions() {
+    simulator::ControllerOptions options;
+    // Its own loopback address, so that tests may run side by side.
+    const auto pid = static_cast<unsigned>(QCoreApplication::applicationPid());
+    options.listenAddress = QStringLiteral("127.%1.%2.1").arg(10 + pid % 200).arg((pid / 200) % 250);
+    options.time = simulator::Time::Virtual;
+    options.poweredOn = true;
+    options.fastTransitions = true;
+    return options;
+}
+
+}  // namespace
+
+VirtualCell::VirtualCell() : robot(virtualOptions()), session(clock) {}
+
+VirtualCell::~VirtualCell() {
+    session.shutDown();
+    robot.stop();
+}
+
+bool VirtualCell::bringUp() {
+    const Result<void> started = robot.start();
+    if (!started) {
+        what_ = started.error().toString();
+        return false;
+    }
+    QObject::connect(&session, &RobotSession::message, &session,
+                     [this](Severity severity, const QString& text) {
+                         if (severity == Severity::Error) {
+                             what_ = text;
+                         }
+                     });
+    session.connectTo({QStringLiteral("Virtual UR5e"), robot.listenAddress(), 0, true});
+    QElapsedTimer patience;
+    patience.start();
+    const auto within = [&] { return std::chrono::milliseconds(patience.elapsed()) < kPatience; };
+    while (session.state().link != LinkState::Live && within()) {
+        advanceMs(kRefreshMs);
+    }
+    if (session.state().link != LinkState::Live) {
+        what_ = QStringLiteral("no data: ") + session.state().linkReason;
+        return false;
+    }
+    session.takeControl();
+    while (session.state().control == ControlState::Taking && within()) {
+        advanceMs(kRefreshMs);
+    }
+    if (!session.state().canMove()) {
+        what_ = QStringLiteral("not in control: ") + session.state().controlReason;
+        return false;
+    }
+    return true;
+}
+
+void VirtualCell::tick() {
+    clock.advanceNs(kTickMs * kNsPerMs);
+    const std::uint64_t inputs = robot.inputPackages();
+    receive::Receiver* receiver = session.receiver();
+    const bool receiving = receiver != nullptr && receiver->state() == receive::ReceiverState::Receiving;
+    const std::uint64_t sequence = receiving ? receiver->counters().packets : 0;
+    robot.step();
+
+    QElapsedTimer patience;
+    patience.start();
+    const auto stillPatient = [&] { return std::chrono::milliseconds(patience.elapsed()) < kPatience; };
+    while (receiving && receiver->counters().packets == sequence &&
+           receiver->state() == receive::ReceiverState::Receiving && patience.elapsed() < 500) {
+        std::this_thread::yield();
+    }
+    // The controller answers each data package with one input package, unless it lost control meanwhile.
+    while (session.state().control == ControlState::InControl && stillPatient()) {
+        if (robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::milliseconds(200)))) {
+            break;
+        }
+        session.refresh();
+    }
+}
+
+void VirtualCell::interfaceTurn() {
+    sinceRefresh_ += kTickMs;
+    sincePump_ += kTickMs;
+    if (sincePump_ >= kPumpMs) {
+        sincePump_ = 0;
+        if (everyRefresh) {
+            everyRefresh();
+        }
+    }
+    if (sinceRefresh_ >= kRefreshMs) {
+        sinceRefresh_ = 0;
+        QCoreApplication::processEvents();
+        session.refresh();
+    }
+}
+
+void VirtualCell::advanceMs(int ms) {
+    for (int t = 0; t < ms; t += kTickMs) {
+        tick();
+        interfaceTurn();
+    }
+}
+
+bool VirtualCell::advanceUntil(const std::function<bool()>& condition, int atMostMs) {
+    for (int t = 0; t < atMostMs && !condition(); t += kTickMs) {
+        tick();
+        interfaceTurn();
+    }
+    return condition();
+}
+
+void VirtualCell::advanceWithFrozenInterface(int ms) {
+    for (int t = 0; t < ms; t += kTickMs) {
+        tick();
+    }
+}
+
+double distanceMm(const Pose& a, const Pose& b) {
+    return 1000.0 * (a.position - b.position).norm();
+}
+
+}  // namespace tiller::test

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// A robot and a session that share one virtual clock: real sockets, real threads, no real time. Robot and
+// session advance in lock-step, so a test gives the same result on a fast and on a slow machine.
+
+#include <QObject>
+#include <functional>
+
+#include "robot/core/clock.h"
+#include "robot/simulator/controller.h"
+#include "widgets/session/robot_session.h"
+
+namespace tiller::test {
+
+class VirtualCell {
+public:
+    VirtualCell();
+    ~VirtualCell();
+
+    /// Starts the robot (powered, brakes released), connects, takes control.
+    /// Returns  false when any of it did not happen; what() says which
+    bool bringUp();
+    QString what() const { return what_; }
+
+    /// Moves robot, clock and session on. Every control period the robot sends, receiver and controller
+    /// answer; every 16 ms the session refreshes; every 20 ms `everyRefresh` runs, for what a timer of the
+    /// interface would do.
+    void advanceMs(int ms);
+    /// Until the condition holds, at most so long in virtual time.
+    bool advanceUntil(const std::function<bool()>& condition, int atMostMs);
+    /// As advanceMs, but the interface does nothing meanwhile: a window that hangs.
+    void advanceWithFrozenInterface(int ms);
+
+    std::function<void()> everyRefresh;
+
+    VirtualClock clock;
+    simulator::Controller robot;
+    RobotSession session;
+
+    simulator::Truth truth() const { return robot.truth(); }
+
+private:
+    void tick();
+    void interfaceTurn();
+
+    QString what_;
+    int sinceRefresh_ = 0;
+    int sincePump_ = 0;
+};
+
+/// Path the TCP went between two poses, in a straight line [mm].
+double distanceMm(const Pose& a, const Pose& b);
+
+}  // namespace tiller::test
