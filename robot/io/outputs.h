@@ -27,10 +27,15 @@ inline constexpr int kDigitalOutputs = 18;
 /// A slider at zero has caused protective stops, so lower wishes are raised to this.
 inline constexpr double kLowestSpeedFraction = 0.02;
 
-/// What the robot reports, for confirmation. Each may answer "not known yet".
+/// What the robot reports, for confirmation.
+struct Report {
+    std::uint64_t sequence = 0;  ///< rises with every report; only newer ones than the command confirm it
+    std::optional<std::uint64_t> digitalOutputs;  ///< bits 0-7 standard, 8-15 configurable, 16-17 tool
+    std::optional<double> speedSlider;            ///< 0 ... 1
+};
 struct Feedback {
-    std::function<std::optional<std::uint64_t>()> digitalOutputs;
-    std::function<std::optional<double>()> speedSlider;
+    /// The newest report; called from the thread that waits for a confirmation.
+    std::function<Report()> newest;
 
     /// From the newest sample of a receiver, which must outlive the Outputs.
     static Feedback fromReceiver(const receive::Receiver& receiver);
@@ -50,10 +55,12 @@ public:
     Outputs(const Outputs&) = delete;
     Outputs& operator=(const Outputs&) = delete;
 
-    /// Connects anew, whatever there was before.
+    /// Connects anew, whatever there was before. Setting something without a connection tries it by itself.
     /// Errors  as rtde::Connection::open; inputs owned by others are no error here
     Result<void> connect(const Deadline& deadline);
+    /// Ends waiting calls too; waits for one that is connecting (its deadline's token cancels that).
     void disconnect();
+    /// Whether the connection stood when it was last used. Blocks: never
     bool isConnected() const;
 
     /// Sets the outputs whose bit is set in `mask` to their bit in `values`, others stay.

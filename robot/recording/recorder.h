@@ -13,6 +13,7 @@
 #include <QString>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -43,7 +44,7 @@ enum class RecorderState {
 struct RecorderProgress {
     RecorderState state = RecorderState::Idle;
     std::uint64_t rows = 0;      ///< written to the file
-    double seconds = 0;          ///< of robot time, first to last row
+    double seconds = 0;          ///< from the first row to the last, by the receiver's clock
     std::uint64_t lost = 0;      ///< packages missing in the file, by whatever cause
     std::int64_t bytes = 0;      ///< size of the file
     std::int64_t freeBytes = 0;  ///< on its disk, looked up about once a second
@@ -74,7 +75,10 @@ public:
 
 private:
     struct Worker;
-    std::unique_ptr<Worker> d_;
+    std::shared_ptr<Worker> worker() const;
+
+    mutable std::mutex mutex_;  ///< for the pointer: a new recording gets a new worker
+    std::shared_ptr<Worker> d_;
 };
 
 }  // namespace tiller::recording

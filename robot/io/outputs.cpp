@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+#include "robot/io/outputs.h"
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <condition_variable>
+#include <mutex>
+#include <vector>
+
+#include "robot/receive/robot_state.h"
+#include "robot/rtde/connection.h"
+
+namespace tiller::io {
+
+namespace {
+
+using std::chrono::milliseconds;
+
+/// The recipes of the connection, one for what can be owned separately.
+enum Group : std::size_t { kStandard, kConfigurable, kTool, kSlider, kGroups };
+
+struct GroupFacts {
+    const char* name;
+    std::array<const char*, 2> fields;
+    int firstBit;
+    int bits;
+};
+
+constexpr std::array<GroupFacts, kGroups> kFacts = {{
+    {"standard digital outputs",
+     {"standard_digital_output_mask", "standard_digital_output"},
+     0,
+     kStandardOutputs},
+    {"configurable digital outputs",
+     {"configurable_digital_output_mask", "configurable_digital_output"},
+     kFirstConfigurable,
+     kFirstTool - kFirstConfigurable},
+    {"tool digital outputs",
+     {"tool_digital_output_mask", "tool_digital_output"},
+     kFirstTool,
+     kDigitalOutputs - kFirstTool},
+    {"speed slider", {"speed_slider_mask", "speed_slider_fraction"}, 0, 0},
+}};
+
+constexpr std::uint32_t kAllOutputs = (1U << kDigitalOutputs) - 1;
+// A slider is shown in whole percents; the robot may round to something of its own.
+constexpr double kSliderTolerance = 0.005;
+constexpr std::int64_t kFreshNs = 1 * kNsPerSecond;
+
+Group groupOf(int output) {
+    return output < kFirstConfigurable ? kStandard : output < kFirstTool ? kConfigurable : kTool;
+}
+
+Error invalid(const QString& what) {
+    return {ErrorCode::InvalidArgument, what, {}};
+}
+
+}  // namespace
+
+Feedback Feedback::fromReceiver(const receive::Receiver& receiver) {
+    return {[&receiver] {
+        Report report;
+        const receive::Sample sample = receiver.latest();
+        report.sequence = sample.sequence;
+        if (sample.isEmpty() || receiver.ageNs() > kFreshNs) {
+            return report;
+        }
+        const receive::RobotState state(sample);
+        if (state.has("actual_digital_output_bits")) {
+            report.digitalOutputs = state.digitalOutputs();
+        }
+        if (state.has("target_speed_fraction")) {
+            report.speedSlider = state.speedSlider();
+        }
+        return report;
+    }};
+}
+
+struct Outputs::Link {
+    OutputsOptions options;
+    Feedback feedback;
+    mutable std::mutex mutex;  ///< held while connecting and sending, never while waiting for the robot
+    std::unique_ptr<rtde::Connection> connection;
+    std::atomic<bool> connected{false};
+    std::mutex waitMutex;
+    std::condition_variable waitEnds;
+    std::atomic<std::uint64_t> disconnects{0};
+
+    Result<void> open(const Deadline& deadline) {
+        drop();
+        rtde::ConnectionOptions wanted;
+        wanted.host = options.host;
+        wanted.port = options.port;
+        for (const GroupFacts& facts : kFacts) {
+            wanted.request.inputs.push_back({{facts.fields[0], facts.fields[1]}, false});
+        }
+        auto opened = rtde::Connection::open(wanted, deadline);
+        if (!opened) {
+            return opened.error();
+        }
+        connection = std::move(opened).value();
+        connected = true;
+        return {};
+    }
+
+    void drop() {
+        connected = false;
+        connection.reset();
+    }
+
+    /// The robot sends nothing here, so a closed connection is only noticed by looking.
+    bool isAlive() const {
+        if (!connection) {
+            return false;
+        }
+        return connection->readPackage({}, std::chrono::nanoseconds(0)) == rtde::Connection::Read::Nothing;
+    }
+
+    Result<void> available(Group group) const {
+        if (!connection) {
+            return Error{ErrorCode::NotConnected, QStringLiteral("no connection for outputs"), {}};
+        }
+        const rtde::Recipe& recipe = connection->inputs()[group];
+        if (recipe.isValid() && recipe.fields().size() == 2) {
+            return {};
+        }
+        const QString name = QString::fromLatin1(kFacts[group].name);
+        const auto& owned = connection->session().inUse()[group];
+        if (!owned.empty()) {
+            return Error{ErrorCode::RegisterInUse,
+                         QStringLiteral("%1: another RTDE client or a fieldbus owns %2")
+                             .arg(name, QString::fromStdString(rtde::joinNames(owned))),
+                         {}};
+        }
+        return Error{ErrorCode::FieldUnknown,
+                     QStringLiteral("%1: this robot cannot set them over RTDE").arg(name),
+                     {}};
+    }
+
+    Result<void> send(Group group, double mask, double value) {
+        if (auto ready = available(group); !ready) {
+            return ready;
+        }
+        const std::array<double, 2> values{mask, value};
+        switch (connection->sendInputs(group, values)) {
+            case rtde::Connection::Send::Sent:
+                return {};
+            case rtde::Connection::Send::Busy:
+                return Error{ErrorCode::LinkLost, connection->peer(),
+                             QStringLiteral("the robot does not read")};
+            case rtde::Connection::Send::Failed:
+                break;
+        }
+        const Error error = connection->error();
+        drop();
+        return error;
+    }
+
+    template <class Done>
+    Result<void> confirm(const QString& what, std::uint64_t after, const Deadline& deadline, Done done) {
+        const std::uint64_t started = disconnects;
+        std::unique_lock lock(waitMutex);
+        while (!deadline.hasExpired()) {
+            const Report report = feedback.newest();
+            if (report.sequence > after && done(report)) {
+                return {};
+            }
+            if (waitEnds.wait_for(lock, milliseconds(2), [&] { return disconnects != started; })) {
+                return Error{ErrorCode::Cancelled, what, {}};
+            }
+        }
+        return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, what,
+                     QStringLiteral("the robot does not report it")};
+    }
+};
+
+Outputs::Outputs(OutputsOptions options, Feedback feedback) : d_(std::make_unique<Link>()) {
+    d_->options = std::move(options);
+    d_->feedback = std::move(feedback);
+}
+
+Outputs::~Outputs() {
+    disconnect();
+}
+
+Result<void> Outputs::connect(const Deadline& deadline) {
+    const std::lock_guard lock(d_->mutex);
+    return d_->open(deadline);
+}
+
+void Outputs::disconnect() {
+    {
+        const std::lock_guard lock(d_->waitMutex);
+        ++d_->disconnects;
+    }
+    d_->waitEnds.notify_all();
+    const std::lock_guard lock(d_->mutex);
+    d_->drop();
+}
+
+bool Outputs::isConnected() const {
+    return d_->connected;
+}
+
+Result<void> Outputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, const Deadline& deadline) {
+    if (mask == 0 || (mask & ~kAllOutputs) != 0) {
+        return invalid(QStringLiteral("digital outputs are 0 to %1").arg(kDigitalOutputs - 1));
+    }
+    std::uint64_t before = 0;
+    {
+        const std::lock_guard lock(d_->mutex);
+        if (!d_->isAlive()) {
+            if (auto opened = d_->open(deadline); !opened) {
+                return opened;
+            }
+        }
+        // All or nothing: look at every group before sending to the first.
+        std::vector<Group> groups;
+        for (const Group group : {kStandard, kConfigurable, kTool}) {
+            const std::uint32_t ofGroup = ((1U << kFacts[group].bits) - 1) << kFacts[group].firstBit;
+            if ((mask & ofGroup) != 0) {
+                if (auto ready = d_->available(group); !ready) {
+                    return ready;
+                }
+                groups.push_back(group);
+            }
+        }
+        before = d_->feedback.newest().sequence;
+        for (const Group group : groups) {
+            const std::uint32_t width = (1U << kFacts[group].bits) - 1;
+            const std::uint32_t groupMask = (mask >> kFacts[group].firstBit) & width;
+            const std::uint32_t groupValues = (values >> kFacts[group].firstBit) & groupMask;
+            if (auto sent = d_->send(group, groupMask, groupValues); !sent) {
+                return sent;
+            }
+        }
+    }
+    const std::uint64_t wanted = values & mask;
+    return d_->confirm(QStringLiteral("set digital outputs"), before, deadline, [&](const Report& report) {
+        return report.digitalOutputs && (*report.digitalOutputs & mask) == wanted;
+    });
+}
+
+Result<void> Outputs::setDigitalOutput(int output, bool on, const Deadline& deadline) {
+    if (output < 0 || output >= kDigitalOutputs) {
+        return invalid(
+            QStringLiteral("digital output %1; they are 0 to %2").arg(output).arg(kDigitalOutputs - 1));
+    }
+    const std::uint32_t bit = 1U << output;
+    return setDigitalOutputs(bit, on ? bit : 0, deadline);
+}
+
+Result<void> Outputs::setSpeedSlider(double fraction, const Deadline& deadline) {
+    if (!std::isfinite(fraction) || fraction > 1.0) {
+        return invalid(QStringLiteral("speed slider %1; it goes from 0.02 to 1").arg(fraction));
+    }
+    fraction = std::max(fraction, kLowestSpeedFraction);
+    std::uint64_t before = 0;
+    {
+        const std::lock_guard lock(d_->mutex);
+        if (!d_->isAlive()) {
+            if (auto opened = d_->open(deadline); !opened) {
+                return opened;
+            }
+        }
+        before = d_->feedback.newest().sequence;
+        if (auto sent = d_->send(kSlider, 1, fraction); !sent) {
+            return sent;
+        }
+    }
+    return d_->confirm(QStringLiteral("set the speed slider"), before, deadline, [&](const Report& report) {
+        return report.speedSlider && std::abs(*report.speedSlider - fraction) < kSliderTolerance;
+    });
+}
+
+Result<void> Outputs::canSetDigitalOutput(int output) const {
+    if (output < 0 || output >= kDigitalOutputs) {
+        return invalid(QStringLiteral("digital output %1").arg(output));
+    }
+    const std::lock_guard lock(d_->mutex);
+    return d_->available(groupOf(output));
+}
+
+Result<void> Outputs::canSetSpeedSlider() const {
+    const std::lock_guard lock(d_->mutex);
+    return d_->available(kSlider);
+}
+
+}  // namespace tiller::io

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "robot/recording/csv_writer.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "robot/recording/recorder.h"
+
+namespace tiller::recording {
+
+namespace {
+
+/// The shortest text that reads back as the same number, in the "C" locale always.
+template <class Number>
+void appendNumber(std::string& out, Number value) {
+    char text[32];
+    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+    out.append(text, end);
+}
+
+}  // namespace
+
+CsvWriter::CsvWriter(const receive::SampleLayout& layout, const std::vector<std::string>& fields) {
+    std::vector<std::string> ordered{"timestamp"};
+    for (const std::string& field : fields) {
+        if (std::find(ordered.begin(), ordered.end(), field) == ordered.end()) {
+            ordered.push_back(field);
+        }
+    }
+    for (const std::string& field : ordered) {
+        const receive::SampleLayout::Entry* entry = layout.find(field);
+        for (std::size_t i = 0; entry != nullptr && i < entry->count; ++i) {
+            indices_.push_back(entry->first + i);
+            header_ += layout.componentNames()[entry->first + i];
+            header_ += ',';
+        }
+    }
+    header_ += kLostColumn;
+    header_ += '\n';
+}
+
+void CsvWriter::append(std::string& out, const receive::Sample& sample, std::uint64_t lost) const {
+    for (const std::size_t index : indices_) {
+        const double value = sample.at(index);
+        if (!std::isnan(value)) {
+            appendNumber(out, value);
+        }
+        out += ',';
+    }
+    appendNumber(out, lost);
+    out += '\n';
+}
+
+}  // namespace tiller::recording
