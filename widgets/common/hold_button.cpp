@@ -14,7 +14,10 @@ namespace tiller {
 HoldButton::HoldButton(const QString& text, QWidget* parent) : QAbstractButton(parent), guard_(*this) {
     setText(text);
     setAccessibleName(text);
-    setFocusPolicy(Qt::ClickFocus);
+    // The guard takes the focus at a press. A policy would take it before, from a key that another finger
+    // holds, and this press would then look like the first.
+    setFocusPolicy(Qt::NoFocus);
+    setMouseTracking(true);  // a move without a button tells of a release that went elsewhere
     setAttribute(Qt::WA_AcceptTouchEvents);
     setAttribute(Qt::WA_Hover);
     connect(&guard_, &HoldGuard::began, this, [this] { setDown(true); });

@@ -184,16 +184,16 @@ bool HoldGuard::filterSecondPress(QObject* watched, QEvent*) {
 }
 
 void HoldGuard::filterOwnKey(QEvent* event) {
-    const auto whyGone = [this] {
-        return key_.window()->isVisible() ? StopCause::SelectionChanged : StopCause::WindowClosed;
-    };
+    // A window that is being hidden loses focus and activity first: name the real reason.
+    const bool windowGone = key_.window()->isHidden();
+    const StopCause whyGone = windowGone ? StopCause::WindowClosed : StopCause::SelectionChanged;
     switch (event->type()) {
         case QEvent::FocusOut: {
             const Qt::FocusReason reason = static_cast<QFocusEvent*>(event)->reason();
             if (!key_.isEnabled()) {
                 stop(StopCause::ControlLost);
-            } else if (!key_.isVisible()) {
-                stop(whyGone());
+            } else if (windowGone || !key_.isVisible()) {
+                stop(whyGone);
             } else if (reason == Qt::PopupFocusReason || reason == Qt::MenuBarFocusReason) {
                 stop(StopCause::DialogOpened);
             } else if (reason == Qt::ActiveWindowFocusReason) {
@@ -204,7 +204,7 @@ void HoldGuard::filterOwnKey(QEvent* event) {
             break;
         }
         case QEvent::Hide:
-            stop(whyGone());
+            stop(whyGone);
             break;
         case QEvent::EnabledChange:
             if (!key_.isEnabled()) {
@@ -232,7 +232,7 @@ void HoldGuard::filterWindow(QObject* watched, QEvent* event) {
     }
     switch (event->type()) {
         case QEvent::WindowDeactivate:
-            stop(StopCause::WindowDeactivated);
+            stop(widget.isHidden() ? StopCause::WindowClosed : StopCause::WindowDeactivated);
             break;
         case QEvent::WindowBlocked:
             stop(StopCause::DialogOpened);

@@ -38,7 +38,7 @@ struct Theme {
     QColor movingTint;  ///< behind the selected row and the key that moves the arm
     QColor warning;     ///< text and icon
     QColor warningBackground;
-    QColor alarm;  ///< text and icon
+    QColor alarm;  ///< text and icon; in the dark scheme brighter than the table's, which is too dim for text
     QColor alarmBackground;
     QColor stop;      ///< the STOP key and chips of a stopped robot
     QColor stopText;  ///< on `stop`
@@ -49,7 +49,8 @@ struct Theme {
     QColor simulationText;  ///< on both
     QColor recording;
 
-    QColor axisX, axisY, axisZ;
+    QColor axisX, axisY, axisZ;       ///< bars, arrows, lines
+    std::array<QColor, 3> axisTexts;  ///< the same, dark or bright enough for letters
     std::array<QColor, 6> curves;
 
     bool isDark() const { return scheme == ColorScheme::Dark; }
