@@ -30,7 +30,9 @@ enum class RegisterRange : std::uint8_t {
 
 struct ControllerOptions {
     QString host = QStringLiteral("127.0.0.1");
-    int portOffset = 0;  ///< added to 30001 and 30004
+    int portOffset = 0;   ///< added to 30001 and 30004
+    int primaryPort = 0;  ///< 0: 30001 + portOffset
+    int rtdePort = 0;     ///< 0: 30004 + portOffset
     const Clock* clock = &SteadyClock::shared();
     RegisterRange registers = RegisterRange::Upper;
     int priority = 85;  ///< SCHED_FIFO; 0 = leave the thread as it is

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: MIT
+#include "robot/control/control_loop.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "robot/core/clock.h"
+
+namespace tiller::control {
+
+namespace {
+
+// How long the program may leave a package unanswered before a motion ends, and before it counts as gone.
+constexpr std::int64_t kEchoNs = 100 * kNsPerMs;
+constexpr std::int64_t kEchoGoneNs = 500 * kNsPerMs;
+
+double fastest(const JointVelocities& qd) {
+    return qd.values.cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+void ControlLoop::begin(std::int32_t session, double period, const ArmLimits& arm, std::int64_t nowNs) {
+    session_ = session;
+    period_ = period;
+    limiter_ = VelocityLimiter(arm, limits_);
+    meter_.cancel();
+    inControl_.store(false, std::memory_order_release);
+    endRequested_.store(false, std::memory_order_release);
+    data_ = {};
+    data_.hostNs = nowNs;
+    hasData_ = false;
+    unansweredSinceNs_ = 0;
+    followed_ = kNoMotion;
+    status_.inControl = false;
+    status_.loss = ControlLoss::Taking;
+    status_.roundTripMs = 0;
+    status_.ticks = 0;
+    status_.late = 0;
+    status_.limiter = {};
+    publish();
+}
+
+Command ControlLoop::tick(const Feedback& data) {
+    const std::int64_t sinceLast = data.hostNs - data_.hostNs;
+    if (hasData_) {
+        if (static_cast<double>(sinceLast) > 1.5 * period_ * static_cast<double>(kNsPerSecond)) {
+            ++status_.late;
+        }
+        // The stall is over, but what was asked for before it is too old to go on with.
+        if (sinceLast > kMaxDataAgeNs) {
+            endActive(StopCause::DataStale, data.hostNs);
+        }
+    }
+    data_ = data;
+    if (!hasData_) {
+        hasData_ = true;
+        echoed_ = data.echo.sequence;
+    }
+    ++status_.ticks;
+    followEcho(data);
+    watch(data);
+
+    Command command;
+    command.session = session_;
+    compose(data, command);
+    noteEnded(data.hostNs);
+    meter_.add({data.hostNs, data.tcpPose.position, data.tcpSpeed.linear.norm(), fastest(data.qd)});
+    // After everything that may end the motion, so that the epoch sent is the one decided on.
+    const std::uint64_t epoch = mailbox_.epoch().current();
+    if (command.kind != ScriptCommand::Idle && command.kind != ScriptCommand::End && epoch != followed_) {
+        command.kind = ScriptCommand::Idle;  // stopped while this command was being made
+    }
+    command.epoch = static_cast<std::int32_t>(epoch);
+    sentEpoch_ = epoch;
+    command.sequence = nextSequence(data.hostNs);
+    publish();
+    return command;
+}
+
+bool ControlLoop::fallback(std::int64_t nowNs, Command& out) {
+    const std::int64_t age = nowNs - data_.hostNs;
+    if (age > kMaxDataAgeNs) {
+        endActive(StopCause::DataStale, nowNs);
+    }
+    // Ends a motion whose holder is silent even when no tick asks.
+    mailbox_.active(nowNs);
+    noteEnded(nowNs);
+    publish();
+    // A package a little late is nothing; the next tick carries the stop.
+    constexpr std::int64_t kPatienceNs = 10 * kNsPerMs;
+    const std::uint64_t epoch = mailbox_.epoch().current();
+    if (age < kPatienceNs || epoch == sentEpoch_ || mailbox_.epoch().activeMotion() != kNoMotion) {
+        return false;
+    }
+    out = {};
+    out.session = session_;
+    out.epoch = static_cast<std::int32_t>(epoch);
+    out.sequence = nextSequence(nowNs);
+    sentEpoch_ = epoch;
+    return true;
+}
+
+void ControlLoop::lost(std::int64_t nowNs, ControlLoss loss) {
+    leave(loss, StopCause::LinkLost, nowNs);
+    noteEnded(nowNs);
+    meter_.cancel();
+    status_.moving = false;
+    publish();
+}
+
+void ControlLoop::publishLoss(ControlLoss loss) {
+    status_.inControl = false;
+    status_.loss = loss;
+    status_.moving = false;
+    status_.executing = false;
+    inControl_.store(false, std::memory_order_release);
+    publish();
+}
+
+void ControlLoop::followEcho(const Feedback& data) {
+    const Echo& echo = data.echo;
+    if (echo.session != session_ || echo.sequence == echoed_) {
+        return;
+    }
+    echoed_ = echo.sequence;
+    unansweredSinceNs_ = 0;
+    const std::int32_t behind = sequence_ - echo.sequence;
+    if (behind >= 0 && static_cast<std::size_t>(behind) < kSentMemory) {
+        const auto slot = static_cast<std::size_t>(echo.sequence) % kSentMemory;
+        status_.roundTripMs =
+            static_cast<double>(data.hostNs - sentNs_[slot]) / static_cast<double>(kNsPerMs);
+        // Only now is it our program, our session, and alive.
+        const bool taking = !isInControl() && status_.loss == ControlLoss::Taking;
+        if (taking && data.runtimeState == RuntimeState::Playing) {
+            status_.inControl = true;
+            status_.loss = ControlLoss::None;
+            inControl_.store(true, std::memory_order_release);
+        }
+    }
+}
+
+// Everything in the data that forbids to move on.
+void ControlLoop::watch(const Feedback& data) {
+    status_.robotMode = data.robotMode;
+    status_.safetyMode = data.safetyMode;
+    status_.speedFraction = data.speedFraction;
+    status_.dataTimeNs = data.hostNs;
+    if (data.robotMode != RobotMode::Running || !allowsMotion(data.safetyMode)) {
+        endActive(StopCause::UnsafeMode, data.hostNs);
+    }
+    if (!isInControl()) {
+        endActive(StopCause::ControlLost, data.hostNs);
+        return;
+    }
+    if (data.runtimeState != RuntimeState::Playing) {
+        const bool asked = endRequested_.load(std::memory_order_acquire);
+        leave(asked ? ControlLoss::Released : ControlLoss::ScriptStopped, StopCause::ControlLost,
+              data.hostNs);
+        return;
+    }
+    const std::int64_t unanswered = unansweredSinceNs_ == 0 ? 0 : data.hostNs - unansweredSinceNs_;
+    if (unanswered > kEchoGoneNs) {
+        leave(ControlLoss::EchoStalled, StopCause::ControlLost, data.hostNs);
+        return;
+    }
+    if (unanswered > kEchoNs) {
+        endActive(StopCause::ControlLost, data.hostNs);
+    }
+    const MotionId motion = mailbox_.epoch().activeMotion();
+    const bool answersThis = motion != kNoMotion && data.echo.epoch == static_cast<std::int32_t>(motion);
+    status_.executing = answersThis && data.echo.state == ScriptState::Executing;
+    if (answersThis && data.echo.state == ScriptState::Done) {
+        endActive(StopCause::Completed, data.hostNs);
+    } else if (answersThis && data.echo.state == ScriptState::Expired) {
+        endActive(StopCause::LinkLost, data.hostNs);
+    }
+    // Whoever moves the TCP offset under a running jog moves the point it turns about.
+    constexpr double kSameOffset = 1e-6;
+    const bool tcpChanged = (data.tcpOffset.position - followedTcp_.position).norm() > kSameOffset ||
+                            (data.tcpOffset.rotation - followedTcp_.rotation).norm() > kSameOffset;
+    if (motion != kNoMotion && motion == followed_ && tcpChanged) {
+        endActive(StopCause::SelectionChanged, data.hostNs);
+    }
+}
+
+void ControlLoop::leave(ControlLoss loss, StopCause cause, std::int64_t nowNs) {
+    endActive(cause, nowNs);
+    inControl_.store(false, std::memory_order_release);
+    status_.inControl = false;
+    status_.executing = false;
+    status_.loss = loss;
+}
+
+void ControlLoop::endActive(StopCause cause, std::int64_t nowNs) {
+    const MotionId motion = mailbox_.epoch().activeMotion();
+    if (motion != kNoMotion) {
+        mailbox_.end(motion, cause, nowNs);
+    }
+}
+
+void ControlLoop::compose(const Feedback& data, Command& command) {
+    if (endRequested_.load(std::memory_order_acquire)) {
+        endActive(StopCause::ControlLost, data.hostNs);
+        command.kind = ScriptCommand::End;
+        return;
+    }
+    const MotionCommand* motion = mailbox_.active(data.hostNs);
+    if (motion == nullptr) {
+        return;
+    }
+    if (motion->id != followed_) {
+        noteEnded(data.hostNs);
+        followed_ = motion->id;
+        followedTcp_ = data.tcpOffset;
+        status_.limiter = {};
+    }
+    if (motion->kind == MotionCommand::Kind::Jog) {
+        composeJog(*motion, data, command);
+        return;
+    }
+    command.kind = motion->kind == MotionCommand::Kind::MoveJ ? ScriptCommand::MoveJ : ScriptCommand::MoveL;
+    command.values = motion->target;
+    command.speed = motion->speed;
+    command.acceleration = motion->acceleration;
+}
+
+void ControlLoop::composeJog(const MotionCommand& motion, const Feedback& data, Command& command) {
+    const JogTarget& target = motion.jog;
+    status_.limiter = limiter_.limit(target, data.q, data.tcpPose);
+    const double scale = status_.limiter.scale;
+    if (scale <= 0) {
+        mailbox_.end(motion.id, StopCause::LimitReached, data.hostNs);
+        return;
+    }
+    // Slowing down must be as brisk as stopping, or the limiter's braking in front of a limit would lag.
+    bool slowing = false;
+    if (target.kind == JogTarget::Kind::Cartesian) {
+        command.kind = ScriptCommand::JogCartesian;
+        const Vector6 twist = target.twist.vector() * scale;
+        std::copy_n(twist.data(), command.values.size(), command.values.begin());
+        slowing = data.tcpSpeed.linear.norm() > twist.head<3>().norm() + kStillTcpSpeed;
+        command.acceleration = slowing ? limits_.jogDeceleration : limits_.jogAcceleration;
+        slowing = data.tcpSpeed.angular.norm() > twist.tail<3>().norm() + kStillJointSpeed;
+        command.rotationAcceleration = slowing ? limits_.jointDeceleration : limits_.jointAcceleration;
+    } else {
+        command.kind = ScriptCommand::JogJoints;
+        const Vector6 qd = target.qd.values * scale;
+        std::copy_n(qd.data(), command.values.size(), command.values.begin());
+        slowing = fastest(data.qd) > qd.cwiseAbs().maxCoeff() + kStillJointSpeed;
+        command.acceleration = slowing ? limits_.jointDeceleration : limits_.jointAcceleration;
+    }
+    command.frame = target.frame;
+    const Eigen::Vector3d& rotation = target.T_base_frame.rotation;
+    command.rotation = {rotation.x(), rotation.y(), rotation.z()};
+}
+
+// A motion that was being followed is over: by whom and when the epoch knows.
+void ControlLoop::noteEnded(std::int64_t nowNs) {
+    const Epoch& epoch = mailbox_.epoch();
+    if (followed_ == kNoMotion || epoch.isActive(followed_)) {
+        return;
+    }
+    const StopCause cause = epoch.state(followed_).cause;
+    status_.lastMotion = followed_;
+    status_.lastCause = cause;
+    status_.executing = false;
+    if (cause != StopCause::LimitReached) {
+        status_.limiter = {};
+    }
+    // A motion that gave way to another one, or came to its end, did not stop.
+    if (cause != StopCause::Superseded && cause != StopCause::Completed) {
+        meter_.begin(cause, std::min(epoch.endedNs(followed_), nowNs));
+    }
+    followed_ = kNoMotion;
+}
+
+void ControlLoop::publish() {
+    status_.motion = mailbox_.epoch().activeMotion();
+    status_.epoch = mailbox_.epoch().current();
+    status_.moving = meter_.isMoving();
+    status_.lastStop = meter_.last();
+    published_.store(status_);
+}
+
+std::int32_t ControlLoop::nextSequence(std::int64_t nowNs) {
+    constexpr std::int32_t kWrap = 0x3fffffff;
+    sequence_ = sequence_ >= kWrap ? 1 : sequence_ + 1;
+    sentNs_[static_cast<std::size_t>(sequence_) % kSentMemory] = nowNs;
+    if (unansweredSinceNs_ == 0) {
+        unansweredSinceNs_ = nowNs;
+    }
+    return sequence_;
+}
+
+}  // namespace tiller::control

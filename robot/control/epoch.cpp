@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "robot/control/epoch.h"
+
+namespace tiller::control {
+
+Epoch::Word Epoch::word(std::uint64_t epoch, bool occupied, StopCause cause) {
+    return (epoch << 16) | (static_cast<Word>(occupied) << 8) | static_cast<Word>(cause);
+}
+
+// Keeps how an earlier epoch ended before the word that says so is overwritten. Several threads may do this
+// at once, with the same value; one that comes very late finds a newer entry and leaves it.
+void Epoch::remember(Word w) {
+    const std::uint64_t ended = epochOf(w) - 1;
+    const std::uint64_t entry = (ended << 8) | static_cast<std::uint64_t>(causeOf(w));
+    auto& slot = causes_[ended % kMemory];
+    std::uint64_t old = slot.load(std::memory_order_relaxed);
+    while (old < entry && !slot.compare_exchange_weak(old, entry, std::memory_order_acq_rel)) {
+    }
+}
+
+bool Epoch::replace(Word& seen, bool occupied, StopCause cause, std::int64_t nowNs) {
+    remember(seen);
+    const std::uint64_t next = epochOf(seen) + 1;
+    // Before the swap, so that who sees the epoch sees its time; a rival for the same epoch writes a time
+    // that differs by next to nothing.
+    began_[next % kMemory].store(nowNs, std::memory_order_relaxed);
+    return word_.compare_exchange_weak(seen, word(next, occupied, cause), std::memory_order_acq_rel,
+                                       std::memory_order_acquire);
+}
+
+MotionId Epoch::beginMotion(std::int64_t nowNs) {
+    Word seen = word_.load(std::memory_order_acquire);
+    while (!replace(seen, true, StopCause::Superseded, nowNs)) {
+    }
+    return epochOf(seen) + 1;
+}
+
+void Epoch::stop(StopCause cause, std::int64_t nowNs) {
+    Word seen = word_.load(std::memory_order_acquire);
+    while (!replace(seen, false, cause, nowNs)) {
+    }
+}
+
+bool Epoch::end(MotionId motion, StopCause cause, std::int64_t nowNs) {
+    Word seen = word_.load(std::memory_order_acquire);
+    while (epochOf(seen) == motion && isOccupied(seen)) {
+        if (replace(seen, false, cause, nowNs)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::uint64_t Epoch::current() const {
+    return epochOf(word_.load(std::memory_order_acquire));
+}
+
+bool Epoch::isActive(MotionId motion) const {
+    return motion != kNoMotion && activeMotion() == motion;
+}
+
+MotionId Epoch::activeMotion() const {
+    const Word w = word_.load(std::memory_order_acquire);
+    return isOccupied(w) ? epochOf(w) : kNoMotion;
+}
+
+MotionState Epoch::state(MotionId motion) const {
+    const Word w = word_.load(std::memory_order_acquire);
+    if (motion >= epochOf(w)) {
+        const bool active = motion == epochOf(w) && isOccupied(w);
+        return {active ? MotionPhase::Active : MotionPhase::Ended, StopCause::None};
+    }
+    if (motion + 1 == epochOf(w)) {
+        return {MotionPhase::Ended, causeOf(w)};
+    }
+    const std::uint64_t entry = causes_[motion % kMemory].load(std::memory_order_acquire);
+    const bool known = (entry >> 8) == motion;
+    return {MotionPhase::Ended, known ? static_cast<StopCause>(entry & 0xff) : StopCause::None};
+}
+
+std::int64_t Epoch::endedNs(MotionId motion) const {
+    return began_[(motion + 1) % kMemory].load(std::memory_order_relaxed);
+}
+
+}  // namespace tiller::control

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "robot/control/registers.h"
+
+#include <QStringList>
+#include <algorithm>
+
+#include "robot/rtde/fields.h"
+
+namespace tiller::control {
+
+namespace {
+
+constexpr int kIntInputs = 5;
+constexpr int kDoubleInputs = 12;
+static_assert(kIntInputs + kDoubleInputs == kCommandSize);
+constexpr int kIntOutputs = 4;
+
+std::array<double, 6> six(std::span<const double> values, std::size_t first) {
+    std::array<double, 6> out{};
+    std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(first), out.size(), out.begin());
+    return out;
+}
+
+}  // namespace
+
+int firstRegister(RegisterRange range) {
+    return range == RegisterRange::Upper ? rtde::kFirstUpperRegister : 0;
+}
+
+std::vector<std::string> outputNames(RegisterRange range) {
+    std::vector<std::string> names{
+        "timestamp", "runtime_state", "robot_mode",      "safety_mode",      "target_speed_fraction",
+        "actual_q",  "actual_qd",     "actual_TCP_pose", "actual_TCP_speed", "tcp_offset"};
+    for (int i = 0; i < kIntOutputs; ++i) {
+        names.push_back(rtde::intRegisterName(rtde::Direction::Output, firstRegister(range) + i));
+    }
+    return names;
+}
+
+std::vector<std::string> inputNames(RegisterRange range) {
+    std::vector<std::string> names;
+    for (int i = 0; i < kIntInputs; ++i) {
+        names.push_back(rtde::intRegisterName(rtde::Direction::Input, firstRegister(range) + i));
+    }
+    for (int i = 0; i < kDoubleInputs; ++i) {
+        names.push_back(rtde::doubleRegisterName(rtde::Direction::Input, firstRegister(range) + i));
+    }
+    return names;
+}
+
+Result<FeedbackLayout> FeedbackLayout::of(const rtde::Recipe& outputs, RegisterRange range) {
+    FeedbackLayout layout;
+    QStringList missing;
+    const auto find = [&](const std::string& name) {
+        const auto index = outputs.indexOf(name);
+        if (!index) {
+            missing.append(QString::fromStdString(name));
+        }
+        return index.value_or(0);
+    };
+    layout.timestamp_ = find("timestamp");
+    layout.runtimeState_ = find("runtime_state");
+    layout.robotMode_ = find("robot_mode");
+    layout.safetyMode_ = find("safety_mode");
+    layout.speedFraction_ = find("target_speed_fraction");
+    layout.q_ = find("actual_q");
+    layout.qd_ = find("actual_qd");
+    layout.tcpPose_ = find("actual_TCP_pose");
+    layout.tcpSpeed_ = find("actual_TCP_speed");
+    layout.tcpOffset_ = outputs.indexOf("tcp_offset");  // older software has none
+    for (int i = 0; i < kIntOutputs; ++i) {
+        layout.echo_[static_cast<std::size_t>(i)] =
+            find(rtde::intRegisterName(rtde::Direction::Output, firstRegister(range) + i));
+    }
+    if (!missing.isEmpty()) {
+        return Error{ErrorCode::FieldUnknown, QStringLiteral("set up the data the control needs"),
+                     missing.join(QStringLiteral(", "))};
+    }
+    return layout;
+}
+
+Feedback FeedbackLayout::decode(std::span<const double> values, std::int64_t hostNs) const {
+    Feedback f;
+    f.hostNs = hostNs;
+    f.timestamp = values[timestamp_];
+    f.runtimeState = static_cast<RuntimeState>(values[runtimeState_]);
+    f.robotMode = static_cast<RobotMode>(values[robotMode_]);
+    f.safetyMode = static_cast<SafetyMode>(values[safetyMode_]);
+    f.speedFraction = values[speedFraction_];
+    f.q = JointPositions(six(values, q_));
+    f.qd = JointVelocities(six(values, qd_));
+    f.tcpPose = Pose::fromArray(six(values, tcpPose_));
+    const auto speed = six(values, tcpSpeed_);
+    f.tcpSpeed = Twist::fromVector(Eigen::Map<const Vector6>(speed.data()));
+    if (tcpOffset_) {
+        f.tcpOffset = Pose::fromArray(six(values, *tcpOffset_));
+    }
+    f.echo.sequence = static_cast<std::int32_t>(values[echo_[0]]);
+    f.echo.epoch = static_cast<std::int32_t>(values[echo_[1]]);
+    f.echo.state = static_cast<ScriptState>(values[echo_[2]]);
+    f.echo.session = static_cast<std::int32_t>(values[echo_[3]]);
+    return f;
+}
+
+std::array<double, kCommandSize> encode(const Command& command) {
+    std::array<double, kCommandSize> out{};
+    auto* at = out.data();
+    *at++ = command.sequence;
+    *at++ = command.epoch;
+    *at++ = static_cast<double>(command.kind);
+    *at++ = static_cast<double>(command.frame);
+    *at++ = command.session;
+    at = std::copy(command.values.begin(), command.values.end(), at);
+    *at++ = command.speed;
+    *at++ = command.acceleration;
+    *at++ = command.rotationAcceleration;
+    std::copy(command.rotation.begin(), command.rotation.end(), at);
+    return out;
+}
+
+}  // namespace tiller::control

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// The way into control, step by step, each with its own reason for not working.
+
+#include <QRandomGenerator>
+#include <QStringList>
+#include <algorithm>
+
+#include "robot/control/control_script.h"
+#include "robot/control/controller_private.h"
+#include "robot/script/script_client.h"
+
+namespace tiller::control {
+
+using std::chrono::milliseconds;
+
+namespace {
+
+QString rangeText(RegisterRange range) {
+    return range == RegisterRange::Upper ? QStringLiteral("upper (24-47)") : QStringLiteral("lower (0-23)");
+}
+
+RegisterRange other(RegisterRange range) {
+    return range == RegisterRange::Upper ? RegisterRange::Lower : RegisterRange::Upper;
+}
+
+// Which registers, whose they are, and what the operator can do.
+Error explainInUse(const Error& error, RegisterRange range) {
+    const QString owner =
+        range == RegisterRange::Lower
+            ? QStringLiteral("Another program or a fieldbus (EtherNet/IP, PROFINET) on the robot owns")
+            : QStringLiteral("Another program owns");
+    return {ErrorCode::RegisterInUse, error.context,
+            QStringLiteral("%1 one of the %2 registers: %3. End that program, or use the %4 registers.")
+                .arg(owner, rangeText(range), error.controllerMessage, rangeText(other(range)))};
+}
+
+Error explainUnknown(const QString& context, RegisterRange range) {
+    const QString advice = range == RegisterRange::Upper
+                               ? QStringLiteral("use the lower (0-23) registers with this software")
+                               : QStringLiteral("this software is too old to be controlled over RTDE");
+    return {ErrorCode::FieldUnknown, context,
+            QStringLiteral("The controller has no %1 registers: %2.").arg(rangeText(range), advice)};
+}
+
+// What the controller says about our program; code None when it says nothing bad.
+Error complaint(const std::vector<script::ControllerMessage>& messages, int firstLine,
+                const QString& context) {
+    constexpr int kReadOnlySocket = 210;
+    for (const auto& message : messages) {
+        if (message.kind == script::MessageKind::RuntimeException) {
+            const QString place = message.line > 0 ? QStringLiteral("control.script line %1, column %2: ")
+                                                         .arg(message.line + firstLine - 1)
+                                                         .arg(message.column)
+                                                   : QString();
+            return {ErrorCode::ScriptError, context, place + message.text};
+        }
+        if (message.kind == script::MessageKind::ErrorCode && message.code == kReadOnlySocket) {
+            return {ErrorCode::RemoteControlRequired, context,
+                    message.text.isEmpty() ? message.codeName() : message.text};
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<void> Controller::Private::take(const Deadline& deadline) {
+    loop.publishLoss(ControlLoss::Taking);
+
+    script::PrimaryClientOptions listening;
+    listening.host = options.host;
+    listening.port = primaryPort();
+    listening.clock = options.clock;
+    listening.reconnect = false;
+    script::PrimaryClient primary(listening);
+    primary.start();
+
+    if (auto opened = openRegisters(deadline); !opened) {
+        return opened;
+    }
+    if (auto safe = checkModes(deadline); !safe) {
+        return safe;
+    }
+    if (auto heard = primary.waitForState(deadline); !heard) {
+        return heard;
+    }
+    ArmLimits limits = ArmLimits::of(robotModel(options.model));
+    if (const auto told = primary.configuration()) {
+        limits = {told->dh, told->minPosition, told->maxPosition, told->maxSpeed};
+    }
+    {
+        const std::lock_guard lock(arm);
+        armLimits = limits;
+        version = connection->version();
+    }
+    const auto session = static_cast<std::int32_t>(QRandomGenerator::system()->bounded(1, 0x7fffffff));
+    startThread(session, limits);
+    return upload(session, primary, deadline);
+}
+
+Result<void> Controller::Private::openRegisters(const Deadline& deadline) {
+    rtde::ConnectionOptions wanted;
+    wanted.host = options.host;
+    wanted.port = static_cast<std::uint16_t>(rtdePort());
+    wanted.request.outputs = outputNames(options.registers);
+    wanted.request.inputs = {{inputNames(options.registers), true}};
+    auto opened = rtde::Connection::open(wanted, deadline);
+    if (!opened) {
+        const Error error = opened.error();
+        return error.code == ErrorCode::RegisterInUse ? explainInUse(error, options.registers) : error;
+    }
+    connection = std::move(opened).value();
+    const QString context = QStringLiteral("set up registers at %1").arg(connection->peer());
+    const rtde::Recipe& inputs = connection->inputs().front();
+    if (!inputs.isValid() || inputs.size() != kCommandSize) {
+        return explainUnknown(context, options.registers);
+    }
+    auto found = FeedbackLayout::of(connection->outputs(), options.registers);
+    if (!found) {
+        return explainUnknown(context, options.registers);
+    }
+    layout = *found;
+    return {};
+}
+
+Result<void> Controller::Private::checkModes(const Deadline& deadline) {
+    std::vector<double> values(connection->outputs().size());
+    const QString context = QStringLiteral("take control at %1").arg(connection->peer());
+    while (!deadline.hasExpired()) {
+        const auto read = connection->readPackage(values, deadline.nextPoll());
+        if (read == rtde::Connection::Read::Nothing) {
+            continue;
+        }
+        if (read != rtde::Connection::Read::Package) {
+            return connection->error();
+        }
+        const Feedback data = layout.decode(values, now());
+        if (data.robotMode != RobotMode::Running || !allowsMotion(data.safetyMode)) {
+            return Error{
+                ErrorCode::UnsafeState, context,
+                QStringLiteral("%1, %2").arg(robotModeName(data.robotMode), safetyModeName(data.safetyMode))};
+        }
+        return {};
+    }
+    return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
+                 QStringLiteral("no data package")};
+}
+
+Result<void> Controller::Private::upload(std::int32_t session, script::PrimaryClient& primary,
+                                         const Deadline& deadline) {
+    const QString context =
+        QStringLiteral("start the control program at %1:%2").arg(options.host).arg(primaryPort());
+    primary.takeMessages();  // what was said before is not about us
+    const ControlScript program =
+        controlScript(connection->version(), options.registers, session, options.limits);
+    script::ScriptClient client(options.host, primaryPort());
+    if (auto connected = client.connect(deadline); !connected) {
+        return connected;
+    }
+    if (auto sent = client.send(program.text, deadline); !sent) {
+        return sent;
+    }
+    while (!loop.isInControl()) {
+        if (const Error bad = complaint(primary.takeMessages(), program.firstLine, context);
+            bad.code != ErrorCode::None) {
+            return bad;
+        }
+        if (!running) {
+            return Error{ErrorCode::LinkLost, context, QStringLiteral("the RTDE connection was lost")};
+        }
+        if (deadline.hasExpired()) {
+            return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
+                         QStringLiteral("The program was sent, but it does not answer. Is the robot in "
+                                        "Remote control, and are scripts allowed on this port?")};
+        }
+        std::this_thread::sleep_for(std::min(deadline.nextPoll(), milliseconds(2)));
+    }
+    return {};
+}
+
+void Controller::Private::startThread(std::int32_t session, const ArmLimits& limits) {
+    loop.begin(session, connection->period(), limits, now());
+    quit.store(false, std::memory_order_release);
+    running.store(true, std::memory_order_release);
+    thread = std::thread([this] { run(); });
+}
+
+void Controller::Private::stopThread() {
+    quit.store(true, std::memory_order_release);
+    if (thread.joinable()) {
+        thread.join();
+    }
+    running.store(false, std::memory_order_release);
+    connection.reset();
+}
+
+}  // namespace tiller::control
