@@ -17,6 +17,11 @@
 
 namespace tiller::simulator::urscript {
 
+/// Longest string that an operation may give.
+inline constexpr std::size_t kMaxStringLength = 1023;
+/// Deepest nesting of structs and lists.
+inline constexpr int kMaxValueDepth = 16;
+
 struct StringData;
 struct ListData;
 struct MatrixData;
@@ -107,14 +112,25 @@ public:
         type_ = Type::Unset;
     }
 
+    // For the interpreter's stack, where most values are numbers.
+    /// No destructor needed: bool, number or pose.
+    bool isPlain() const noexcept { return type_ <= Type::Pose; }
+    /// Copies into a value that is plain.
+    void initialize(const Value& other) noexcept { copyFrom(other); }
+    /// Unset, of a value that is plain.
+    void forget() noexcept { type_ = Type::Unset; }
+
     /// A copy that shares nothing (constants handed to another host thread).
     Value detached() const;
     /// "int", "float", "pose"...: for error texts.
     const char* typeName() const noexcept;
     /// Same type and content; 2 and 2.0 are equal, NaN is not.
     bool equals(const Value& other) const;
-    /// Number of values inside, 1 for plain ones: bounds how much a nested value may grow.
-    std::size_t weight() const noexcept;
+    /// Whether it nests at most `depth` deep and holds at most `budget` values, which are taken off. Every value that
+    /// a program builds is kept within such bounds, so that copies, comparisons and destruction stay cheap.
+    bool withinBounds(int depth, std::size_t& budget) const noexcept;
+    /// Struct, or a list of values that are not numbers.
+    bool nested() const noexcept;
 
 private:
     bool shared() const noexcept { return type_ >= Type::String; }

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The arm as seen by the motion generator: where tool and links are, how they move with the joints, and the
+// joints that follow a tool pose on the branch the arm is on.
+
+#include <Eigen/Geometry>
+#include <array>
+
+#include "robot/core/joints.h"
+#include "robot/core/robot_model.h"
+#include "robot/core/spatial.h"
+
+namespace tiller::simulator::arm {
+
+/// Everything that follows from one set of joint positions.
+struct Posture {
+    std::array<Eigen::Isometry3d, 7> frames;  ///< T_base_i, 0 = base ... 6 = flange
+    Eigen::Isometry3d T_base_tcp;
+    Matrix6 jacobian;  ///< TCP twist in base axes = jacobian * qd
+};
+
+class ArmGeometry {
+public:
+    explicit ArmGeometry(const RobotModel& model);
+
+    void setTcp(const Pose& T_flange_tcp);
+    const Pose& tcp() const { return tcp_; }
+    const Eigen::Isometry3d& tcpTransform() const { return T_flange_tcp_; }
+    const RobotModel& model() const { return model_; }
+
+    void evaluate(const Vector6& q, Posture& posture) const;
+    Eigen::Isometry3d tcpPose(const Vector6& q) const;
+
+    /// Newton steps from q to the joints whose TCP pose is T. Stays on the branch of q.
+    /// Returns   false if there is no such position near q; q is then the nearest found
+    bool follow(const Eigen::Isometry3d& T, Vector6& q, Posture& posture) const;
+
+    /// Joint velocities for a TCP twist; damped where the Jacobian is close to losing rank.
+    /// Returns   false if the twist cannot be produced to 1 %
+    bool jointRates(const Posture& posture, const Vector6& twist, Vector6& qd) const;
+
+    /// 0 in a singular position; 1 and more where it does not matter.
+    double singularityMargin(const Vector6& q, const Posture& posture) const;
+
+    Vector6 maxSpeed() const;
+
+private:
+    Vector6 solve(const Posture& posture, const Vector6& twist) const;
+
+    const RobotModel& model_;
+    Pose tcp_;
+    Eigen::Isometry3d T_flange_tcp_ = Eigen::Isometry3d::Identity();
+    double determinantScale_ = 1;
+};
+
+/// exp of a rotation vector as quaternion, and its inverse; cheap for small angles.
+Eigen::Quaterniond quaternionFromVector(const Eigen::Vector3d& rotation);
+Eigen::Vector3d vectorFromQuaternion(const Eigen::Quaterniond& q);
+
+}  // namespace tiller::simulator::arm

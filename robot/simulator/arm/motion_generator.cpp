@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: MIT
+#include "robot/simulator/arm/motion_generator.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "robot/simulator/arm/motion.h"
+#include "robot/simulator/arm/torque_motion.h"
+
+namespace tiller::simulator::arm {
+
+namespace {
+constexpr double kRampAcceleration = 12;  // rad/s2 of the fastest joint while program time changes pace
+constexpr double kFastestRamp = 10;       // 1/s
+constexpr double kEmergencyDeceleration = 25;  // rad/s2
+constexpr double kAbandonedDeceleration = 4;   // rad/s2
+constexpr double kAccelerationTolerance = 1e-3;
+}  // namespace
+
+MotionGenerator::MotionGenerator(const ArmGeometry& geometry, double period, const JointPositions& start)
+    : geometry_(geometry),
+      period_(period),
+      planner_(geometry, limits_),
+      path_(geometry, period),
+      velocity_(geometry, limits_, period) {
+    limits_.speed = geometry.maxSpeed();
+    state_.q = start.values;
+}
+
+MotionStart MotionGenerator::begin() {
+    MotionStart start;
+    start.id = ++lastId_;
+    records_[start.id % kRecords] = {start.id, MotionProgress::Running};
+    abandonedFor_ = -1;
+    return start;
+}
+
+MotionStart MotionGenerator::ignored() {
+    const MotionStart start = begin();
+    finish(start.id, MotionProgress::Returned);
+    return start;
+}
+
+void MotionGenerator::finish(MotionId id, MotionProgress progress) {
+    Record& record = records_[id % kRecords];
+    if (id != 0 && record.id == id && record.progress == MotionProgress::Running) {
+        record.progress = progress;
+    }
+}
+
+void MotionGenerator::supersede() {
+    finish(activeId_, MotionProgress::Superseded);
+    finish(goalId_, MotionProgress::Superseded);
+    activeId_ = goalId_ = 0;
+}
+
+MotionProgress MotionGenerator::progress(MotionId id) const {
+    const Record& record = records_[id % kRecords];
+    return record.id == id && id != 0 ? record.progress : MotionProgress::Superseded;
+}
+
+std::optional<MotionError> MotionGenerator::refusal() const {
+    if (!operational_ || protectiveStop_) {
+        return MotionError::NotOperational;
+    }
+    return std::nullopt;
+}
+
+void MotionGenerator::abandon() {
+    if (mode_ != Mode::Rest && !(mode_ == Mode::Path && path_.current().kind == Segment::Kind::Stop)) {
+        abandonedFor_ = 0;
+    }
+    supersede();
+}
+
+Pose MotionGenerator::targetWaypoint() const {
+    if (mode_ == Mode::Path && path_.goal().kind != Segment::Kind::Stop) {
+        return Pose(path_.goal().endPoint.transform());
+    }
+    return Pose(geometry_.tcpPose(state_.q));
+}
+
+std::optional<MotionWarning> MotionGenerator::takeWarning() {
+    if (warningCount_ == 0) {
+        return std::nullopt;
+    }
+    const MotionWarning first = warnings_[0];
+    std::copy(warnings_.begin() + 1, warnings_.end(), warnings_.begin());
+    --warningCount_;
+    return first;
+}
+
+void MotionGenerator::setOperational(bool operational) {
+    if (operational_ && !operational) {
+        // The brakes take over: no position control, no velocity.
+        supersede();
+        path_.drop();
+        velocity_.drop();
+        mode_ = Mode::Rest;
+        state_.qd.setZero();
+    }
+    operational_ = operational;
+}
+
+void MotionGenerator::relocate(const JointTarget& state) {
+    supersede();
+    path_.drop();
+    velocity_.drop();
+    mode_ = Mode::Rest;
+    state_ = state;
+    if (moving()) {
+        startStop(10, 0);
+    }
+}
+
+void MotionGenerator::rebase(const JointTarget& state) {
+    if (mode_ == Mode::Rest) {
+        state_.q = state.q;
+    } else if (mode_ == Mode::Velocity) {
+        state_.q = state.q;
+        velocity_.relocated(state.q);
+    }
+}
+
+void MotionGenerator::abort(double deceleration) {
+    supersede();
+    held_ = false;
+    if (mode_ == Mode::Path && path_.current().kind == Segment::Kind::Stop && !path_.nextWaiting()) {
+        return;
+    }
+    path_.drop();
+    velocity_.drop();
+    mode_ = Mode::Rest;
+    startStop(deceleration, 0);
+}
+
+void MotionGenerator::raise(StopReason reason, int joint) {
+    if (!protectiveStop_) {
+        protectiveStop_ = ProtectiveStop{reason, joint, activeId_};
+    }
+    finish(activeId_, MotionProgress::Failed);
+    finish(goalId_, MotionProgress::Failed);
+    activeId_ = goalId_ = 0;
+    path_.drop();
+    velocity_.drop();
+    mode_ = Mode::Rest;
+    startStop(kEmergencyDeceleration, 0);
+}
+
+// What is left of the present velocity, braked in joint space: all joints together.
+bool MotionGenerator::jointRunOut(double deceleration, Segment& segment) const {
+    const double fastest = state_.qd.cwiseAbs().maxCoeff();
+    if (fastest <= 1e-9) {
+        return false;
+    }
+    double duration = fastest / std::clamp(deceleration, 0.01, limits_.acceleration);
+    for (int j = 0; j < kJointCount; ++j) {
+        const double v = std::abs(state_.qd[j]);
+        if (v > 1e-9) {
+            const double left = limits_.position - (state_.qd[j] > 0 ? state_.q[j] : -state_.q[j]);
+            duration = std::min(duration, 2 * std::max(0.0, left) / v);
+        }
+    }
+    duration = std::max(duration, fastest / limits_.acceleration);
+    segment = Segment{};
+    segment.kind = Segment::Kind::Stop;
+    segment.realTime = true;
+    segment.from = segment.q = state_.q;
+    segment.direction = state_.qd / fastest;
+    segment.profile = SpeedProfile::stop(fastest, duration);
+    segment.endQ = state_.q + state_.qd * (0.5 * duration);
+    return true;
+}
+
+void MotionGenerator::startStop(double deceleration, MotionId id) {
+    path_.drop();
+    velocity_.drop();
+    if (!jointRunOut(deceleration, runOut_)) {
+        state_.qd.setZero();
+        mode_ = Mode::Rest;
+        finish(id, MotionProgress::Returned);
+        return;
+    }
+    runOut_.id = activeId_ = id;
+    path_.start(runOut_);
+    mode_ = Mode::Path;
+}
+
+void MotionGenerator::startVelocity(MotionId id, std::optional<double> t) {
+    supersede();
+    path_.drop();
+    mode_ = Mode::Velocity;
+    activeId_ = id;
+    blocking_ = true;
+    blocksUntilSpeed_ = !t.has_value();
+    blockingLeft_ = t.value_or(0);
+    sinceReturned_ = 0;
+}
+
+void MotionGenerator::step() {
+    stepScale();
+    if (abandonedFor_ >= 0) {
+        abandonedFor_ += period_;
+        if (abandonedFor_ > Motion::kSpeedHold) {
+            abandonedFor_ = -1;
+            startStop(kAbandonedDeceleration, 0);
+        }
+    }
+    switch (mode_) {
+        case Mode::Rest:
+            state_.qd.setZero();
+            scaling_ = held_ ? 0 : 1;
+            break;
+        case Mode::Path:
+            stepPath();
+            break;
+        case Mode::Velocity:
+            stepVelocity();
+            break;
+        case Mode::Torque:
+            stepTorque();
+            break;
+    }
+}
+
+// Program time changes pace gently enough for the joints, at once when nothing moves.
+void MotionGenerator::stepScale() {
+    const double wanted = held_ ? 0 : slider_;
+    if (mode_ == Mode::Rest) {
+        programScale_ = pathScale_ = wanted;
+        programRate_ = 0;
+        return;
+    }
+    const double rate = std::min(kFastestRamp, kRampAcceleration / std::max(programRate_, 1e-3));
+    programScale_ = std::clamp(wanted, programScale_ - rate * period_, programScale_ + rate * period_);
+}
+
+// Finds a pace for this step at which every joint stays within speed and acceleration.
+bool MotionGenerator::chooseStep(double target, double& scale, PathCandidate& candidate) {
+    const double possible = limits_.acceleration * period_;
+    double next = target;
+    for (int attempt = 0; attempt < 4; ++attempt) {
+        const double dtProgram = 0.5 * (pathScale_ + next) * period_;
+        path_.evaluate(period_, dtProgram, candidate);
+        if (!candidate.reached) {
+            return false;
+        }
+        double low = 0;
+        double high = target;
+        for (int j = 0; j < kJointCount; ++j) {
+            const double rate = candidate.rateProgram[j];
+            const double rest = candidate.rateReal[j];
+            if (std::abs(rate) < 1e-12) {
+                continue;
+            }
+            const double top = std::min(state_.qd[j] + possible, limits_.speed[j]) - rest;
+            const double bottom = std::max(state_.qd[j] - possible, -limits_.speed[j]) - rest;
+            low = std::max(low, (rate > 0 ? bottom : top) / rate);
+            high = std::min(high, (rate > 0 ? top : bottom) / rate);
+        }
+        const double better = std::clamp(next, std::min(low, high), std::max(low, high));
+        if (std::abs(better - next) < 1e-6) {
+            break;
+        }
+        next = better;
+    }
+    scale = next;
+    const Vector6 qd = candidate.rateProgram * scale + candidate.rateReal;
+    const double slack = 1 + kAccelerationTolerance;
+    for (int j = 0; j < kJointCount; ++j) {
+        if (std::abs(qd[j] - state_.qd[j]) > possible * slack + 1e-9 ||
+            std::abs(qd[j]) > limits_.speed[j] * slack + 1e-9 ||
+            std::abs(candidate.q[j]) > limits_.position + 1e-6) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void MotionGenerator::pathFailed(StopReason reason, int joint) {
+    if (path_.current().kind == Segment::Kind::Stop) {
+        // A stop along the tool direction that cannot be followed becomes one in joint space.
+        const MotionId id = activeId_;
+        startStop(kEmergencyDeceleration, id);
+        return;
+    }
+    raise(reason, joint);
+}
+
+void MotionGenerator::stepPath() {
+    const bool realTime = path_.current().realTime;
+    path_.prepare(programScale_ * period_);
+    double scale = pathScale_;
+    const double target = std::min(programScale_, pathScale_ + 0.5 * kFastestRamp * period_);
+    if (!chooseStep(target, scale, candidate_)) {
+        const bool unreachable = !candidate_.reached;
+        pathFailed(unreachable ? StopReason::Singularity : StopReason::JointSpeedLimit, -1);
+        if (mode_ == Mode::Path) {
+            path_.evaluate(period_, 0, candidate_);
+            path_.commit(period_, 0, candidate_);
+            state_.q = candidate_.q;
+            state_.qd = candidate_.rateReal;
+        }
+        return;
+    }
+    const double dtProgram = 0.5 * (pathScale_ + scale) * period_;
+    path_.commit(period_, dtProgram, candidate_);
+    state_.q = candidate_.q;
+    state_.qd = candidate_.rateProgram * scale + candidate_.rateReal;
+    pathScale_ = scale;
+    programRate_ = candidate_.rateProgram.cwiseAbs().maxCoeff();
+    scaling_ = realTime ? 1 : std::clamp(scale / std::max(slider_, 1e-3), 0.0, 1.0);
+
+    if (goalId_ != 0 && !path_.nextWaiting()) {
+        activeId_ = goalId_;
+        goalId_ = 0;
+    }
+    if (path_.currentReturned(std::max(programScale_, pathScale_))) {
+        finish(activeId_, MotionProgress::Returned);
+    }
+    if (path_.finished() || (realTime && path_.current().finished())) {
+        const std::optional<StopReason> fault = path_.current().endFault;
+        const int joint = path_.current().endFaultJoint;
+        state_.qd.setZero();
+        path_.drop();
+        mode_ = Mode::Rest;
+        if (fault) {
+            raise(*fault, joint);
+            return;
+        }
+        finish(activeId_, MotionProgress::Returned);
+        activeId_ = 0;
+    }
+}
+
+void MotionGenerator::stepVelocity() {
+    if (!blocking_ && sinceReturned_ > Motion::kSpeedHold) {
+        velocity_.expire();
+    }
+    int joint = -1;
+    const std::optional<StopReason> stop = velocity_.step(programScale_, state_, joint);
+    scaling_ = velocity_.slowedBy() * std::clamp(programScale_ / std::max(slider_, 1e-3), 0.0, 1.0);
+    programRate_ = state_.qd.cwiseAbs().maxCoeff() / std::max(programScale_, 1e-2);
+    if (stop) {
+        raise(*stop, joint);
+        return;
+    }
+    if (blocking_) {
+        blockingLeft_ -= period_ * programScale_;
+        const bool servoC = velocity_.kind() == VelocityMotion::Kind::ServoC;
+        const bool over = servoC              ? velocity_.targetReached()
+                          : blocksUntilSpeed_ ? velocity_.speedReached()
+                                              : blockingLeft_ <= 1e-9;
+        if (over) {
+            blocking_ = false;
+            sinceReturned_ = 0;
+            finish(activeId_, MotionProgress::Returned);
+        }
+        return;
+    }
+    sinceReturned_ += period_;
+    if (sinceReturned_ > Motion::kSpeedHold && !held_ && velocity_.settled(state_)) {
+        velocity_.drop();
+        state_.qd.setZero();
+        mode_ = Mode::Rest;
+        activeId_ = 0;
+    }
+}
+
+void MotionGenerator::stepTorque() {
+    if (torque_ == nullptr || !torque_->step(period_, state_, limits_)) {
+        startStop(10, 0);
+    }
+    if (blocking_) {
+        blocking_ = false;
+        sinceReturned_ = 0;
+        finish(activeId_, MotionProgress::Returned);
+        return;
+    }
+    // Not repeated within a period: back to position control.
+    startStop(10, 0);
+}
+
+}  // namespace tiller::simulator::arm

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Runs planned moves: one after the other, blended into each other, or set in while the arm still runs out
+// from something else. All three are the sum of two motions: what is left of the old one (which by itself
+// would come to rest at the corner) and the new one (which by itself would start there). Position and velocity
+// are continuous by construction, and the sum stays inside the blend zone.
+
+#include "robot/simulator/arm/path_segment.h"
+
+namespace tiller::simulator::arm {
+
+/// Where the arm would be after a step, before that step is taken.
+struct PathCandidate {
+    Vector6 q = Vector6::Zero();
+    Vector6 rateProgram = Vector6::Zero();  ///< dq by program time
+    Vector6 rateReal = Vector6::Zero();     ///< dq by real time: what runs out regardless of program time
+    bool reached = true;                    ///< false: the tool path cannot be followed here
+    Vector6 currentQ = Vector6::Zero();     ///< of the two summands, each by itself
+    Vector6 tailQ = Vector6::Zero();
+};
+
+class PathMotion {
+public:
+    PathMotion(const ArmGeometry& geometry, double period) : geometry_(geometry), period_(period) {}
+
+    bool active() const { return active_; }
+    void drop() { active_ = tailActive_ = nextWaiting_ = false; }
+
+    /// Starts from rest. With `runOut` the arm is still moving: it comes to rest along it, where `segment`
+    /// starts.
+    void start(const Segment& segment);
+    void start(const Segment& segment, const Segment& runOut);
+
+    /// A move can be blended to the one that runs.
+    bool acceptsNext() const;
+    bool nextWaiting() const { return nextWaiting_; }
+    /// `segment` starts where the running one ends. `switchTime`: time of the running one at which it sets in.
+    void setNext(const Segment& segment, double switchTime);
+
+    /// The step from now on by `dt` [s] of real and `dtProgram` of program time.
+    void evaluate(double dt, double dtProgram, PathCandidate& candidate);
+    /// Takes that step.
+    void commit(double dt, double dtProgram, const PathCandidate& candidate);
+
+    const Segment& current() const { return current_; }
+    const Segment& goal() const { return nextWaiting_ ? next_ : current_; }
+    /// The command that ordered `current` may go on: its blend zone begins within the coming period or two.
+    bool currentReturned(double timeScale) const;
+    bool finished() const;
+
+    /// To be called before a step: lets the next move set in when its time has come.
+    void prepare(double dtProgramMax);
+
+private:
+    bool evaluateSegment(const Segment& segment, double time, Vector6& q, Vector6& rate);
+    bool evaluateToolSum(double tailTime, double time, PathCandidate& candidate);
+
+    const ArmGeometry& geometry_;
+    double period_;
+    Segment current_;
+    Segment tail_;
+    Segment next_;
+    bool active_ = false;
+    bool tailActive_ = false;
+    bool tailIsRunOut_ = false;
+    bool nextWaiting_ = false;
+    double switchTime_ = 0;
+    Vector6 q_ = Vector6::Zero();
+    Posture posture_;
+};
+
+}  // namespace tiller::simulator::arm

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// One move, planned: where it goes, how fast, and where a blend into the next may begin.
+
+#include <array>
+#include <optional>
+
+#include "robot/core/joints.h"
+#include "robot/simulator/arm/arm_geometry.h"
+#include "robot/simulator/arm/joint_limits.h"
+#include "robot/simulator/arm/motion_types.h"
+#include "robot/simulator/arm/speed_profile.h"
+#include "robot/simulator/arm/tool_path.h"
+
+namespace tiller::simulator::arm {
+
+struct Segment {
+    enum class Kind : std::uint8_t { Joint, Linear, Process, Circular, Stop };
+
+    MotionId id = 0;
+    Kind kind = Kind::Joint;
+    bool inToolSpace = false;
+    bool realTime = false;  ///< not slowed by the speed slider, not frozen by a pause
+    double r = 0;           ///< blend radius asked for [m]; 0 ends at rest
+
+    Vector6 from = Vector6::Zero();       ///< joint space: q = from + direction * s
+    Vector6 direction = Vector6::Zero();  ///< largest component 1: s is the angle of the leading axis
+    ToolPath path;                        ///< tool space
+    SpeedProfile profile;
+
+    Vector6 endQ = Vector6::Zero();
+    ToolPoint endPoint;
+    std::optional<StopReason> endFault;  ///< the path cannot be followed further than this
+    int endFaultJoint = -1;
+
+    double time = 0;              ///< how far it has gone [s of its own time]
+    Vector6 q = Vector6::Zero();  ///< joints at `time`
+
+    bool finished() const { return time >= profile.duration() - 1e-12; }
+    double zoneLength() const { return profile.length() - profile.sample(profile.zoneTime()).s; }
+};
+
+/// Puts a speed profile on a segment's geometry such that the joints stay within their limits. A tool path is
+/// sampled first: where the joints would have to turn too fast it is slowed, and where it cannot be followed
+/// at all it ends, with `endFault` saying why.
+class PathPlanner {
+public:
+    PathPlanner(const ArmGeometry& geometry, const JointLimits& limits) : geometry_(geometry), limits_(limits) {}
+
+    struct Request {
+        double a = 1;
+        double v = 1;
+        double t = 0;
+        double startSpeed = 0;
+        double blendInTime = 0;
+        double blendInRadius = 0;  ///< [m] TCP distance covered while blending in
+    };
+
+    /// `segment` has kind, r and geometry; endQ of a tool path is found here.
+    void plan(Segment& segment, const Vector6& startQ, const Request& request);
+
+    /// Path parameter at which the TCP is `radius` from the path's end (or its start), at most half the path.
+    double lengthWithin(const Segment& segment, double radius, bool fromEnd) const;
+
+    ToolPoint pointAt(const Segment& segment, double s) const;
+
+private:
+    static constexpr int kMaxSamples = SpeedProfile::kMaxPhases - 20;
+
+    int sampleToolPath(Segment& segment, const Vector6& startQ);
+    void limitSpeeds(Segment& segment, int count, double a);
+    ProfileRequest profileRequest(const Segment& segment, const Request& request) const;
+
+    const ArmGeometry& geometry_;
+    const JointLimits& limits_;
+    std::array<double, kMaxSamples> s_{};
+    std::array<double, kMaxSamples> v_{};
+    std::array<double, kMaxSamples> a_{};
+    std::array<Vector6, kMaxSamples> q_{};
+    Posture posture_;
+};
+
+}  // namespace tiller::simulator::arm

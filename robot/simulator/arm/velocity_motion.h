@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Motion that has a speed or a moving target instead of a path: speedj, speedl, servoj, servoc. Every step is
+// cut to what the joints may do; near the end of a joint's range and near a singular position the speed goes
+// down the nearer it gets, and motion that leads away is not slowed.
+
+#include <optional>
+
+#include "robot/simulator/arm/arm_geometry.h"
+#include "robot/simulator/arm/joint_limits.h"
+#include "robot/simulator/arm/motion_types.h"
+#include "robot/simulator/arm/tool_path.h"
+
+namespace tiller::simulator::arm {
+
+/// Joint state of the generator: what was asked of the drives last.
+struct JointTarget {
+    Vector6 q = Vector6::Zero();
+    Vector6 qd = Vector6::Zero();
+};
+
+class VelocityMotion {
+public:
+    enum class Kind : std::uint8_t { SpeedJ, SpeedL, ServoJ, ServoC };
+
+    VelocityMotion(const ArmGeometry& geometry, const JointLimits& limits, double period)
+        : geometry_(geometry), limits_(limits), period_(period) {}
+
+    // Each begins from, or goes on with, the velocity in `now`; `timeScale` is the ratio program to real time.
+    void speedJ(const JointTarget& now, double timeScale, const Vector6& qd, double a);
+    void speedL(const JointTarget& now, double timeScale, const Vector6& twist, double a, double aRot);
+    void servoJ(const JointTarget& now, double timeScale, const Vector6& q, double t, double lookahead,
+                double gain);
+    void servoC(const JointTarget& now, double timeScale, const ToolPoint& target, double a, double v, double r);
+
+    /// No further command came: speed commands brake to rest; servo targets are kept, without their velocity.
+    void expire();
+    /// Ends; the next command begins anew from the velocity the arm then has.
+    void drop() { running_ = false; }
+    bool running() const { return running_; }
+    Kind kind() const { return kind_; }
+
+    /// One step. Returns why the arm must stop, if it must; `joint` is then the joint concerned.
+    std::optional<StopReason> step(double timeScale, JointTarget& state, int& joint);
+
+    bool speedReached() const { return speedReached_; }
+    bool targetReached() const { return targetReached_; }  ///< servoC: within its radius
+    /// Factor by which limits slowed the last step, 0..1.
+    double slowedBy() const { return slowedBy_; }
+    const ToolPoint& servoTarget() const { return servoCTarget_; }
+
+private:
+    void begin(Kind kind, const JointTarget& now, double timeScale);
+    std::optional<StopReason> stepSpeedJ(double timeScale, JointTarget& state, int& joint);
+    std::optional<StopReason> stepCartesian(double timeScale, JointTarget& state, int& joint);
+    std::optional<StopReason> stepServoJ(double timeScale, JointTarget& state, int& joint);
+    void pursue();
+    double rangeFactor(const Vector6& q, const Vector6& qd, int& joint) const;
+    double speedFactor(const Vector6& qd) const;
+    bool cutToAcceleration(const Vector6& from, Vector6& to) const;
+
+    const ArmGeometry& geometry_;
+    const JointLimits& limits_;
+    double period_;
+    Kind kind_ = Kind::SpeedJ;
+    bool running_ = false;
+    bool speedReached_ = false;
+    bool targetReached_ = false;
+    double slowedBy_ = 1;
+
+    Vector6 velocity_ = Vector6::Zero();        // in program time: joint rates or twist
+    Vector6 targetVelocity_ = Vector6::Zero();  // same
+    double a_ = 1;
+    double aRot_ = 1;
+    ToolPoint tool_;  // where the TCP shall be; integrated, so that a rotation does not drift
+
+    Vector6 servoQ_ = Vector6::Zero();
+    Vector6 servoRate_ = Vector6::Zero();      // of the target, from one command to the next
+    Vector6 servoFiltered_ = Vector6::Zero();  // the same, smoothed
+    double servoPeriod_ = 0;
+    double lookahead_ = 0.1;
+    double gain_ = 300;
+
+    ToolPoint servoCTarget_;
+    double servoCSpeed_ = 0.25;
+    double servoCRadius_ = 0;
+    Posture posture_;
+};
+
+}  // namespace tiller::simulator::arm

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The robot behind the sockets: arm, power, safety, terminals, registers and programs, stepped one control
+// period at a time. It knows no clients; what it has to say to them it leaves in outbox(), and what it is
+// asked to do arrives through its methods. The order within a period is that of a controller: safety, power,
+// watchdogs, script frame, arm.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "robot/simulator/arm/arm.h"
+#include "robot/simulator/controller.h"
+#include "robot/simulator/pins.h"
+#include "robot/simulator/popups.h"
+#include "robot/simulator/power_system.h"
+#include "robot/simulator/registers.h"
+#include "robot/simulator/safety_system.h"
+#include "robot/simulator/servers/primary_messages.h"
+#include "robot/simulator/telemetry.h"
+#include "robot/simulator/watchdogs.h"
+
+namespace tiller::simulator {
+
+class ProgramRunner;
+class ScriptHost;
+
+/// Threads  the simulator's.
+class Plant {
+public:
+    explicit Plant(const ControllerOptions& options);
+    ~Plant();
+    Plant(const Plant&) = delete;
+    Plant& operator=(const Plant&) = delete;
+
+    /// One control period.
+    void step();
+
+    const ControllerOptions& options() const { return options_; }
+    double stepTime() const { return arm_.period(); }
+    std::uint64_t tick() const { return tick_; }
+    double timestamp() const;
+    std::uint64_t timestampNs() const { return static_cast<std::uint64_t>(timestamp() * 1e9); }
+    /// As of the last step; refers to this object.
+    const Telemetry& telemetry() const { return telemetry_; }
+
+    arm::Arm& arm() { return arm_; }
+    const arm::Arm& arm() const { return arm_; }
+    Registers& registers() { return registers_; }
+    const Registers& registers() const { return registers_; }
+    Pins& pins() { return pins_; }
+    const Pins& pins() const { return pins_; }
+    SafetySystem& safety() { return safety_; }
+    const SafetySystem& safety() const { return safety_; }
+    PowerSystem& power() { return power_; }
+    const PowerSystem& power() const { return power_; }
+    ProgramRunner& programs() { return *programs_; }
+    const ProgramRunner& programs() const { return *programs_; }
+    Watchdogs& watchdogs() { return watchdogs_; }
+    Popups& popups() { return popups_; }
+
+    // Requests that touch more than one part.
+    void powerOn();
+    void releaseBrakes();
+    /// Clears violations and faults; the arm is off afterwards.
+    void restartSafety();
+    /// Stops at once, with the message that says why.
+    void protectiveStop(const primary::ErrorCode& cause);
+    /// fraction  held to 0..1; not a number is ignored
+    void setSpeedSlider(double fraction);
+    double speedSlider() const { return speedSlider_; }
+    void setFreedriveButton(bool pressed);
+    /// What an external sensor measures, from RTDE [N, Nm].
+    void setExternalForceTorque(const Wrench& wrench) { externalForce_ = wrench; }
+    void setExternalSensorInUse(bool inUse) { externalSensor_ = inUse; }
+    /// The pendant's switch; leaving Remote ends the script connections.
+    void setRemoteControl(bool remote) { remoteControl_ = remote; }
+    bool isRemoteControl() const { return remoteControl_; }
+    /// The controller goes off: nothing answers any more.
+    void shutDown() { shutDown_ = true; }
+    bool isShutDown() const { return shutDown_; }
+
+    /// A message for primary clients.
+    void publish(primary::Bytes message) { outbox_.push_back(std::move(message)); }
+    std::vector<primary::Bytes> takeOutbox();
+
+private:
+    void reactToSafety();
+    void stepPower();
+    void stepWatchdogs();
+    void reactToArm();
+    void refreshTelemetry();
+
+    ControllerOptions options_;
+    arm::Arm arm_;
+    Registers registers_;
+    Pins pins_;
+    SafetySystem safety_;
+    PowerSystem power_;
+    Watchdogs watchdogs_;
+    Popups popups_;
+    std::unique_ptr<ScriptHost> host_;
+    std::unique_ptr<ProgramRunner> programs_;
+    Telemetry telemetry_;
+    std::vector<primary::Bytes> outbox_;
+
+    std::uint64_t tick_ = 0;
+    double speedSlider_ = 1;
+    SafetyMode lastSafetyMode_ = SafetyMode::Normal;
+    double emergencyTime_ = 0;  ///< [s] since an emergency stop began, while the arm still has power
+    bool freedriveButton_ = false;
+    bool externalSensor_ = false;
+    bool pausedBySafeguard_ = false;
+    Wrench externalForce_;
+    bool remoteControl_ = true;
+    bool shutDown_ = false;
+};
+
+}  // namespace tiller::simulator

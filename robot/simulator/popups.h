@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Popups standing on the pendant.
+
+#include <algorithm>
+#include <vector>
+
+namespace tiller::simulator {
+
+class Popups {
+public:
+    /// Returns  an id, counting from 1
+    int open(bool blocking) {
+        shown_.push_back({++last_, blocking});
+        return last_;
+    }
+    bool isOpen(int id) const {
+        return std::any_of(shown_.begin(), shown_.end(), [id](const Shown& p) { return p.id == id; });
+    }
+    void close(int id) {
+        std::erase_if(shown_, [id](const Shown& p) { return p.id == id; });
+    }
+    /// The newest goes, as when a person presses its button. False when there was none.
+    bool closeNewest() {
+        if (shown_.empty()) {
+            return false;
+        }
+        shown_.pop_back();
+        return true;
+    }
+    bool any() const { return !shown_.empty(); }
+
+private:
+    struct Shown {
+        int id;
+        bool blocking;
+    };
+    std::vector<Shown> shown_;
+    int last_ = 0;
+};
+
+}  // namespace tiller::simulator

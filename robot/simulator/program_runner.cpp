@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include "robot/simulator/program_runner.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "robot/simulator/plant.h"
+#include "robot/simulator/script_host.h"
+
+namespace tiller::simulator {
+
+using urscript::Interpreter;
+using urscript::Program;
+using urscript::ProgramKind;
+
+ProgramRunner::ProgramRunner(Plant& plant, ScriptHost& host) : plant_(plant), host_(host) {}
+
+ProgramRunner::~ProgramRunner() {
+    runningSecondary_ = true;  // secondaries end without touching the arm
+    secondaries_.clear();
+    runningSecondary_ = false;
+    main_.reset();
+}
+
+void ProgramRunner::submit(const Unit& unit) {
+    if (unit.kind == Unit::Kind::Command) {
+        runCommand(unit.text);
+    } else {
+        enqueue(unit.text);
+    }
+}
+
+bool ProgramRunner::submitText(std::string_view text) {
+    return enqueue(text);
+}
+
+bool ProgramRunner::enqueue(std::string_view text) {
+    urscript::CompileOptions options;
+    options.version = plant_.options().software;
+    urscript::CompileOutcome outcome = urscript::compile(text, options);
+    if (!outcome) {
+        plant_.publish(primary::runtimeException(plant_.timestampNs(), outcome.error.line,
+                                                 outcome.error.column, outcome.error.text));
+        return false;
+    }
+    requests_.push_back({std::move(outcome.program)});
+    return true;
+}
+
+void ProgramRunner::runCommand(std::string_view words) {
+    if (words == "power on") {
+        plant_.powerOn();
+    } else if (words == "power off") {
+        plant_.power().powerOff();
+    } else if (words == "set robotmode run") {
+        plant_.releaseBrakes();
+    } else if (words == "set unlock protective stop") {
+        plant_.safety().unlockProtectiveStop(false);
+    } else if (words == "stop program") {
+        requestStop();
+    } else if (words == "pause program") {
+        pause();
+    } else if (words == "run program") {
+        resume();
+    } else if (words == "set robotmode freedrive") {
+        plant_.setFreedriveButton(true);
+    }
+    // "set sim", "set real" and whatever else: understood, nothing to do.
+}
+
+void ProgramRunner::requestStop() {
+    requests_.push_back({nullptr});
+}
+
+void ProgramRunner::takeRequests() {
+    while (!requests_.empty()) {
+        const std::shared_ptr<const Program> program = std::move(requests_.front().program);
+        requests_.pop_front();
+        if (!program) {
+            beginStopping();
+        } else if (program->kind() == ProgramKind::Secondary ||
+                   (program->isRaw() && !program->commandsMotion() && main_)) {
+            startSecondary(program);
+        } else {
+            startMain(program);
+        }
+    }
+}
+
+void ProgramRunner::startMain(std::shared_ptr<const Program> program) {
+    stopNow();
+    const SafetyMode safety = plant_.safety().mode();
+    if (!allowsMotion(safety)) {
+        plant_.publish(primary::runtimeException(
+            plant_.timestampNs(), 0, 0,
+            "program " + program->name() + " not started: " + safetyModeName(safety).toStdString()));
+        return;
+    }
+    name_ = program->name();
+    urscript::Limits limits;
+    limits.randomSeed = plant_.options().seed;
+    main_ = std::make_unique<Interpreter>(std::move(program), host_, limits);
+    ended_ = false;
+    state_ = RuntimeState::Playing;
+    plant_.publish(primary::key(plant_.timestampNs(), primary::kProgramStarted, name_));
+}
+
+void ProgramRunner::startSecondary(std::shared_ptr<const Program> program) {
+    constexpr std::size_t kMostSecondaries = 32;
+    if (secondaries_.size() < kMostSecondaries) {
+        secondaries_.push_back(std::make_unique<Interpreter>(std::move(program), host_));
+    }
+}
+
+void ProgramRunner::step() {
+    takeRequests();
+    stepMain();
+    stepSecondaries();
+}
+
+void ProgramRunner::stepMain() {
+    const arm::ArmState& arm = plant_.arm().state();
+    switch (state_) {
+        case RuntimeState::Stopped:
+        case RuntimeState::Paused:
+            return;
+        case RuntimeState::Stopping:
+            stopping_ += plant_.stepTime();
+            if (stopping_ >= kStopTime && arm.isStandstill()) {
+                finishStopping();
+            }
+            return;
+        case RuntimeState::Pausing:
+            if (ended_) {
+                break;
+            }
+            if (arm.isStandstill()) {
+                state_ = RuntimeState::Paused;
+            }
+            return;
+        case RuntimeState::Resuming:
+            if (arm.speedScaling > 0.99) {
+                state_ = RuntimeState::Playing;
+            }
+            break;
+        case RuntimeState::Playing:
+            break;
+    }
+    if (ended_) {
+        main_.reset();
+        if (arm.isStandstill()) {
+            finishStopping();
+        } else {
+            state_ = RuntimeState::Stopping;
+            stopping_ = 0;
+        }
+        return;
+    }
+    main_->runFrame();
+    if (main_->ended()) {
+        reportFailure(*main_);
+        ended_ = true;  // the period in which it ran still counts as playing
+    }
+}
+
+void ProgramRunner::stepSecondaries() {
+    runningSecondary_ = true;
+    for (auto& secondary : secondaries_) {
+        secondary->runFrame();
+        if (secondary->ended()) {
+            reportFailure(*secondary);
+            secondary.reset();
+        }
+    }
+    std::erase(secondaries_, nullptr);
+    runningSecondary_ = false;
+}
+
+void ProgramRunner::reportFailure(const Interpreter& interpreter) {
+    if (const auto& error = interpreter.error()) {
+        plant_.publish(
+            primary::runtimeException(plant_.timestampNs(), error->line, error->column, error->text));
+    }
+}
+
+void ProgramRunner::beginStopping() {
+    if (!main_ || state_ == RuntimeState::Stopping) {
+        return;
+    }
+    main_->stop();  // the host decelerates the arm
+    main_.reset();
+    state_ = RuntimeState::Stopping;
+    stopping_ = 0;
+}
+
+void ProgramRunner::stopNow() {
+    if (main_) {
+        main_->stop();
+    }
+    if (isActive()) {
+        finishStopping();
+    }
+}
+
+void ProgramRunner::finishStopping() {
+    main_.reset();
+    ended_ = false;
+    plant_.arm().resume();  // a paused program leaves the arm held
+    state_ = RuntimeState::Stopped;
+    plant_.publish(primary::key(plant_.timestampNs(), primary::kProgramStopped, name_));
+}
+
+void ProgramRunner::pause() {
+    if (main_ && (state_ == RuntimeState::Playing || state_ == RuntimeState::Resuming)) {
+        main_->pause();
+        plant_.arm().hold();
+        state_ = RuntimeState::Pausing;
+    }
+}
+
+void ProgramRunner::resume() {
+    if (main_ && (state_ == RuntimeState::Paused || state_ == RuntimeState::Pausing) &&
+        allowsMotion(plant_.safety().mode())) {
+        main_->resume();
+        plant_.arm().resume();
+        state_ = RuntimeState::Resuming;
+    }
+}
+
+std::uint32_t ProgramRunner::currentLine() const {
+    return main_ && !ended_ ? static_cast<std::uint32_t>(std::max(0, main_->currentLine())) : 0U;
+}
+
+}  // namespace tiller::simulator

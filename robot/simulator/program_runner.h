@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Which program runs: one main program at a time, secondary ones beside it, with the program states of a
+// controller around them. A new main program replaces the one that runs; a text that does not compile
+// replaces nothing. Source: client interface manual, dashboard guide.
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "robot/core/modes.h"
+#include "robot/simulator/urscript/interpreter.h"
+#include "robot/simulator/urscript/program.h"
+#include "robot/simulator/urscript/source_splitter.h"
+
+namespace tiller::simulator {
+
+class Plant;
+class ScriptHost;
+
+class ProgramRunner {
+public:
+    /// A stop takes at least this long, so that clients can see it under way [s].
+    static constexpr double kStopTime = 0.02;
+
+    ProgramRunner(Plant& plant, ScriptHost& host);
+    ~ProgramRunner();
+
+    /// Takes a unit from a script port: compiles it now, runs it from the next period on. What does not
+    /// compile is reported to primary clients.
+    void submit(const urscript::SourceSplitter::Unit& unit);
+    /// The same for a program file. False when it does not compile.
+    bool submitText(std::string_view text);
+
+    void requestStop();
+    /// Ends the main program within this call.
+    void stopNow();
+    void pause();
+    void resume();
+
+    RuntimeState state() const { return state_; }
+    /// Anything but stopped.
+    bool isActive() const { return state_ != RuntimeState::Stopped; }
+    bool isPaused() const { return state_ == RuntimeState::Paused; }
+    std::uint32_t currentLine() const;
+
+    void step();
+
+    /// From the host, while a frame runs: whose program ended.
+    bool isEndingMain() const { return !runningSecondary_; }
+
+private:
+    using Unit = urscript::SourceSplitter::Unit;
+    struct Request {
+        std::shared_ptr<const urscript::Program> program;  ///< null: stop
+    };
+
+    void runCommand(std::string_view words);
+    bool enqueue(std::string_view text);
+    void takeRequests();
+    void startMain(std::shared_ptr<const urscript::Program> program);
+    void startSecondary(std::shared_ptr<const urscript::Program> program);
+    void stepMain();
+    void stepSecondaries();
+    void beginStopping();
+    void finishStopping();
+    void reportFailure(const urscript::Interpreter& interpreter);
+
+    Plant& plant_;
+    ScriptHost& host_;
+    std::deque<Request> requests_;
+    std::unique_ptr<urscript::Interpreter> main_;
+    std::vector<std::unique_ptr<urscript::Interpreter>> secondaries_;
+    std::string name_;  ///< of the main program
+    RuntimeState state_ = RuntimeState::Stopped;
+    double stopping_ = 0;  ///< [s] in STOPPING
+    bool ended_ = false;   ///< the main body ended; told in the next period
+    bool runningSecondary_ = false;
+};
+
+}  // namespace tiller::simulator

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What scripts reach of the simulated robot: the interpreter's Host over the plant. One object serves the
+// main program and secondary ones; the implementation is spread over script_host_motion.cpp (moves, force,
+// freedrive), script_host_state.cpp (readings, kinematics, set-up) and script_host.cpp (registers, pins,
+// sockets, messages, program).
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "robot/simulator/arm/arm.h"
+#include "robot/simulator/script_sockets.h"
+#include "robot/simulator/urscript/host.h"
+
+namespace tiller::simulator {
+
+class Plant;
+
+class ScriptHost final : public urscript::Host {
+public:
+    explicit ScriptHost(Plant& plant);
+    ~ScriptHost() override;
+
+    /// Once a control period, before the scripts run.
+    void serviceSockets();
+
+    // MotionHost
+    Result<void> startMotion(urscript::ThreadId thread, const urscript::MotionCommand& command) override;
+    Result<bool> motionFinished(urscript::ThreadId thread) override;
+    void motionAbandoned(urscript::ThreadId thread) override;
+    Result<void> forceMode(const urscript::ForceMode& mode) override;
+    void endForceMode() override;
+    Result<void> setForceModeDamping(double damping) override;
+    double forceModeDamping() const override;
+    Result<void> setForceModeGainScaling(double scaling) override;
+    double forceModeGainScaling() const override;
+    Result<void> freedrive(const urscript::Freedrive& mode) override;
+    void endFreedrive() override;
+    int freedriveStatus() const override;
+    Result<void> setJointPositions(const JointPositions& q) override;
+
+    // StateHost
+    JointPositions jointPositions(urscript::Source source) const override;
+    JointVelocities jointVelocities(urscript::Source source) const override;
+    JointAccelerations jointAccelerations(urscript::Source source) const override;
+    Result<JointPositions> jointPositionsHistory(int steps) const override;
+    JointTorques externalJointTorques() const override;
+    Pose tcpPose(urscript::Source source) const override;
+    Twist tcpSpeed(urscript::Source source) const override;
+    Pose flangePose() const override;
+    Pose targetWaypoint() const override;
+    Wrench tcpForce() const override;
+    bool isSteady() const override;
+    int toolContact(const Eigen::Vector3d& direction) const override;
+    double jointTemperature(int joint) const override;
+    double controllerTemperature() const override;
+    double toolTemperature() const override;
+    double toolCurrent() const override;
+    Eigen::Vector3d toolAccelerometer() const override;
+    Result<FieldValue> rtdeValue(std::string_view field) const override;
+
+    // KinematicsHost
+    Pose forwardKinematics(const std::optional<JointPositions>& q,
+                           const std::optional<Pose>& tcp) const override;
+    std::optional<JointPositions> inverseKinematics(const InverseRequest& request) const override;
+    bool isWithinSafetyLimits(const urscript::MoveTarget& target) const override;
+    Result<Matrix6> jacobian(const std::optional<JointPositions>& q,
+                             const std::optional<Pose>& tcp) const override;
+    Result<Matrix6> massMatrix(const std::optional<JointPositions>& q, bool includeRotors) const override;
+    Result<JointTorques> coriolisTorques(const std::optional<JointPositions>& q,
+                                         const std::optional<JointVelocities>& qd) const override;
+
+    // SetupHost
+    Pose tcpOffset() const override;
+    Result<void> setTcpOffset(const Pose& flangeToTcp, std::string_view name) override;
+    urscript::Payload payload() const override;
+    Result<void> setPayload(const urscript::Payload& payload, double transition, bool zeroSensor) override;
+    Eigen::Vector3d gravity() const override;
+    Result<void> setGravity(const Eigen::Vector3d& gravity) override;
+    void zeroForceSensor() override;
+    Result<void> setExternalForceSensor(const urscript::ExternalForceSensor& sensor) override;
+
+    // RegisterHost
+    bool boolRegister(urscript::RegisterSide side, int address) const override;
+    std::int32_t intRegister(urscript::RegisterSide side, int address) const override;
+    double floatRegister(urscript::RegisterSide side, int address) const override;
+    void setBoolOutput(int address, bool value) override;
+    void setIntOutput(int address, std::int32_t value) override;
+    void setFloatOutput(int address, double value) override;
+    bool flag(int number) const override;
+    void setFlag(int number, bool value) override;
+
+    // IoHost
+    bool digitalInput(urscript::DigitalBank bank, int n) const override;
+    bool digitalOutput(urscript::DigitalBank bank, int n) const override;
+    void setDigitalOutput(urscript::DigitalBank bank, int n, bool value) override;
+    double analog(urscript::AnalogPort port, int n) const override;
+    void setAnalogOutput(int n, double level) override;
+    void setAnalogDomain(urscript::AnalogPort port, int n, int domain) override;
+    void setToolVoltage(int volts) override;
+    void setToolCommunication(const urscript::ToolCommunication& settings) override;
+
+    // SocketHost
+    bool openSocket(std::string_view name, std::string_view address, int port) override;
+    State socketState(std::string_view name) const override;
+    void closeSocket(std::string_view name) override;
+    bool sendSocket(std::string_view name, std::string_view bytes) override;
+    std::string_view receivedBytes(std::string_view name) const override;
+    void consumeBytes(std::string_view name, std::size_t count) override;
+
+    // MessageHost
+    void textMessage(std::string_view text) override;
+    void programLabel(int number, std::string_view text) override;
+    int showPopup(const urscript::Popup& popup) override;
+    bool popupOpen(int id) const override;
+
+    // ProgramHost
+    double stepTime() const override;
+    std::int64_t controllerTimeNs() const override;
+    std::int64_t systemTimeNs() const override;
+    Result<void> protectiveStop() override;
+    void powerDown() override;
+    Result<void> setWatchdog(std::string_view field, double minFrequency,
+                             urscript::WatchdogAction action) override;
+    void programEnded(urscript::ProgramKind kind) override;
+
+private:
+    const arm::ArmState& state() const;
+    const DhParameters& dh() const;
+    Result<void> accepted(urscript::ThreadId thread, const arm::MotionStart& start);
+
+    Plant& plant_;
+    std::map<urscript::ThreadId, arm::MotionId> motions_;  ///< unfinished, by thread; 0: done at once
+    ScriptSockets sockets_;
+};
+
+}  // namespace tiller::simulator

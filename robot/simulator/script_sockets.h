@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// TCP client sockets of a running program, by name.
+
+#include <QByteArray>
+#include <QTcpSocket>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "robot/simulator/urscript/host.h"
+
+namespace tiller::simulator {
+
+/// Threads  the simulator's, which processes events between control periods. Blocks: never.
+class ScriptSockets {
+public:
+    using State = urscript::SocketHost::State;
+
+    bool open(std::string_view name, std::string_view address, int port);
+    State state(std::string_view name) const;
+    void close(std::string_view name);
+    void closeAll() { sockets_.clear(); }
+    bool send(std::string_view name, std::string_view bytes);
+    std::string_view received(std::string_view name) const;
+    void consume(std::string_view name, std::size_t count);
+
+    /// Takes in what has arrived.
+    void service();
+
+private:
+    struct Connection {
+        std::unique_ptr<QTcpSocket> socket;
+        QByteArray received;
+    };
+    const Connection* find(std::string_view name) const;
+
+    std::map<std::string, Connection, std::less<>> sockets_;
+};
+
+}  // namespace tiller::simulator

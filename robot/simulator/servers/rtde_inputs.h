@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The inputs RTDE clients write: who owns which, what they hold, and what they do to the robot. A value stays
+// until its owner changes it; a mask selects what a package applies. Source: RTDE guide.
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "robot/core/version.h"
+#include "robot/rtde/codec.h"
+#include "robot/rtde/fields.h"
+
+namespace tiller::simulator {
+
+class Plant;
+
+/// One input recipe of one client.
+struct InputRecipe {
+    std::vector<std::size_t> fields;  ///< indices into rtde::inputFields()
+    rtde::ValueLayout layout;
+};
+
+/// Threads  the simulator's.
+class RtdeInputs {
+public:
+    using ClientId = std::uint64_t;
+
+    RtdeInputs(Plant& plant, const SoftwareVersion& software);
+
+    struct Claim {
+        std::vector<rtde::FieldAnswer> answers;
+        std::optional<InputRecipe> recipe;  ///< nothing when a name is unknown or owned by another client
+    };
+    /// Takes ownership of all names, or of none.
+    Claim claim(ClientId client, const std::vector<std::string>& names);
+    /// Frees what the client owned; the values stay.
+    void release(ClientId client);
+
+    /// Applies one data package. False, and nothing changed, when its length is not the recipe's.
+    bool apply(const InputRecipe& recipe, rtde::ByteView values);
+
+    /// Packages applied so far.
+    std::uint64_t packages() const { return packages_; }
+
+private:
+    void store(const rtde::Field& field, const double* value);
+    void applyMasks(const InputRecipe& recipe);
+
+    Plant& plant_;
+    SoftwareVersion software_;
+    std::vector<ClientId> owners_;  ///< by field; 0: nobody
+    std::vector<double> values_;    ///< scratch of apply()
+    std::uint64_t packages_ = 0;
+
+    // Values of the fields that act on the robot, as last written.
+    double sliderMask_ = 0, sliderFraction_ = 1;
+    struct DigitalGroup {
+        unsigned mask = 0, value = 0;
+    } standard_, configurable_, tool_;
+    unsigned analogMask_ = 0, analogType_ = 0;
+    double analog_[2] = {0, 0};
+};
+
+}  // namespace tiller::simulator

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The one table of builtin functions: signature with defaults, since when, what it does. Compiler, interpreter and
+// documentation read the same rows.
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "robot/core/version.h"
+#include "robot/simulator/urscript/host.h"
+#include "robot/simulator/urscript/interpreter.h"
+#include "robot/simulator/urscript/value.h"
+
+namespace tiller::simulator::urscript {
+
+/// A runtime exception on its way to the interpreter, which adds the position.
+struct Fault {
+    std::string text;
+};
+[[noreturn]] void fault(std::string text);
+
+struct Builtin;
+enum class Status { Done, Again };
+
+/// What all calls of a program share.
+struct CallContext {
+    Host& host;
+    const Limits& limits;
+    ProgramKind kind = ProgramKind::Main;
+    std::int64_t stepNs = 2'000'000;  ///< length of a frame
+    std::uint64_t random = 1;         ///< generator state
+    ThreadId motionOwner = -1;        ///< whose motion command is unfinished
+};
+
+inline constexpr const char* kTooMuchBehind = "Runtime is too much behind";
+
+/// One execution of a builtin. A builtin that cannot finish now returns Status::Again and is executed again, with the
+/// same arguments, once in every later frame until it returns Done.
+class Call {
+public:
+    Call(CallContext& context, const Builtin& builtin, ThreadId threadId, std::span<Value> arguments)
+        : host(context.host), thread(threadId), args(arguments), context_(context), builtin_(builtin) {}
+
+    Host& host;
+    const ThreadId thread;
+    const std::span<Value> args;  ///< one per parameter, Unset where absent
+    Value result = Value::none();
+
+    // kept over the executions of one call
+    bool first = true;       ///< first execution
+    std::int64_t state = 0;  ///< the builtin's own
+    std::int64_t waitedNs = 0;
+
+    // set by the builtin
+    std::int64_t consumedNs = 0;  ///< physical time taken from the thread's slice
+    bool endFrame = false;        ///< takes the rest of the slice
+    std::int64_t cost = 0;        ///< extra operations, for builtins that work on much data
+
+    const Limits& limits() const { return context_.limits; }
+    std::int64_t stepNs() const { return context_.stepNs; }
+    double random();
+
+    /// A motion builtin: starts the command when first executed, then waits for its end.
+    template <class MakeCommand>
+    Status motion(MakeCommand make) {
+        if (first) {
+            startMotion(make());
+            return Status::Again;
+        }
+        return motionUnfinished() ? Status::Again : Status::Done;
+    }
+
+    // ---- arguments, each with the error text of a wrong type
+    bool given(std::size_t i) const { return !args[i].isUnset(); }
+    double number(std::size_t i) const;
+    double finite(std::size_t i) const;      ///< number that is neither NaN nor infinite
+    std::int32_t integer(std::size_t i) const;  ///< int, or a float that is integral
+    int integerIn(std::size_t i, int low, int high) const;
+    bool boolean(std::size_t i) const;  ///< bool, or a number (0 is false)
+    const std::string& string(std::size_t i) const;
+    std::vector<double> numbers(std::size_t i) const;                  ///< list or pose
+    std::array<double, 6> six(std::size_t i) const;                    ///< 6-list or pose
+    Eigen::Vector3d three(std::size_t i) const;                        ///< list of three
+    JointPositions joints(std::size_t i) const;
+    Pose pose(std::size_t i) const;        ///< pose only
+    Pose poseOr6(std::size_t i) const;     ///< pose or 6-list
+    MoveTarget target(std::size_t i) const;  ///< pose, or joint list
+
+    [[noreturn]] void badArgument(std::size_t i, const char* expected) const;
+    void check(const Result<void>& outcome) const;  ///< an Error becomes a fault
+
+private:
+    void startMotion(const MotionCommand& command);
+    bool motionUnfinished() const { return context_.motionOwner == thread; }
+
+    CallContext& context_;
+    const Builtin& builtin_;
+};
+
+/// The fault text of a host's Error.
+[[noreturn]] void fault(const Error& error);
+
+using BuiltinFunction = Status (*)(Call&);
+
+struct BuiltinParameter {
+    std::string name;
+    bool required = true;
+    Value defaultValue;  ///< Unset when the default depends on the robot's state
+    std::string defaultText;
+};
+
+enum BuiltinFlags : unsigned {
+    kPlain = 0,
+    kMotion = 1,        ///< commands the arm
+    kAnyArguments = 2,  ///< parameters are not checked
+};
+
+/// First version with the function: 5.x and 10.x; {0, 0} = always, 99 = never.
+struct Since {
+    int minor5 = 0;
+    int minor10 = 0;
+};
+
+/// A row as written in the tables.
+struct BuiltinRow {
+    const char* signature;  ///< "movej(q, a=1.4, v=1.05, t=0, r=0)"; a `?` behind a name: optional, no fixed default
+    BuiltinFunction function;
+    unsigned flags = kPlain;
+    Since since = {};
+};
+
+struct Builtin {
+    std::string name;
+    std::string signature;
+    std::vector<BuiltinParameter> parameters;
+    BuiltinFunction function = nullptr;
+    unsigned flags = kPlain;
+    Since since;
+    bool availableIn(const SoftwareVersion& version) const;
+};
+
+/// All rows, sorted by name.
+const std::vector<Builtin>& builtins();
+/// Index into builtins(), or -1.
+int findBuiltin(std::string_view name);
+
+// The tables, one per file.
+std::span<const BuiltinRow> motionBuiltins();
+std::span<const BuiltinRow> forceBuiltins();
+std::span<const BuiltinRow> superpositionBuiltins();
+std::span<const BuiltinRow> stateBuiltins();
+std::span<const BuiltinRow> kinematicsBuiltins();
+std::span<const BuiltinRow> setupBuiltins();
+std::span<const BuiltinRow> programBuiltins();
+std::span<const BuiltinRow> stringBuiltins();
+std::span<const BuiltinRow> mathBuiltins();
+std::span<const BuiltinRow> listBuiltins();
+std::span<const BuiltinRow> poseBuiltins();
+std::span<const BuiltinRow> socketBuiltins();
+std::span<const BuiltinRow> registerBuiltins();
+std::span<const BuiltinRow> ioBuiltins();
+std::span<const BuiltinRow> absentBuiltins();
+
+}  // namespace tiller::simulator::urscript

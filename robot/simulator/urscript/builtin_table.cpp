@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// Reads the signatures of all tables into rows that can be searched.
+
+#include <algorithm>
+#include <charconv>
+
+#include "robot/simulator/urscript/builtin.h"
+
+namespace tiller::simulator::urscript {
+
+namespace {
+
+std::string_view trimmed(std::string_view s) {
+    while (!s.empty() && s.front() == ' ') {
+        s.remove_prefix(1);
+    }
+    while (!s.empty() && s.back() == ' ') {
+        s.remove_suffix(1);
+    }
+    return s;
+}
+
+// The literal of a default: number, bool, string, or a list of numbers.
+Value literal(std::string_view text) {
+    if (text == "True" || text == "False") {
+        return text == "True";
+    }
+    if (text.front() == '"') {
+        return Value(std::string(text.substr(1, text.size() - 2)));
+    }
+    double number = 0;
+    std::from_chars(text.data(), text.data() + text.size(), number);
+    if (text.find_first_of(".e") == std::string_view::npos) {
+        return static_cast<std::int32_t>(number);
+    }
+    return number;
+}
+
+Builtin parseRow(const BuiltinRow& row) {
+    const std::string_view text = row.signature;
+    const std::size_t open = text.find('(');
+    Builtin b;
+    b.name = std::string(text.substr(0, open));
+    b.signature = row.signature;
+    b.function = row.function;
+    b.flags = row.flags;
+    b.since = row.since;
+    std::string_view rest = text.substr(open + 1, text.rfind(')') - open - 1);
+    while (!trimmed(rest).empty() && (row.flags & kAnyArguments) == 0) {
+        const std::size_t comma = std::min(rest.find(','), rest.size());
+        std::string_view item = trimmed(rest.substr(0, comma));
+        rest = rest.substr(std::min(comma + 1, rest.size()));
+        BuiltinParameter parameter;
+        const std::size_t equals = item.find('=');
+        if (equals != std::string_view::npos) {
+            parameter.required = false;
+            parameter.defaultText = std::string(trimmed(item.substr(equals + 1)));
+            parameter.defaultValue = literal(parameter.defaultText);
+            item = trimmed(item.substr(0, equals));
+        } else if (item.back() == '?') {
+            parameter.required = false;
+            item.remove_suffix(1);
+        }
+        parameter.name = std::string(item);
+        b.parameters.push_back(std::move(parameter));
+    }
+    return b;
+}
+
+std::vector<Builtin> allRows() {
+    std::vector<Builtin> out;
+    for (const auto table :
+         {motionBuiltins(), forceBuiltins(), superpositionBuiltins(), stateBuiltins(), kinematicsBuiltins(),
+          setupBuiltins(), programBuiltins(), stringBuiltins(), mathBuiltins(), listBuiltins(),
+          poseBuiltins(), socketBuiltins(), registerBuiltins(), ioBuiltins(), absentBuiltins()}) {
+        for (const BuiltinRow& row : table) {
+            out.push_back(parseRow(row));
+        }
+    }
+    std::sort(out.begin(), out.end(), [](const Builtin& a, const Builtin& b) { return a.name < b.name; });
+    return out;
+}
+
+}  // namespace
+
+bool Builtin::availableIn(const SoftwareVersion& version) const {
+    if (version.major >= 10) {
+        return static_cast<int>(version.minor) >= since.minor10;
+    }
+    // Series 3 has what was there from the beginning.
+    const int minor = version.major >= 5 ? static_cast<int>(version.minor) : 0;
+    return minor >= since.minor5;
+}
+
+const std::vector<Builtin>& builtins() {
+    static const std::vector<Builtin> rows = allRows();
+    return rows;
+}
+
+int findBuiltin(std::string_view name) {
+    const auto& rows = builtins();
+    const auto it = std::lower_bound(rows.begin(), rows.end(), name,
+                                     [](const Builtin& b, std::string_view n) { return b.name < n; });
+    return it != rows.end() && it->name == name ? static_cast<int>(it - rows.begin()) : -1;
+}
+
+}  // namespace tiller::simulator::urscript

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What a program is executed as: a stack machine's code, one sequence per function. Every variable is a slot number,
+// every callee an index; nothing is looked up by name while running.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "robot/simulator/urscript/ast.h"
+#include "robot/simulator/urscript/host.h"
+#include "robot/simulator/urscript/value.h"
+
+namespace tiller::simulator::urscript {
+
+enum class Op : std::uint8_t {
+    // values; b = index or immediate
+    PushConstant,
+    PushInt,
+    PushTrue,
+    PushFalse,
+    PushNone,
+    PushUnset,  // an argument not given
+    LoadLocal,
+    LoadGlobal,
+    StoreLocal,
+    StoreGlobal,
+    DeclareLocal,  // `local x = v`: forgets the old value and its type
+    StorePath,     // b = path; stack: indices..., value
+    Pop,
+    // operators
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Modulo,
+    Negate,
+    Plus,
+    Not,
+    Xor,
+    ToBool,
+    Equal,
+    NotEqual,
+    Less,
+    Greater,
+    LessEqual,
+    GreaterEqual,
+    // composites
+    MakePose,
+    MakeList,    // b = elements
+    MakeStruct,  // b = index into shapes
+    Index,       // one index
+    Index2,      // row, column
+    Member,      // b = constant (name)
+    // control; b = target
+    Jump,
+    JumpIfFalse,
+    JumpIfFalseKeep,  // leaves the bool for `and`, `or`; pops it when falling through
+    JumpIfTrueKeep,
+    JumpIfSet,  // a = local; skips the default value of a parameter that was given
+    // calls
+    Call,         // b = function, a = arguments
+    CallBuiltin,  // b = builtin, a = arguments
+    CallMethod,   // b = index into methods
+    Return,       // value on the stack
+    ReturnNone,
+    Throw,  // b = constant (text)
+    // threads
+    Run,  // b = function
+    Join,
+    Kill,
+    EnterCritical,
+    ExitCritical,
+    Halt,
+    Pause,
+    Label,  // a unused, b = index into labels
+};
+
+struct Instruction {
+    Op op;
+    std::uint16_t a = 0;
+    std::int32_t b = 0;
+};
+
+/// The place a nested assignment or a method call works on: a variable and the way down from it.
+struct Path {
+    enum class Step : std::uint8_t { Index, Index2, Member };
+    bool global = false;
+    int slot = 0;
+    std::vector<std::pair<Step, std::string>> steps;
+    int indexValues = 0;  ///< values on the stack for the steps
+};
+
+enum class Method : std::uint8_t { Unknown, Append, Pop, Insert, Clear, Length, Capacity, ToString };
+
+struct MethodCall {
+    Method method = Method::Unknown;
+    std::string name;
+    int arguments = 0;
+    bool onPath = false;  ///< else the object is on the stack below the arguments
+    Path path;
+};
+
+struct FunctionCode {
+    std::string name;
+    ast::FunctionKind kind = ast::FunctionKind::Def;
+    int parameters = 0;
+    int locals = 0;  ///< parameters included
+    int stack = 0;   ///< most operands at a time
+    std::vector<Instruction> code;
+    std::vector<ast::Position> positions;  ///< parallel to code
+    std::vector<std::string> localNames;
+};
+
+struct Bytecode {
+    std::string name;
+    ProgramKind kind = ProgramKind::Main;
+    bool raw = false;
+    bool commandsMotion = false;
+    std::vector<FunctionCode> functions;  ///< [0] is the main body
+    std::vector<Value> constants;
+    std::vector<std::string> globals;
+    std::vector<Path> paths;
+    std::vector<MethodCall> methods;
+    std::vector<std::vector<std::string>> shapes;  ///< member names of struct literals
+    struct LabelText {
+        int number;
+        std::string text;
+    };
+    std::vector<LabelText> labels;
+};
+
+}  // namespace tiller::simulator::urscript

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Characters to tokens, with positions. Newlines are no tokens; each token only knows its line.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "robot/simulator/urscript/program.h"
+
+namespace tiller::simulator::urscript {
+
+enum class TokenKind : std::uint8_t {
+    End,  ///< of the text
+    Identifier,
+    Integer,
+    Float,
+    String,
+    Label,  ///< `$ 3 "name"`: integer = 3, text = name
+    // punctuation
+    LeftParen,
+    RightParen,
+    LeftBracket,
+    RightBracket,
+    Comma,
+    Colon,
+    Dot,
+    Assign,
+    Plus,
+    Minus,
+    Star,
+    Slash,
+    Percent,
+    Equal,
+    NotEqual,
+    Less,
+    Greater,
+    LessEqual,
+    GreaterEqual,
+    // keywords
+    KwDef,
+    KwSec,
+    KwThread,
+    KwEnd,
+    KwIf,
+    KwElif,
+    KwElse,
+    KwWhile,
+    KwBreak,
+    KwContinue,
+    KwReturn,
+    KwHalt,
+    KwPause,
+    KwRun,
+    KwJoin,
+    KwKill,
+    KwEnterCritical,
+    KwExitCritical,
+    KwGlobal,
+    KwLocal,
+    KwAnd,
+    KwOr,
+    KwXor,
+    KwNot,
+    KwTrue,
+    KwFalse,
+    KwNone,
+    KwStruct,
+};
+
+struct Token {
+    TokenKind kind = TokenKind::End;
+    int line = 1;
+    int column = 1;
+    std::int32_t integer = 0;
+    double number = 0;
+    std::string_view text;  ///< identifier or string content, inside the source
+};
+
+/// Keyword of that spelling, or Identifier.
+TokenKind keywordKind(std::string_view word);
+
+struct LexOutcome {
+    std::vector<Token> tokens;  ///< ends with one of kind End
+    std::optional<CompileError> error;
+};
+
+/// `source` must outlive the tokens.
+LexOutcome tokenize(std::string_view source);
+
+/// "syntax_error_on_line:<n>:<text of the line>:" at that place.
+CompileError syntaxError(std::string_view source, int line, int column);
+
+}  // namespace tiller::simulator::urscript

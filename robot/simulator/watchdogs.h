@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// rtde_set_watchdog(): the program that set one wants to be stopped when an input stops being refreshed.
+// Source: URScript manual.
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "robot/core/result.h"
+#include "robot/simulator/urscript/host.h"
+
+namespace tiller::simulator {
+
+class Watchdogs {
+public:
+    /// Errors  FieldUnknown; InvalidArgument when the frequency is not above zero
+    Result<void> set(std::string_view field, double minFrequency, urscript::WatchdogAction action);
+    void clear() { dogs_.clear(); }
+
+    /// A data package with this input (index into rtde::inputFields()) has come.
+    void touched(std::size_t input);
+
+    /// What is to be done now, if anything. A dog that has barked is gone.
+    std::optional<urscript::WatchdogAction> step(double dt);
+
+private:
+    struct Dog {
+        std::size_t input = 0;
+        double limit = 0;  ///< [s]
+        double age = 0;    ///< [s]
+        urscript::WatchdogAction action{};
+    };
+    std::vector<Dog> dogs_;
+};
+
+}  // namespace tiller::simulator
