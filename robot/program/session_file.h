@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What an operator keeps between two days: the waypoints and frames of a cell, in one JSON file
+// ("cell-7.tiller"). Lengths in metres, angles in radians, orientations as rotation vectors:
+//
+//   { "format": "tiller-session", "version": 1, "robot": "UR5e",
+//     "frames":    [ { "id", "name", "pose": [x, y, z, rx, ry, rz] } ],
+//     "waypoints": [ { "id", "name", "move": "J"|"L", "rules": "joints"|"pose", "frame": null|id,
+//                      "tcpOffset": [6], "joints": [6], "pose": [6],
+//                      "jointSpeed", "toolSpeed", "blend" } ] }
+//
+// A file is never half written, and one that cannot be read completely is never written over: saving on top
+// of it first puts it aside. Fields this version does not know are kept and saved again.
+
+#include <QByteArray>
+#include <QJsonObject>
+#include <QString>
+#include <QVector>
+#include <optional>
+
+#include "robot/core/result.h"
+#include "robot/core/robot_model.h"
+#include "robot/program/waypoint_list.h"
+
+namespace tiller::program {
+
+inline constexpr int kSessionFileVersion = 1;
+/// Larger files are not read: a session of a thousand waypoints takes half a megabyte.
+inline constexpr qint64 kMaxSessionFileBytes = 64LL * 1024 * 1024;
+
+struct SessionDocument {
+    std::optional<RobotModelId> robot;  ///< the arm it was taught with
+    FrameList frames;
+    WaypointList waypoints;
+    QJsonObject extra;  ///< fields of the file that this version does not know
+    friend bool operator==(const SessionDocument&, const SessionDocument&) = default;
+};
+
+/// One thing that is wrong with a file.
+struct FileProblem {
+    QString where;  ///< "line 12, column 3", "waypoints[3].joints[2]"
+    QString what;   ///< "is not a number"
+    QString toString() const { return where.isEmpty() ? what : where + QStringLiteral(": ") + what; }
+};
+
+/// What could be read of a damaged file, and what could not.
+struct RecoveredSession {
+    SessionDocument document;
+    QVector<FileProblem> problems;
+    int lostWaypoints = 0;  ///< entries that were left out
+    int lostFrames = 0;
+};
+
+/// Everything of the file, or the first thing that is wrong with it.
+/// Errors   FileNotReadable; FileCorrupt with place and reason; VersionUnsupported for a newer file
+/// Threads  any. Blocks: for the file system. Real-time: no
+Result<SessionDocument> loadSession(const QString& path);
+Result<SessionDocument> parseSession(const QByteArray& bytes);
+
+/// As much of the file as makes sense: every waypoint that is whole, also from a file cut off in the middle.
+/// Never touches the file.
+/// Errors   FileNotReadable; FileCorrupt when it is not a session at all; VersionUnsupported
+Result<RecoveredSession> recoverSession(const QString& path);
+Result<RecoveredSession> recoverFromBytes(const QByteArray& bytes);
+
+/// Where a file went that would have been lost, if there was one.
+struct SaveReport {
+    QString keptCopy;  ///< "cell-7.tiller.damaged-1"; empty if nothing had to be put aside
+};
+
+/// Writes a new file beside the old one and puts it in its place in one step: a crash, a full disk or a
+/// pulled plug leaves the old one as it was. Errors   InvalidArgument for values no file may hold (not
+/// finite, no name); FileNotWritable, DiskFull
+Result<SaveReport> saveSession(const QString& path, const SessionDocument& document);
+/// Errors   InvalidArgument
+Result<QByteArray> serializeSession(const SessionDocument& document);
+
+}  // namespace tiller::program

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A taught place of the arm and how to go there. It keeps both the joints and the pose it was taught with,
+// and says which of the two rules: joints for a place that must come back with the same arm posture, the pose
+// for one that belongs to a frame and moves with it.
+
+#include <QJsonObject>
+#include <QString>
+#include <QUuid>
+
+#include "robot/core/joints.h"
+#include "robot/core/spatial.h"
+
+namespace tiller::program {
+
+enum class MoveKind {
+    Joint,   ///< MoveJ: all joints start and stop together
+    Linear,  ///< MoveL: the TCP goes along a straight line
+};
+
+enum class Ruling {
+    Joints,  ///< `joints` is the target; `pose` is remembered
+    Pose,    ///< `pose` is the target; `joints` picks the arm posture
+};
+
+/// Default speeds and accelerations of a new waypoint. Source: the controller's own defaults.
+inline constexpr double kDefaultJointSpeed = 1.0471975511965976;         ///< [rad/s] 60 deg/s
+inline constexpr double kDefaultJointAcceleration = 1.3962634015954636;  ///< [rad/s2] 80 deg/s2
+inline constexpr double kDefaultToolSpeed = 0.25;                        ///< [m/s]
+inline constexpr double kDefaultToolAcceleration = 1.2;                  ///< [m/s2]
+
+struct Waypoint {
+    QUuid id;
+    QString name;
+    MoveKind move = MoveKind::Joint;
+    Ruling ruling = Ruling::Joints;
+    QUuid frame;     ///< of `pose`; null is the base frame
+    Pose tcpOffset;  ///< flange to TCP at the time of teaching [m, rad]
+    JointPositions joints;
+    Pose pose;                               ///< of the TCP, in `frame`
+    double jointSpeed = kDefaultJointSpeed;  ///< used by MoveJ [rad/s]
+    double toolSpeed = kDefaultToolSpeed;    ///< used by MoveL [m/s]
+    double blend = 0;                        ///< [m]; 0 stops in the point
+    QJsonObject extra;                       ///< fields of the file that this version does not know
+
+    /// Speed and acceleration of its kind of move: [rad/s, rad/s2] or [m/s, m/s2].
+    double speed() const { return move == MoveKind::Joint ? jointSpeed : toolSpeed; }
+    double acceleration() const {
+        return move == MoveKind::Joint ? kDefaultJointAcceleration : kDefaultToolAcceleration;
+    }
+    friend bool operator==(const Waypoint&, const Waypoint&) = default;
+};
+
+/// A taught coordinate system. Waypoints given in it move when it is taught anew.
+struct Frame {
+    QUuid id;
+    QString name;
+    Pose T_base_frame;
+    QJsonObject extra;
+    friend bool operator==(const Frame&, const Frame&) = default;
+};
+
+}  // namespace tiller::program

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The waypoints of a session in the operator's order, and the frames they are given in. Plain data: undo,
+// tables and files are built around it.
+
+#include <optional>
+#include <vector>
+
+#include "robot/program/waypoint.h"
+
+namespace tiller::program {
+
+class FrameList {
+public:
+    std::size_t size() const { return frames_.size(); }
+    bool isEmpty() const { return frames_.empty(); }
+    const Frame& at(std::size_t index) const { return frames_.at(index); }
+    auto begin() const { return frames_.begin(); }
+    auto end() const { return frames_.end(); }
+    void append(Frame frame) { frames_.push_back(std::move(frame)); }
+    void clear() { frames_.clear(); }
+
+    /// Null for the base frame and for an id that is not here.
+    const Frame* find(const QUuid& id) const;
+    const Frame* findByName(const QString& name) const;
+    /// T_base_frame; the identity for the base frame, nothing for an id that is not here.
+    std::optional<Pose> pose(const QUuid& id) const;
+    friend bool operator==(const FrameList&, const FrameList&) = default;
+
+private:
+    std::vector<Frame> frames_;
+};
+
+class WaypointList {
+public:
+    int size() const { return static_cast<int>(waypoints_.size()); }
+    bool isEmpty() const { return waypoints_.empty(); }
+    const Waypoint& at(int index) const { return waypoints_.at(static_cast<std::size_t>(index)); }
+    auto begin() const { return waypoints_.begin(); }
+    auto end() const { return waypoints_.end(); }
+
+    /// -1 when there is none.
+    int indexOf(const QUuid& id) const;
+    int indexOfName(const QString& name) const;
+
+    /// index  0 ... size(); the new one stands there afterwards
+    void insert(int index, Waypoint waypoint);
+    void append(Waypoint waypoint) { insert(size(), std::move(waypoint)); }
+    Waypoint take(int index);
+    void replace(int index, Waypoint waypoint);
+    /// Afterwards the waypoint that was at `from` is at `to`.
+    void move(int from, int to);
+    void clear() { waypoints_.clear(); }
+
+    /// `wanted` if nobody has that name, else with the next free number: "pick", "pick 2", "pick 3".
+    QString uniqueName(const QString& wanted) const;
+    /// "waypoint 1", "waypoint 2": the next free one. stem  the word in the operator's language
+    QString nextName(const QString& stem) const;
+    friend bool operator==(const WaypointList&, const WaypointList&) = default;
+
+private:
+    std::vector<Waypoint> waypoints_;
+};
+
+/// The waypoint's TCP pose in the base frame; nothing when its frame is not in the list.
+std::optional<Pose> poseInBase(const Waypoint& waypoint, const FrameList& frames);
+
+/// As taught: its pose is expressed in the frame, its joints kept.
+/// Returns  nothing when the frame is not in the list
+std::optional<Waypoint> taughtAt(Waypoint waypoint, const JointPositions& q, const Pose& T_base_tcp,
+                                 const Pose& tcpOffset, const FrameList& frames);
+
+/// How far apart two poses are: distance [m] and angle [rad].
+struct PoseDifference {
+    double distance = 0;
+    double angle = 0;
+};
+PoseDifference poseDifference(const Pose& a, const Pose& b);
+
+}  // namespace tiller::program

@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: MIT
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+#include <limits>
+
+#ifdef __linux__
+#include <sys/resource.h>
+
+#include <csignal>
+#endif
+
+#include "robot/program/session_file.h"
+
+using namespace tiller;
+using namespace tiller::program;
+
+namespace {
+
+SessionDocument sample(int waypoints = 3) {
+    SessionDocument document;
+    document.robot = RobotModelId::UR5e;
+    const QUuid tray = QUuid::createUuid();
+    document.frames.append({tray, QStringLiteral("Tray Ä"), Pose(0.5, 0.1, 0, 0, 0, 1.0 / 3), {}});
+    for (int i = 0; i < waypoints; ++i) {
+        Waypoint point;
+        point.id = QUuid::createUuid();
+        point.name = QStringLiteral("point \"%1\" } ] \\").arg(i);
+        point.move = i % 2 == 0 ? MoveKind::Linear : MoveKind::Joint;
+        point.ruling = i % 2 == 0 ? Ruling::Pose : Ruling::Joints;
+        point.frame = i % 2 == 0 ? tray : QUuid();
+        point.tcpOffset = Pose(0, 0, 0.1234567890123456789, 0, 0, 0);
+        point.joints = JointPositions(0.1, -1.1, 1.0 / 3, -1.7, 1.5, 0.3 + 0.001 * i);
+        point.pose = Pose(0.1, 0.2, 0.3, 1e-17, -2.2, 0.7);
+        point.jointSpeed = 0.7;
+        point.toolSpeed = 0.05;
+        point.blend = 0.005;
+        document.waypoints.append(point);
+    }
+    return document;
+}
+
+QByteArray bytesOf(const SessionDocument& document) {
+    const Result<QByteArray> bytes = serializeSession(document);
+    return bytes ? *bytes : QByteArray();
+}
+
+/// The sample with one field of its second waypoint replaced (or removed, by an undefined value).
+QByteArray withField(const QString& key, const QJsonValue& value) {
+    QJsonObject root = QJsonDocument::fromJson(bytesOf(sample())).object();
+    QJsonArray points = root["waypoints"].toArray();
+    QJsonObject point = points[1].toObject();
+    if (value.isUndefined()) {
+        point.remove(key);
+    } else {
+        point[key] = value;
+    }
+    points[1] = point;
+    root["waypoints"] = points;
+    return QJsonDocument(root).toJson();
+}
+
+QByteArray contentOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+void put(const QString& path, const QByteArray& bytes) {
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QCOMPARE(file.write(bytes), bytes.size());
+}
+
+}  // namespace
+
+class TestSessionFile : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() {
+        directory_ = std::make_unique<QTemporaryDir>();
+        QVERIFY(directory_->isValid());
+        path_ = directory_->filePath("cell-7.tiller");
+    }
+
+    void whatIsSavedComesBackDigitForDigit() {
+        const SessionDocument document = sample();
+        const Result<SaveReport> saved = saveSession(path_, document);
+        QVERIFY2(saved.ok(), qPrintable(saved.error().toString()));
+        QVERIFY(saved->keptCopy.isEmpty());
+        const Result<SessionDocument> loaded = loadSession(path_);
+        QVERIFY2(loaded.ok(), qPrintable(loaded.error().toString()));
+        QVERIFY(*loaded == document);
+    }
+
+    void emptySessionComesBack() {
+        QVERIFY(saveSession(path_, {}).ok());
+        const auto loaded = loadSession(path_);
+        QVERIFY(loaded.ok());
+        QVERIFY(loaded->waypoints.isEmpty());
+        QVERIFY(!loaded->robot.has_value());
+    }
+
+    void fileSaysWhatItIs() {
+        const QJsonObject root = QJsonDocument::fromJson(bytesOf(sample())).object();
+        QCOMPARE(root["format"].toString(), QString("tiller-session"));
+        QCOMPARE(root["version"].toInt(), 1);
+        QCOMPARE(root["robot"].toString(), QString("UR5e"));
+    }
+
+    void unknownFieldsSurviveASave() {
+        QJsonObject root = QJsonDocument::fromJson(bytesOf(sample(1))).object();
+        root["program"] = QJsonObject{{"steps", QJsonArray{1, 2, 3}}};
+        QJsonArray points = root["waypoints"].toArray();
+        QJsonObject point = points[0].toObject();
+        point["note"] = "mind the clamp";
+        points[0] = point;
+        root["waypoints"] = points;
+        put(path_, QJsonDocument(root).toJson());
+
+        Result<SessionDocument> loaded = loadSession(path_);
+        QVERIFY2(loaded.ok(), qPrintable(loaded.error().toString()));
+        QVERIFY(saveSession(path_, *loaded).ok());
+        QCOMPARE(QJsonDocument::fromJson(contentOf(path_)).object(), root);
+    }
+
+    void missingFileIsSaid() {
+        const auto loaded = loadSession(directory_->filePath("none.tiller"));
+        QVERIFY(loaded.error().code == ErrorCode::FileNotReadable);
+        QVERIFY(loaded.error().context.contains("none.tiller"));
+        QVERIFY(loadSession(directory_->path()).error().code == ErrorCode::FileNotReadable);
+    }
+
+    void newerFormatIsSaid() {
+        QJsonObject root = QJsonDocument::fromJson(bytesOf(sample())).object();
+        root["version"] = 7;
+        put(path_, QJsonDocument(root).toJson());
+        const auto loaded = loadSession(path_);
+        QVERIFY(loaded.error().code == ErrorCode::VersionUnsupported);
+        QVERIFY(loaded.error().context.contains("version 7"));
+        QVERIFY(recoverSession(path_).error().code == ErrorCode::VersionUnsupported);
+    }
+
+    void wrongFieldsAreNamed_data() {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::addColumn<QString>("where");
+        const auto six = [](double last) { return QJsonArray{0, 0, 0, 0, 0, last}; };
+        QTest::newRow("name missing")
+            << withField("name", QJsonValue::Undefined) << "waypoints[1].name: is missing";
+        QTest::newRow("name empty") << withField("name", "") << "waypoints[1].name: is empty";
+        QTest::newRow("name a number")
+            << withField("name", 3) << "waypoints[1].name: is a number, not a text";
+        QTest::newRow("no id") << withField("id", "42") << "waypoints[1].id: \"42\" is not an id";
+        QTest::newRow("move") << withField("move", "C") << "waypoints[1].move: \"C\" is neither";
+        QTest::newRow("rules") << withField("rules", true) << "waypoints[1].rules: is true or false";
+        QTest::newRow("five joints") << withField("joints", QJsonArray{1, 2, 3, 4, 5})
+                                     << "waypoints[1].joints: has 5 numbers, not 6";
+        QTest::newRow("joints text") << withField("joints", "home") << "waypoints[1].joints: is a text";
+        QTest::newRow("joint null") << withField("joints", QJsonArray{0, 0, QJsonValue(), 0, 0, 0})
+                                    << "waypoints[1].joints[2]: is null, not a number";
+        QTest::newRow("degrees") << withField("joints", six(88.24)) << "waypoints[1].joints[5]: is 88.24 rad";
+        QTest::newRow("millimetres") << withField("pose", QJsonArray{143.5, 0, 0, 0, 0, 0})
+                                     << "waypoints[1].pose[0]: is 143.5 m";
+        QTest::newRow("speed") << withField("toolSpeed", -1) << "waypoints[1].toolSpeed: is -1 m/s";
+        QTest::newRow("blend") << withField("blend", QJsonValue::Undefined)
+                               << "waypoints[1].blend: is missing";
+        QTest::newRow("frame") << withField("frame", QUuid::createUuid().toString())
+                               << "waypoints[1].frame: no frame";
+        QTest::newRow("frame missing")
+            << withField("frame", QJsonValue::Undefined) << "waypoints[1].frame: is missing";
+        const auto change = [](const char* key, const QJsonValue& value) {
+            QJsonObject root = QJsonDocument::fromJson(bytesOf(sample())).object();
+            root[QLatin1String(key)] = value;
+            return QJsonDocument(root).toJson();
+        };
+        QTest::newRow("format") << change("format", "other") << "is not a Tiller session";
+        QTest::newRow("version text") << change("version", "one") << "version: is not a whole number";
+        QTest::newRow("waypoints object") << change("waypoints", QJsonObject()) << "waypoints: is not a list";
+        QTest::newRow("entry") << change("waypoints", QJsonArray{1})
+                               << "waypoints[0]: is a number, not an object";
+        QTest::newRow("frames text") << change("frames", "x") << "frames: is not a list";
+        QTest::newRow("robot") << change("robot", "UR99") << "robot: \"UR99\"";
+        QTest::newRow("list") << QByteArray("[1, 2]") << "is not a Tiller session";
+        QTest::newRow("empty") << QByteArray() << "line 1, column 1";
+        QTest::newRow("not json") << QByteArray("{\n \"a\": nonsense\n}") << "line 2";
+        QTest::newRow("huge number") << bytesOf(sample()).replace("0.005", "1e999") << "illegal number";
+        QTest::newRow("binary") << QByteArray(1000, '\xff') << "line 1";
+        QTest::newRow("deep") << QByteArray(100000, '[') << "line 1";
+    }
+    void wrongFieldsAreNamed() {
+        QFETCH(QByteArray, bytes);
+        QFETCH(QString, where);
+        put(path_, bytes);
+        const auto loaded = loadSession(path_);
+        QVERIFY(!loaded.ok());
+        QVERIFY2(loaded.error().code == ErrorCode::FileCorrupt, qPrintable(loaded.error().toString()));
+        QVERIFY2(loaded.error().context.contains("cell-7.tiller"), qPrintable(loaded.error().context));
+        QVERIFY2(loaded.error().context.contains(where), qPrintable(loaded.error().context));
+        QCOMPARE(contentOf(path_), bytes);
+    }
+
+    void twoWaypointsWithOneIdAreAProblem() {
+        QJsonObject root = QJsonDocument::fromJson(bytesOf(sample())).object();
+        QJsonArray points = root["waypoints"].toArray();
+        points.append(points[0]);
+        root["waypoints"] = points;
+        const auto parsed = parseSession(QJsonDocument(root).toJson());
+        QVERIFY(parsed.error().context.contains("waypoints[3].id"));
+    }
+
+    void recoveryKeepsEverythingThatIsWhole() {
+        const QByteArray bytes = withField("joints", "home");
+        const auto recovered = recoverFromBytes(bytes);
+        QVERIFY(recovered.ok());
+        QCOMPARE(recovered->document.waypoints.size(), 2);
+        QCOMPARE(recovered->document.frames.size(), std::size_t(1));
+        QCOMPARE(recovered->lostWaypoints, 1);
+        QCOMPARE(recovered->problems.size(), 1);
+        QCOMPARE(recovered->problems[0].where, QString("waypoints[1].joints"));
+    }
+
+    void fileCutOffAnywhereIsSaidAndLosesNoWholeWaypoint() {
+        const SessionDocument document = sample(4);
+        const QByteArray whole = bytesOf(document);
+        QVERIFY(recoverFromBytes(whole)->problems.isEmpty());
+        int mostRecovered = 0;
+        for (qsizetype length = 0; length < whole.trimmed().size(); ++length) {
+            const QByteArray cut = whole.left(length);
+            QVERIFY(parseSession(cut).error().code == ErrorCode::FileCorrupt);
+            const auto recovered = recoverFromBytes(cut);
+            if (!recovered) {
+                continue;
+            }
+            QVERIFY(!recovered->problems.isEmpty());
+            for (int i = 0; i < recovered->document.waypoints.size(); ++i) {
+                QVERIFY(recovered->document.waypoints.at(i) == document.waypoints.at(i));
+            }
+            // Complete entries in the text so far: each ends with its move kind's last field.
+            QVERIFY(recovered->document.waypoints.size() >= mostRecovered);
+            mostRecovered = recovered->document.waypoints.size();
+        }
+        QCOMPARE(mostRecovered, 4);
+    }
+
+    void damageInTheMiddleCostsOneWaypoint() {
+        const SessionDocument document = sample(3);
+        QByteArray bytes = bytesOf(document);
+        const qsizetype second = bytes.indexOf("\"joints\"", bytes.indexOf("\"joints\"") + 1);
+        bytes.replace(second, 8, "\x01\x02 oops");
+        const auto recovered = recoverFromBytes(bytes);
+        QVERIFY(recovered.ok());
+        QCOMPARE(recovered->lostWaypoints, 1);
+        QCOMPARE(recovered->document.waypoints.size(), 2);
+        QVERIFY(recovered->document.waypoints.at(0) == document.waypoints.at(0));
+        QVERIFY(recovered->document.waypoints.at(1) == document.waypoints.at(2));
+    }
+
+    void anyOneByteMayChangeWithoutHarm() {
+        const QByteArray whole = bytesOf(sample(1));
+        for (qsizetype i = 0; i < whole.size(); ++i) {
+            for (const char byte : {'\0', '{', '"', '\xc3'}) {
+                QByteArray changed = whole;
+                changed[i] = byte;
+                (void)recoverFromBytes(changed);
+                const auto parsed = parseSession(changed);
+                QVERIFY(parsed.ok() || !parsed.error().context.isEmpty());
+            }
+        }
+    }
+
+    void largeSessionsAreReadAndAbsurdOnesRefused() {
+        QVERIFY(saveSession(path_, sample(2000)).ok());
+        QCOMPARE(loadSession(path_)->waypoints.size(), 2000);
+
+        QFile file(path_);
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        QVERIFY(file.resize(kMaxSessionFileBytes + 1));  // sparse: costs nothing
+        file.close();
+        const auto loaded = loadSession(path_);
+        QVERIFY(loaded.error().code == ErrorCode::FileCorrupt);
+        QVERIFY(loaded.error().context.contains("64 MB"));
+    }
+
+    void damagedFileIsPutAsideBeforeItIsReplaced() {
+        const QByteArray damaged = bytesOf(sample()).left(500);
+        put(path_, damaged);
+        const auto first = saveSession(path_, sample());
+        QVERIFY2(first.ok(), qPrintable(first.error().toString()));
+        QCOMPARE(first->keptCopy, path_ + ".damaged-1");
+        QCOMPARE(contentOf(first->keptCopy), damaged);
+        QVERIFY(loadSession(path_).ok());
+        QVERIFY(saveSession(path_, sample())->keptCopy.isEmpty());
+
+        put(path_, "something else");
+        const auto second = saveSession(path_, sample());
+        QCOMPARE(second->keptCopy, path_ + ".damaged-2");
+        QCOMPARE(contentOf(second->keptCopy), QByteArray("something else"));
+        QCOMPARE(contentOf(first->keptCopy), damaged);
+    }
+
+    void newerFileIsPutAsideToo() {
+        QJsonObject root = QJsonDocument::fromJson(bytesOf(sample())).object();
+        root["version"] = 2;
+        put(path_, QJsonDocument(root).toJson());
+        QVERIFY(!saveSession(path_, sample())->keptCopy.isEmpty());
+    }
+
+    void valuesNoFileMayHoldAreRefusedAndTheOldFileStays() {
+        QVERIFY(saveSession(path_, sample()).ok());
+        const QByteArray before = contentOf(path_);
+        SessionDocument bad = sample();
+        Waypoint point = bad.waypoints.at(1);
+        point.pose.position.x() = std::numeric_limits<double>::quiet_NaN();
+        bad.waypoints.replace(1, point);
+        const auto saved = saveSession(path_, bad);
+        QVERIFY(saved.error().code == ErrorCode::InvalidArgument);
+        QVERIFY2(saved.error().context.contains("waypoints[1].pose[0]"), qPrintable(saved.error().context));
+        QCOMPARE(contentOf(path_), before);
+        point.pose.position.x() = 0;
+        point.name.clear();
+        bad.waypoints.replace(1, point);
+        QVERIFY(saveSession(path_, bad).error().code == ErrorCode::InvalidArgument);
+    }
+
+    void folderThatIsNotThereIsSaid() {
+        const auto saved = saveSession(directory_->filePath("no/such/folder/x.tiller"), sample());
+        QVERIFY(saved.error().code == ErrorCode::FileNotWritable);
+        QVERIFY(!saved.error().controllerMessage.isEmpty());
+    }
+
+    void writeThatFailsHalfWayLeavesTheOldFile() {
+#ifdef __linux__
+        QVERIFY(saveSession(path_, sample()).ok());
+        const QByteArray before = contentOf(path_);
+        rlimit old{};
+        QCOMPARE(getrlimit(RLIMIT_FSIZE, &old), 0);
+        const rlimit tight{4096, old.rlim_max};
+        const auto ignored = std::signal(SIGXFSZ, SIG_IGN);
+        QCOMPARE(setrlimit(RLIMIT_FSIZE, &tight), 0);
+        const auto saved = saveSession(path_, sample(200));
+        setrlimit(RLIMIT_FSIZE, &old);
+        std::signal(SIGXFSZ, ignored);
+        QVERIFY(!saved.ok());
+        QVERIFY(saved.error().code == ErrorCode::FileNotWritable ||
+                saved.error().code == ErrorCode::DiskFull);
+        QCOMPARE(contentOf(path_), before);
+        QCOMPARE(QDir(directory_->path()).entryList(QDir::Files).size(), 1);
+#else
+        QSKIP("needs a file size limit");
+#endif
+    }
+
+private:
+    std::unique_ptr<QTemporaryDir> directory_;
+    QString path_;
+};
+
+QTEST_GUILESS_MAIN(TestSessionFile)
+#include "tst_session_file.moc"
