@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Who may include whom, read off the #include lines of the whole tree. The table is the one of the architecture
-// page; a new room gets a row here.
+// Who may include whom, read off the #include lines of the whole tree. The table is the one of the
+// architecture page; a new room gets a row here.
 
 #include <QDirIterator>
 #include <QFile>
+#include <QProcess>
 #include <QRegularExpression>
+#include <QStandardPaths>
 #include <QTest>
 
 namespace {
@@ -16,8 +18,8 @@ struct Room {
     QStringList forbiddenQt;  ///< Qt modules by the first letters of their headers
 };
 
-const QStringList kGui = {"QWidget", "QApplication", "QMainWindow", "QPainter", "QtWidgets", "QtGui",
-                          "QtCharts", "QChart",      "QColor",      "QIcon",    "QPixmap"};
+const QStringList kGui = {"QWidget",  "QApplication", "QMainWindow", "QPainter", "QtWidgets", "QtGui",
+                          "QtCharts", "QChart",       "QColor",      "QIcon",    "QPixmap"};
 
 const QList<Room>& rooms() {
     static const QList<Room> table = {
@@ -54,7 +56,8 @@ const Room* roomOf(const QString& file) {
     const Room* best = nullptr;
     for (const Room& room : rooms()) {
         const QString path = QString::fromLatin1(room.path);
-        if (file.startsWith(path + '/') && (best == nullptr || path.size() > qsizetype(qstrlen(best->path)))) {
+        if (file.startsWith(path + '/') &&
+            (best == nullptr || path.size() > qsizetype(qstrlen(best->path)))) {
             best = &room;
         }
     }
@@ -135,6 +138,18 @@ private Q_SLOTS:
         }
         QVERIFY2(includes > 100, "no include lines found: is TILLER_SOURCE_DIR right?");
         QVERIFY2(violations.isEmpty(), qPrintable(violations.join('\n')));
+    }
+
+    void everyFileIsFormatted() {
+        const QString formatter = QStandardPaths::findExecutable("clang-format-14");
+        if (formatter.isEmpty()) {
+            QSKIP("clang-format-14 is not installed");
+        }
+        QProcess process;
+        process.setWorkingDirectory(TILLER_SOURCE_DIR);
+        process.start(formatter, QStringList{"--dry-run", "-Werror"} + sourceFiles());
+        QVERIFY(process.waitForFinished(120'000));
+        QVERIFY2(process.exitCode() == 0, process.readAllStandardError().left(2000).constData());
     }
 
     void everyFileNamesItsLicence() {
