@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The tab "Log": what happened, newest below, with time and severity; repeats are merged. It can be filtered,
+// copied and written to a file.
+
+#include <QDateTime>
+#include <QWidget>
+#include <functional>
+
+#include "robot/core/result.h"
+#include "widgets/session/robot_session.h"
+
+class QLineEdit;
+class QSortFilterProxyModel;
+class QTableView;
+
+namespace tiller {
+
+class LogFilter;
+class LogModel;
+class SegmentedControl;
+
+class LogTab : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit LogTab(RobotSession& session, QWidget* parent = nullptr);
+    ~LogTab() override;
+
+    LogModel& model() { return *model_; }
+    /// For tests.
+    void setTimeSource(std::function<QDateTime()> now) { now_ = std::move(now); }
+    /// The rows that are shown, one a line, fields separated by tabs.
+    QString shownText() const;
+    /// Writes all shown rows. Errors  FileNotWritable, DiskFull
+    Result<void> exportTo(const QString& path) const;
+
+public Q_SLOTS:
+    void append(tiller::Severity severity, const QString& text);
+    /// Copies the selected rows, or all that are shown when none is selected.
+    void copy();
+
+private:
+    void exportToFile();
+    QString textOf(const QList<int>& rows) const;
+
+    std::function<QDateTime()> now_;
+    LogModel* model_;
+    LogFilter* filter_;
+    SegmentedControl* severity_;
+    QLineEdit* search_;
+    QTableView* table_;
+};
+
+}  // namespace tiller
