@@ -32,6 +32,7 @@ void ControlLoop::begin(std::int32_t session, double period, const ArmLimits& ar
     hasData_ = false;
     unansweredSinceNs_ = 0;
     followed_ = kNoMotion;
+    sentMotion_ = kNoMotion;
     status_.inControl = false;
     status_.loss = ControlLoss::Taking;
     status_.roundTripMs = 0;
@@ -62,18 +63,10 @@ Command ControlLoop::tick(const Feedback& data) {
     watch(data);
 
     Command command;
-    command.session = session_;
     compose(data, command);
     noteEnded(data.hostNs);
     meter_.add({data.hostNs, data.tcpPose.position, data.tcpSpeed.linear.norm(), fastest(data.qd)});
-    // After everything that may end the motion, so that the epoch sent is the one decided on.
-    const std::uint64_t epoch = mailbox_.epoch().current();
-    if (command.kind != ScriptCommand::Idle && command.kind != ScriptCommand::End && epoch != followed_) {
-        command.kind = ScriptCommand::Idle;  // stopped while this command was being made
-    }
-    command.epoch = static_cast<std::int32_t>(epoch);
-    sentEpoch_ = epoch;
-    command.sequence = nextSequence(data.hostNs);
+    seal(command, data.hostNs);
     publish();
     return command;
 }
@@ -89,15 +82,11 @@ bool ControlLoop::fallback(std::int64_t nowNs, Command& out) {
     publish();
     // A package a little late is nothing; the next tick carries the stop.
     constexpr std::int64_t kPatienceNs = 10 * kNsPerMs;
-    const std::uint64_t epoch = mailbox_.epoch().current();
-    if (age < kPatienceNs || epoch == sentEpoch_ || mailbox_.epoch().activeMotion() != kNoMotion) {
+    if (age < kPatienceNs || sentMotion_ == kNoMotion || mailbox_.epoch().isActive(sentMotion_)) {
         return false;
     }
     out = {};
-    out.session = session_;
-    out.epoch = static_cast<std::int32_t>(epoch);
-    out.sequence = nextSequence(nowNs);
-    sentEpoch_ = epoch;
+    seal(out, nowNs);
     return true;
 }
 
@@ -283,14 +272,27 @@ void ControlLoop::publish() {
     published_.store(status_);
 }
 
-std::int32_t ControlLoop::nextSequence(std::int64_t nowNs) {
+// Epoch and sequence number, last of all. A motion that was ended while the command was being made is not
+// sent any more; and nothing that idles may bear the number of a motion that has just begun, because the
+// robot would never begin it.
+void ControlLoop::seal(Command& command, std::int64_t nowNs) {
+    const bool moves = command.kind != ScriptCommand::Idle && command.kind != ScriptCommand::End;
+    if (moves && mailbox_.epoch().isActive(followed_)) {
+        command.epoch = static_cast<std::int32_t>(followed_);
+        sentMotion_ = followed_;
+    } else {
+        command.kind = moves ? ScriptCommand::Idle : command.kind;
+        command.epoch = static_cast<std::int32_t>(mailbox_.epoch().deadUpTo());
+        sentMotion_ = kNoMotion;
+    }
     constexpr std::int32_t kWrap = 0x3fffffff;
     sequence_ = sequence_ >= kWrap ? 1 : sequence_ + 1;
+    command.sequence = sequence_;
+    command.session = session_;
     sentNs_[static_cast<std::size_t>(sequence_) % kSentMemory] = nowNs;
     if (unansweredSinceNs_ == 0) {
         unansweredSinceNs_ = nowNs;
     }
-    return sequence_;
 }
 
 }  // namespace tiller::control

@@ -57,7 +57,7 @@ private:
     void composeJog(const MotionCommand& motion, const Feedback& data, Command& command);
     void noteEnded(std::int64_t nowNs);
     void publish();
-    std::int32_t nextSequence(std::int64_t nowNs);
+    void seal(Command& command, std::int64_t nowNs);
 
     Mailbox& mailbox_;
     MotionLimits limits_;
@@ -78,9 +78,9 @@ private:
     std::int64_t unansweredSinceNs_ =
         0;  ///< when the first package after the last new echo was sent; 0: none
 
-    std::uint64_t sentEpoch_ = 0;    ///< what the robot was last told
-    MotionId followed_ = kNoMotion;  ///< the motion the last command was for
-    Pose followedTcp_;               ///< TCP offset when it began
+    MotionId sentMotion_ = kNoMotion;  ///< what the robot was last told to do
+    MotionId followed_ = kNoMotion;    ///< the motion the last command was for
+    Pose followedTcp_;                 ///< TCP offset when it began
 
     ControllerStatus status_;
     realtime::Seqlock<ControllerStatus> published_;

@@ -64,6 +64,11 @@ MotionId Epoch::activeMotion() const {
     return isOccupied(w) ? epochOf(w) : kNoMotion;
 }
 
+std::uint64_t Epoch::deadUpTo() const {
+    const Word w = word_.load(std::memory_order_acquire);
+    return isOccupied(w) ? epochOf(w) - 1 : epochOf(w);
+}
+
 MotionState Epoch::state(MotionId motion) const {
     const Word w = word_.load(std::memory_order_acquire);
     if (motion >= epochOf(w)) {

@@ -26,6 +26,9 @@ public:
     std::uint64_t current() const;
     bool isActive(MotionId motion) const;
     MotionId activeMotion() const;  ///< kNoMotion in an empty epoch
+    /// The newest epoch in which nothing may move any more: the present one when it is empty, else the one
+    /// before.
+    std::uint64_t deadUpTo() const;
     MotionState state(MotionId motion) const;
     /// When the end of this motion was asked for, by the clock of those who ask. Meaningful soon after the
     /// end.

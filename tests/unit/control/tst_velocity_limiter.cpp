@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include <QTest>
+#include <cmath>
+
+#include "robot/control/velocity_limiter.h"
+#include "robot/kinematics/arm_kinematics.h"
+
+using namespace tiller;
+using namespace tiller::control;
+
+namespace {
+
+constexpr double kDeg = 3.14159265358979323846 / 180;
+
+// Far from every limit and singularity.
+const JointPositions kGoodPose(-90 * kDeg, -100 * kDeg, -110 * kDeg, -60 * kDeg, 90 * kDeg, 0);
+
+const RobotModel& ur5e() {
+    return robotModel(RobotModelId::UR5e);
+}
+
+Pose tcpAt(const JointPositions& q) {
+    return kinematics::forwardTcp(ur5e().dh, q);
+}
+
+Limiter limitAt(const JogTarget& target, const JointPositions& q, const MotionLimits& limits = {}) {
+    return VelocityLimiter(ArmLimits::of(ur5e()), limits).limit(target, q, tcpAt(q));
+}
+
+JogTarget linear(double x, double y, double z) {
+    JogTarget target;
+    target.twist.linear = {x, y, z};
+    return target;
+}
+
+JogTarget joint(int number, double speed) {
+    JogTarget target;
+    target.kind = JogTarget::Kind::Joint;
+    target.qd[number] = speed;
+    return target;
+}
+
+}  // namespace
+
+class TestVelocityLimiter : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void slowMotionInTheOpenIsLeftAlone() {
+        const Limiter limiter = limitAt(linear(0.05, 0, 0), kGoodPose);
+        QCOMPARE(limiter.kind, LimiterKind::None);
+        QCOMPARE(limiter.scale, 1.0);
+    }
+
+    void theTcpIsHeldToTheCapInEveryDirection() {
+        for (const JogTarget& target : {linear(0.5, 0, 0), linear(0.3, -0.3, 0.3), linear(0, 0, -10)}) {
+            const Limiter limiter = limitAt(target, kGoodPose);
+            QVERIFY(limiter.scale > 0);
+            QVERIFY(target.twist.linear.norm() * limiter.scale <= 0.25 + 1e-12);
+        }
+        QCOMPARE(limitAt(linear(0.5, 0, 0), kGoodPose).kind, LimiterKind::TcpSpeed);
+    }
+
+    void rotationIsHeldToItsCap() {
+        JogTarget target;
+        target.twist.angular = {0, 0, 2};
+        const Limiter limiter = limitAt(target, kGoodPose);
+        QCOMPARE(limiter.kind, LimiterKind::RotationSpeed);
+        QVERIFY(std::abs(2 * limiter.scale - 45 * kDeg) < 1e-9);
+    }
+
+    void aJointJogIsHeldToItsCap() {
+        const Limiter limiter = limitAt(joint(5, 2), kGoodPose);
+        QCOMPARE(limiter.kind, LimiterKind::JointSpeed);
+        QCOMPARE(limiter.joint, 5);
+        QVERIFY(std::abs(2 * limiter.scale - 30 * kDeg) < 1e-9);
+    }
+
+    // Turning the base of an arm stretched out moves the TCP far faster than the joint's own number says.
+    void aJointJogMayNotExceedTheCapOnTheTcp() {
+        const JointPositions stretched(0, -10 * kDeg, 15 * kDeg, 0, 90 * kDeg, 0);
+        const Limiter limiter = limitAt(joint(0, 30 * kDeg), stretched);
+        QCOMPARE(limiter.kind, LimiterKind::TcpSpeed);
+        const double radius = tcpAt(stretched).position.head<2>().norm();
+        QVERIFY(30 * kDeg * radius * limiter.scale <= 0.25 + 1e-9);
+    }
+
+    // The elbow swings out while the TCP sits on the base axis and hardly moves.
+    void theElbowIsHeldToTheCapToo() {
+        MotionLimits limits;
+        limits.jointSpeed = 3;
+        const JointPositions folded(0, 0, 170 * kDeg, 0, 90 * kDeg, 0);
+        const Limiter limiter = limitAt(joint(0, 3), folded, limits);
+        QCOMPARE(limiter.kind, LimiterKind::ElbowSpeed);
+        QVERIFY(3 * 0.425 * limiter.scale <= 0.25 + 1e-3);
+    }
+
+    void theToolFramesDirectionFollowsTheTool() {
+        JogTarget target = linear(0, 0, 0.1);
+        target.frame = JogFrame::Tool;
+        const Pose tcp = tcpAt(kGoodPose);
+        const Eigen::Vector3d expected = rotationMatrix(tcp.rotation) * Eigen::Vector3d(0, 0, 0.1);
+        QVERIFY((twistInBase(target, tcp).linear - expected).norm() < 1e-12);
+    }
+
+    void aCustomFrameCountsByItsRotationOnly() {
+        JogTarget target = linear(0.1, 0, 0);
+        target.frame = JogFrame::Custom;
+        target.T_base_frame = Pose(9, 9, 9, 0, 0, 90 * kDeg);
+        QVERIFY((twistInBase(target, {}).linear - Eigen::Vector3d(0, 0.1, 0)).norm() < 1e-12);
+    }
+
+    // Played forward in time with the speed allowed at each step: the joint comes to rest before its limit,
+    // and braking never asks for more than the arm's brisk deceleration.
+    void aJointStopsBeforeItsLimit() {
+        for (const int number : {0, 3, 5}) {
+            for (const double direction : {1.0, -1.0}) {
+                JointPositions q = kGoodPose;
+                q[number] = direction * (kJointPositionLimit - 0.4);
+                const JogTarget target = joint(number, direction * 30 * kDeg);
+                double speed = 30 * kDeg * limitAt(target, q).scale;
+                bool blocked = false;
+                Limiter limiter;
+                for (int step = 0; step < 20000 && !blocked; ++step) {
+                    limiter = limitAt(target, q);
+                    blocked = limiter.scale == 0;
+                    const double next = 30 * kDeg * limiter.scale;
+                    QVERIFY2((speed - next) / 0.002 < 4.0 || blocked, "braking harder than a stop");
+                    speed = next;
+                    q[number] += direction * speed * 0.002;
+                }
+                QVERIFY(blocked);
+                QCOMPARE(limiter.kind, LimiterKind::JointLimit);
+                QCOMPARE(limiter.joint, number);
+                const double left = kJointPositionLimit - std::abs(q[number]);
+                QVERIFY(left > 0);
+                QVERIFY(left < 1 * kDeg);
+                QVERIFY(std::abs(limiter.distance - left) < 1e-3);
+            }
+        }
+    }
+
+    void motionAwayFromALimitIsFree() {
+        JointPositions q = kGoodPose;
+        q[3] = kJointPositionLimit - 0.001;
+        QCOMPARE(limitAt(joint(3, 0.2), q).scale, 0.0);
+        QCOMPARE(limitAt(joint(3, -0.2), q).scale, 1.0);
+        q[3] = kJointPositionLimit + 0.01;  // beyond it, however it came there
+        QCOMPARE(limitAt(joint(3, 0.2), q).scale, 0.0);
+        QCOMPARE(limitAt(joint(3, -0.2), q).scale, 1.0);
+    }
+
+    void cartesianMotionSlowsDownForAJointLimitAndNamesIt() {
+        JointPositions q = kGoodPose;
+        q[0] = kJointPositionLimit - 0.012;
+        // Which way along the tangent turns the base further in?
+        const Pose tcp = tcpAt(q);
+        const Eigen::Vector3d tangent = Eigen::Vector3d(-tcp.position.y(), tcp.position.x(), 0).normalized();
+        const Eigen::Vector3d in = 0.1 * tangent;
+        const Limiter inwards = limitAt(linear(in.x(), in.y(), 0), q);
+        QCOMPARE(inwards.kind, LimiterKind::JointLimit);
+        QCOMPARE(inwards.joint, 0);
+        QVERIFY(inwards.scale < 0.8);
+        QCOMPARE(limitAt(linear(-in.x(), -in.y(), 0), q).scale, 1.0);
+    }
+
+    void nearASingularityTheWayInSlowsDownAndTheWayOutDoesNot() {
+        JointPositions q = kGoodPose;
+        q[2] = -8 * kDeg;  // elbow nearly straight
+        q[1] = -60 * kDeg;
+        const Pose tcp = tcpAt(q);
+        const Pose shoulder = Pose(kinematics::linkFrames(ur5e().dh, q)[1]);
+        const Eigen::Vector3d out = (tcp.position - shoulder.position).normalized() * 0.05;
+        const Limiter stretching = limitAt(linear(out.x(), out.y(), out.z()), q);
+        QCOMPARE(stretching.kind, LimiterKind::Singularity);
+        QCOMPARE(stretching.joint, 2);
+        QVERIFY(stretching.scale < 0.6);
+        const Limiter folding = limitAt(linear(-out.x(), -out.y(), -out.z()), q);
+        QVERIFY(folding.kind != LimiterKind::Singularity);
+        QVERIFY(folding.scale > stretching.scale);
+    }
+
+    void inTheSingularityItselfEveryNumberIsFinite() {
+        const JointPositions up(0, -90 * kDeg, 0, -90 * kDeg, 0, 0);
+        for (int axis = 0; axis < 6; ++axis) {
+            for (const double sign : {1.0, -1.0}) {
+                JogTarget target;
+                Vector6 v = Vector6::Zero();
+                v[axis] = 0.05 * sign;
+                target.twist = Twist::fromVector(v);
+                const Limiter limiter = limitAt(target, up);
+                QVERIFY(std::isfinite(limiter.scale));
+                QVERIFY(limiter.scale >= 0 && limiter.scale <= 1);
+            }
+        }
+        QCOMPARE(limitAt(joint(2, 0.1), up).scale, 1.0);  // joint by joint there is always a way out
+    }
+
+    void nothingAskedIsNothingLimited() { QCOMPARE(limitAt(JogTarget{}, kGoodPose).scale, 1.0); }
+};
+
+QTEST_GUILESS_MAIN(TestVelocityLimiter)
+#include "tst_velocity_limiter.moc"
