@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QApplication>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QVBoxLayout>
+
+#include "widgets/jog/stop_keys.h"
+
+using namespace tiller;
+using control::StopCause;
+
+class TestStopKeys : public QObject {
+    Q_OBJECT
+
+private:
+    struct Scene {
+        QList<StopCause> stops;
+        bool moving = true;
+        StopKeys keys{[this](StopCause cause) { stops.append(cause); }, [this] { return moving; }};
+        QWidget window;
+        QLineEdit* edit = new QLineEdit(&window);
+        QPushButton* button = new QPushButton(&window);
+
+        Scene() {
+            auto* layout = new QVBoxLayout(&window);
+            layout->addWidget(edit);
+            layout->addWidget(button);
+            window.show();
+            window.activateWindow();
+            if (!QTest::qWaitForWindowActive(&window)) {
+                qFatal("the window did not become active");
+            }
+        }
+    };
+
+private Q_SLOTS:
+    void escapeAndSpaceStopWhateverHasTheFocus() {
+        Scene s;
+        for (QWidget* focus : {static_cast<QWidget*>(s.edit), static_cast<QWidget*>(s.button), &s.window}) {
+            focus->setFocus();
+            s.stops.clear();
+            QTest::keyClick(focus, Qt::Key_Escape);
+            QCOMPARE(s.stops, QList<StopCause>{StopCause::Escape});
+            s.stops.clear();
+            QTest::keyClick(focus, Qt::Key_Space);
+            QCOMPARE(s.stops, QList<StopCause>{StopCause::Space});
+        }
+    }
+    void spaceDoesNotPressAButtonWhileMoving() {
+        Scene s;
+        QSignalSpy clicked(s.button, &QPushButton::clicked);
+        s.button->setFocus();
+        QTest::keyClick(s.button, Qt::Key_Space);
+        QCOMPARE(clicked.count(), 0);
+    }
+    void spaceWritesASpaceWhenNothingMoves() {
+        Scene s;
+        s.moving = false;
+        s.edit->setFocus();
+        QTest::keyClicks(s.edit, QStringLiteral("above tray"));
+        QCOMPARE(s.edit->text(), QStringLiteral("above tray"));
+        QVERIFY(s.stops.isEmpty());
+    }
+    void spaceStopsAndWritesNothingWhileMoving() {
+        Scene s;
+        s.edit->setFocus();
+        QTest::keyClicks(s.edit, QStringLiteral("a b"));
+        QCOMPARE(s.edit->text(), QStringLiteral("ab"));
+        QCOMPARE(s.stops, QList<StopCause>{StopCause::Space});
+    }
+    void stopIsSentEvenWhenNothingSeemsToMove() {
+        Scene s;
+        s.moving = false;
+        QTest::keyClick(s.button, Qt::Key_Escape);
+        QVERIFY(s.stops.contains(StopCause::Escape));
+    }
+    void autoRepeatIsIgnored() {
+        Scene s;
+        QKeyEvent repeat(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier, QString(), true);
+        QApplication::sendEvent(s.button, &repeat);
+        QVERIFY(s.stops.isEmpty());
+    }
+};
+
+QTEST_MAIN(TestStopKeys)
+#include "tst_stop_keys.moc"

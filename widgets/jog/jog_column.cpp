@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/jog/jog_column.h"
+
+#include <QAbstractButton>
+#include <QGridLayout>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QMenu>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <numbers>
+
+#include "widgets/common/hold_button.h"
+#include "widgets/common/segmented_control.h"
+#include "widgets/common/theme.h"
+#include "widgets/jog/jog_pad.h"
+#include "widgets/jog/joint_rows.h"
+#include "widgets/jog/limiter_line.h"
+#include "widgets/jog/pose_view.h"
+#include "widgets/jog/reasons.h"
+#include "widgets/session/texts.h"
+
+namespace tiller {
+
+using control::StopCause;
+
+namespace {
+
+constexpr int kMargin = 12;
+constexpr int kTaughtSegment = 3;
+constexpr int kRefusalShownMs = 6000;
+/// Below this height of the column the joints move into a tab.
+constexpr int kCompactBelow = 800;
+
+}  // namespace
+
+JogColumn::JogColumn(JogPort port, QWidget* parent) : Panel(tr("Jog"), parent), port_(std::move(port)) {
+    setObjectName(QStringLiteral("jogColumn"));
+    setHint(tr("hold to move · stops by itself in 150 ms"));
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
+
+    auto* body = new QWidget(this);
+    auto* layout = new QVBoxLayout(body);
+    layout->setContentsMargins(0, kMargin, 0, kMargin);
+    layout->setSpacing(0);
+    buildSelectors(layout);
+
+    const auto inset = [body](QWidget* widget, int above, int below) {
+        auto* row = new QHBoxLayout;
+        row->setContentsMargins(kMargin, above, kMargin, below);
+        row->addWidget(widget);
+        widget->setParent(body);
+        return row;
+    };
+    pad_ = new JogPad(body);
+    limiter_ = new LimiterLine(body);
+    pose_ = new PoseView(body);
+    detailTab_ = new SegmentedControl({tr("Pose"), tr("Joints")}, body);
+    detailTab_->setNames(QStringLiteral("jogDetail"), tr("Shown below the pad"));
+    joints_ = new JointRows(body);
+    layout->addLayout(inset(pad_, 2, 0), 10);
+    layout->addLayout(inset(limiter_, 8, 4));
+    layout->addLayout(inset(detailTab_, 0, 2));
+    layout->addLayout(inset(pose_, 0, 0));
+    layout->addWidget(joints_);
+    layout->addStretch(3);
+    buildBottom(layout);
+    setContent(body);
+
+    refusalTimer_ = new QTimer(this);
+    refusalTimer_->setSingleShot(true);
+    refusalTimer_->setInterval(kRefusalShownMs);
+    connect(refusalTimer_, &QTimer::timeout, this, [this] {
+        refusal_.clear();
+        showReason();
+    });
+    connectKeys();
+    connectSelectors();
+    showFrames();
+    arrange();
+    applyState(SessionState());
+}
+
+JogColumn::JogColumn(RobotSession& session, QWidget* parent) : JogColumn(sessionPort(session), parent) {
+    applyState(session.state());
+    connect(&session, &RobotSession::stateChanged, this, &JogColumn::applyState);
+}
+
+JogColumn::~JogColumn() {
+    stopMotion(StopCause::WindowClosed);
+}
+
+void JogColumn::buildSelectors(QVBoxLayout* layout) {
+    auto* grid = new QGridLayout;
+    grid->setContentsMargins(kMargin, 0, kMargin, 6);
+    grid->setHorizontalSpacing(0);
+    grid->setVerticalSpacing(10);
+    grid->setColumnMinimumWidth(0, 62);
+    frame_ = new SegmentedControl({tr("Base"), tr("Tool"), tr("View"), tr("Frame")}, this);
+    frame_->setNames(QStringLiteral("jogFrame"), tr("Frame"));
+    motion_ = new SegmentedControl(
+        {tr("Hold"), QStringLiteral("0.1"), QStringLiteral("1"), QStringLiteral("10 mm")}, this);
+    motion_->setNames(QStringLiteral("jogMotion"), tr("Motion"));
+    motion_->segment(0)->setToolTip(tr("Moves while the key is held"));
+    motion_->segment(1)->setToolTip(tr("One step a press: 0.1 mm, turns 0.1°"));
+    motion_->segment(2)->setToolTip(tr("One step a press: 1 mm, turns 1°"));
+    motion_->segment(3)->setToolTip(tr("One step a press: 10 mm, turns 5°"));
+    speed_ = new SegmentedControl({QStringLiteral("5"), QStringLiteral("20"), QStringLiteral("50"),
+                                   QStringLiteral("100"), QStringLiteral("250 mm/s")},
+                                  this);
+    speed_->setNames(QStringLiteral("jogSpeed"), tr("Speed"));
+    speed_->setCurrentIndex(kStartSpeedClass);
+    for (int i = 0; i < kSpeedClassCount; ++i) {
+        const SpeedClass& speed = speedClasses()[static_cast<std::size_t>(i)];
+        const double degrees = 180.0 / std::numbers::pi;
+        speed_->segment(i)->setToolTip(tr("%1 mm/s · turns %2 °/s · joints %3 °/s · Ctrl × 0.1, Shift × 3")
+                                           .arg(speed.tcp * 1e3, 0, 'f', 0)
+                                           .arg(speed.rotation * degrees, 0, 'f', 0)
+                                           .arg(speed.joint * degrees, 0, 'f', 0));
+    }
+    int row = 0;
+    for (const auto& [text, control] :
+         {std::pair{tr("Frame"), frame_}, {tr("Motion"), motion_}, {tr("Speed"), speed_}}) {
+        auto* label = new QLabel(text, this);
+        label->setFont(textFont(15));
+        label->setProperty("role", QStringLiteral("secondary"));
+        grid->addWidget(label, row, 0);
+        grid->addWidget(control, row, 1);
+        ++row;
+    }
+    grid->setColumnStretch(1, 1);
+    layout->addLayout(grid);
+}
+
+void JogColumn::buildBottom(QVBoxLayout* layout) {
+    freedrive_ = new HoldButton(tr("Freedrive (hold)"), this);
+    freedrive_->setObjectName(QStringLiteral("freedriveKey"));
+    freedrive_->setUnavailable(tr("Freedrive from the PC is not built yet: use the teach pendant."));
+    homeKey_ = new HoldButton(tr("Home (hold)"), this);
+    homeKey_->setObjectName(QStringLiteral("homeKey"));
+    homeKey_->setToolTip(tr("Moves every joint to the home position while held"));
+    back_ = new HoldButton(QStringLiteral("↶ ") + tr("Back"), this);
+    back_->setObjectName(QStringLiteral("backKey"));
+    back_->setAccessibleName(tr("Back"));
+    back_->setUnavailable(tr("Going back over the last moves is not built yet."));
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(kMargin, 8, kMargin, 0);
+    row->setSpacing(8);
+    row->addWidget(freedrive_, 148);
+    row->addWidget(homeKey_, 121);
+    row->addWidget(back_, 82);
+    layout->addLayout(row);
+}
+
+void JogColumn::guardKey(HoldButton* key, std::function<Result<RobotSession::MotionId>()> begin, bool steps) {
+    key->setMotion({
+        .begin = [this, begin = std::move(begin)]() -> Result<RobotSession::MotionId> {
+            if (!state_.canMove()) {
+                return Error{ErrorCode::NotInControl, cannotMoveReason(state_), {}};
+            }
+            return begin();
+        },
+        .hold = port_.hold,
+        .end = port_.endMotion,
+        .runsToEnd = [this, steps] { return steps && selection_.motion != MotionChoice::Hold; },
+    });
+    connect(&key->guard(), &HoldGuard::began, this, [this] {
+        refusal_.clear();
+        pose_->zeroHere();
+        showReason();
+    });
+    connect(&key->guard(), &HoldGuard::refused, this, [this](const Error& error) {
+        // Our own refusal is a whole sentence already.
+        refusal_ = state_.canMove() ? texts::errorText(error) : cannotMoveReason(state_);
+        refusalTimer_->start();
+        showReason();
+        Q_EMIT refused(refusal_);
+    });
+}
+
+void JogColumn::connectKeys() {
+    const auto factor = [] { return modifierFactor(QGuiApplication::keyboardModifiers()); };
+    for (JogKey* key : pad_->keys()) {
+        const CartesianKey axis = key->key();
+        guardKey(
+            key,
+            [this, axis, factor] {
+                return selection_.motion == MotionChoice::Hold
+                           ? port_.beginJog(cartesianJog(selection_, axis, factor(), port_.limits()))
+                           : port_.beginMove(
+                                 cartesianStep(selection_, axis, factor(), state_.tcpPose, port_.limits()));
+            },
+            true);
+    }
+    for (JointRow* row : joints_->rows()) {
+        for (const auto& [key, direction] : {std::pair{row->minusKey(), -1}, {row->plusKey(), 1}}) {
+            guardKey(
+                key,
+                [this, joint = row->joint(), direction = direction, factor] {
+                    return selection_.motion == MotionChoice::Hold
+                               ? port_.beginJog(
+                                     jointJog(selection_, joint, direction, factor(), port_.limits()))
+                               : port_.beginMove(jointStep(selection_, joint, direction, factor(), state_.q,
+                                                           port_.limits()));
+                },
+                true);
+        }
+    }
+    guardKey(
+        homeKey_,
+        [this] {
+            return port_.beginMove(homeMove(selection_, state_.q, home_, robotModel(state_.model),
+                                            state_.tcpOffset, port_.limits()));
+        },
+        false);
+}
+
+void JogColumn::connectSelectors() {
+    connect(frame_, &SegmentedControl::currentChanged, this, &JogColumn::chooseFrame);
+    connect(motion_, &SegmentedControl::currentChanged, this, [this](int index) {
+        stopMotion(StopCause::SelectionChanged);
+        selection_.motion = static_cast<MotionChoice>(index);
+    });
+    connect(speed_, &SegmentedControl::currentChanged, this, [this](int index) {
+        stopMotion(StopCause::SelectionChanged);
+        selection_.speedClass = index;
+    });
+    connect(detailTab_, &SegmentedControl::currentChanged, this, [this] {
+        stopMotion(StopCause::SelectionChanged);
+        arrange();
+    });
+    // With several taught frames the fourth key opens the list.
+    connect(frame_->segment(kTaughtSegment), &QAbstractButton::clicked, this, [this] {
+        if (frames_.size() < 2) {
+            return;
+        }
+        stopMotion(StopCause::SelectionChanged);
+        QMenu menu(this);
+        for (const TaughtFrame& taught : frames_) {
+            menu.addAction(taught.name, this, [this, taught] {
+                selection_.taught = taught;
+                showFrames();
+            });
+        }
+        const QWidget* key = frame_->segment(kTaughtSegment);
+        menu.exec(key->mapToGlobal(QPoint(0, key->height())));
+    });
+}
+
+void JogColumn::chooseFrame(int segment) {
+    stopMotion(StopCause::SelectionChanged);
+    selection_.frame = static_cast<FrameChoice>(segment);
+    if (selection_.frame == FrameChoice::Taught && !selection_.taught && !frames_.isEmpty()) {
+        selection_.taught = frames_.first();
+        showFrames();
+    }
+}
+
+void JogColumn::showFrames() {
+    frame_->setSegmentEnabled(
+        static_cast<int>(FrameChoice::View), hasView_,
+        hasView_ ? tr("Axes of the picture: X right, Y up, Z towards you") : tr("Needs the 3D view"));
+    const bool any = !frames_.isEmpty();
+    QString name = any ? (selection_.taught ? selection_.taught->name : frames_.first().name) : tr("Frame");
+    if (frames_.size() > 1) {
+        name += QStringLiteral(" ▾");
+    }
+    frame_->setText(kTaughtSegment, name);
+    frame_->setSegmentEnabled(kTaughtSegment, any, any ? QString() : tr("No frame taught yet"));
+}
+
+void JogColumn::setViewRotation(const Eigen::Matrix3d& R_base_view) {
+    if (selection_.frame == FrameChoice::View && !selection_.R_base_view.isApprox(R_base_view, 1e-9)) {
+        stopMotion(StopCause::SelectionChanged);
+    }
+    selection_.R_base_view = R_base_view;
+    if (!hasView_) {
+        hasView_ = true;
+        showFrames();
+    }
+}
+
+void JogColumn::setTaughtFrames(const QVector<TaughtFrame>& frames) {
+    if (selection_.frame == FrameChoice::Taught) {
+        stopMotion(StopCause::SelectionChanged);
+    }
+    frames_ = frames;
+    const TaughtFrame* same = nullptr;
+    for (const TaughtFrame& taught : frames_) {
+        if (selection_.taught && taught.name == selection_.taught->name) {
+            same = &taught;
+        }
+    }
+    if (same != nullptr) {
+        selection_.taught = *same;
+    } else {
+        selection_.taught.reset();
+        if (selection_.frame == FrameChoice::Taught) {
+            frame_->setCurrentIndex(static_cast<int>(FrameChoice::Base));
+        }
+    }
+    showFrames();
+}
+
+void JogColumn::setSpeedClass(int index) {
+    speed_->setCurrentIndex(index);
+}
+
+QVector<HoldButton*> JogColumn::holdKeys() const {
+    QVector<HoldButton*> keys;
+    for (JogKey* key : pad_->keys()) {
+        keys.append(key);
+    }
+    for (const JointRow* row : joints_->rows()) {
+        keys << row->minusKey() << row->plusKey();
+    }
+    keys << freedrive_ << homeKey_ << back_;
+    return keys;
+}
+
+void JogColumn::stopMotion(StopCause cause) {
+    for (HoldButton* key : holdKeys()) {
+        key->guard().stop(cause);
+    }
+}
+
+bool JogColumn::isHolding() const {
+    for (const HoldButton* key : holdKeys()) {
+        if (key->isHolding()) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void JogColumn::applyState(const SessionState& state) {
+    state_ = state;
+    const bool canMove = state.canMove();
+    if (!canMove) {
+        stopMotion(stopCauseFor(state));
+    }
+    const bool valid = state.hasData();
+    const bool stale = state.link != LinkState::Live;
+    pose_->setPose(state.tcpPose, state.moving, valid, stale);
+    joints_->setJoints(state.q, state.moving, valid, stale);
+    for (HoldButton* key : holdKeys()) {
+        key->setConfirmed(state.moving && key->isHolding());
+    }
+    showReason();
+}
+
+void JogColumn::showReason() {
+    const QString reason = cannotMoveReason(state_);
+    pad_->setReason(reason);
+    for (const JointRow* row : joints_->rows()) {
+        row->minusKey()->setUnavailable(reason);
+        row->plusKey()->setUnavailable(reason);
+    }
+    homeKey_->setUnavailable(reason);
+    if (!refusal_.isEmpty() && reason.isEmpty()) {
+        limiter_->setLimiter({refusal_, {}});
+    } else {
+        limiter_->setLimiter(state_.hasData() ? nearestLimiter(state_) : Limiter());
+    }
+    limiter_->setQuietText(quietText());
+}
+
+QString JogColumn::quietText() const {
+    const control::StopMeasurement& stop = state_.lastStop;
+    if (stop.count == 0) {
+        return {};
+    }
+    return tr("Last stop: %1, standstill after %2 ms, %3 mm")
+        .arg(texts::stopCauseText(stop.cause))
+        .arg(stop.durationMs, 0, 'f', 0)
+        .arg(stop.distanceMm, 0, 'f', 1);
+}
+
+QSize JogColumn::minimumSizeHint() const {
+    return {352, 540};
+}
+
+void JogColumn::resizeEvent(QResizeEvent* event) {
+    Panel::resizeEvent(event);
+    const bool compact = height() < kCompactBelow;
+    if (compact != compact_) {
+        compact_ = compact;
+        arrange();
+    }
+}
+
+void JogColumn::arrange() {
+    const bool jointsChosen = detailTab_->currentIndex() == 1;
+    joints_->setCompact(compact_);
+    detailTab_->setVisible(compact_);
+    detailTab_->setFixedHeight(30);
+    pose_->setVisible(!compact_ || !jointsChosen);
+    joints_->setVisible(!compact_ || jointsChosen);
+    for (SegmentedControl* control : {frame_, motion_, speed_}) {
+        control->setFixedHeight(compact_ ? 32 : 38);
+    }
+    pad_->setMaximumHeight(compact_ ? QWIDGETSIZE_MAX : 3 * 72 + 2 * 8);
+    pad_->setMinimumHeight(compact_ ? 3 * 56 + 2 * 8 : 3 * 72 + 2 * 8);
+}
+
+}  // namespace tiller

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/jog/jog_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "robot/kinematics/arm_kinematics.h"
+
+namespace tiller {
+
+namespace {
+
+constexpr double kRadPerDeg = std::numbers::pi / 180.0;
+
+// A step shall neither crawl nor jump: it has the acceleration of the jog.
+double capped(double speed, double cap) {
+    return std::min(speed, cap);
+}
+
+Eigen::Vector3d unit(int axis, int direction) {
+    Eigen::Vector3d v = Eigen::Vector3d::Zero();
+    v[axis % 3] = direction;
+    return v;
+}
+
+/// Axes in which the selection moves the TCP, in the base frame.
+Eigen::Matrix3d frameAxes(const JogSelection& selection, const Pose& tcp) {
+    switch (selection.frame) {
+        case FrameChoice::Base:
+            break;
+        case FrameChoice::Tool:
+            return rotationMatrix(tcp.rotation);
+        case FrameChoice::View:
+            return selection.R_base_view;
+        case FrameChoice::Taught:
+            if (selection.taught) {
+                return rotationMatrix(selection.taught->T_base_frame.rotation);
+            }
+            break;
+    }
+    return Eigen::Matrix3d::Identity();
+}
+
+const SpeedClass& speedOf(const JogSelection& selection) {
+    const int index = std::clamp(selection.speedClass, 0, kSpeedClassCount - 1);
+    return speedClasses()[static_cast<std::size_t>(index)];
+}
+
+}  // namespace
+
+const std::array<SpeedClass, kSpeedClassCount>& speedClasses() {
+    static const std::array<SpeedClass, kSpeedClassCount> classes = {{
+        {0.005, 3 * kRadPerDeg, 1 * kRadPerDeg},
+        {0.020, 10 * kRadPerDeg, 3 * kRadPerDeg},
+        {0.050, 15 * kRadPerDeg, 10 * kRadPerDeg},
+        {0.100, 30 * kRadPerDeg, 20 * kRadPerDeg},
+        {0.250, 45 * kRadPerDeg, 30 * kRadPerDeg},
+    }};
+    return classes;
+}
+
+StepSize stepSize(MotionChoice motion) {
+    switch (motion) {
+        case MotionChoice::Hold:
+            break;
+        case MotionChoice::FineStep:
+            return {0.0001, 0.1 * kRadPerDeg};
+        case MotionChoice::Step:
+            return {0.001, 1 * kRadPerDeg};
+        case MotionChoice::CoarseStep:
+            return {0.010, 5 * kRadPerDeg};
+    }
+    return {};
+}
+
+control::JogTarget cartesianJog(const JogSelection& selection, const CartesianKey& key, double factor,
+                                const control::MotionLimits& limits) {
+    control::JogTarget target;
+    target.kind = control::JogTarget::Kind::Cartesian;
+    switch (selection.frame) {
+        case FrameChoice::Base:
+            target.frame = control::JogFrame::Base;
+            break;
+        case FrameChoice::Tool:
+            target.frame = control::JogFrame::Tool;
+            break;
+        case FrameChoice::View:
+            target.frame = control::JogFrame::Custom;
+            target.T_base_frame.rotation = rotationVector(selection.R_base_view);
+            break;
+        case FrameChoice::Taught:
+            target.frame = control::JogFrame::Custom;
+            if (selection.taught) {
+                target.T_base_frame = selection.taught->T_base_frame;
+            }
+            break;
+    }
+    const SpeedClass& speed = speedOf(selection);
+    if (key.axis < 3) {
+        target.twist.linear = unit(key.axis, key.direction) * capped(speed.tcp * factor, limits.tcpSpeed);
+    } else {
+        target.twist.angular =
+            unit(key.axis, key.direction) * capped(speed.rotation * factor, limits.tcpRotationSpeed);
+    }
+    return target;
+}
+
+control::JogTarget jointJog(const JogSelection& selection, int joint, int direction, double factor,
+                            const control::MotionLimits& limits) {
+    control::JogTarget target;
+    target.kind = control::JogTarget::Kind::Joint;
+    target.qd[joint] = direction * capped(speedOf(selection).joint * factor, limits.jointSpeed);
+    return target;
+}
+
+MoveRequest cartesianStep(const JogSelection& selection, const CartesianKey& key, double factor,
+                          const Pose& from, const control::MotionLimits& limits) {
+    const StepSize step = stepSize(selection.motion);
+    const Eigen::Matrix3d R_base_frame = frameAxes(selection, from);
+    MoveRequest request;
+    request.kind = MoveRequest::Kind::MoveL;
+    request.pose = from;
+    const Eigen::Vector3d axis = R_base_frame * unit(key.axis, key.direction);
+    if (key.axis < 3) {
+        request.pose.position += axis * step.length;
+    } else {
+        request.pose.rotation =
+            rotationVector(Eigen::AngleAxisd(step.angle, axis) * rotationMatrix(from.rotation));
+    }
+    request.speed = capped(speedOf(selection).tcp * factor, limits.tcpSpeed);
+    request.acceleration = limits.jogAcceleration;
+    return request;
+}
+
+MoveRequest jointStep(const JogSelection& selection, int joint, int direction, double factor,
+                      const JointPositions& from, const control::MotionLimits& limits) {
+    MoveRequest request;
+    request.kind = MoveRequest::Kind::MoveJ;
+    request.q = from;
+    request.q[joint] = std::clamp(from[joint] + direction * stepSize(selection.motion).angle,
+                                  -kJointPositionLimit, kJointPositionLimit);
+    request.speed = capped(speedOf(selection).joint * factor, limits.jointSpeed);
+    request.acceleration = limits.jointAcceleration;
+    return request;
+}
+
+MoveRequest homeMove(const JogSelection& selection, const JointPositions& from, const JointPositions& home,
+                     const RobotModel& model, const Pose& tcpOffset, const control::MotionLimits& limits) {
+    MoveRequest request;
+    request.kind = MoveRequest::Kind::MoveJ;
+    request.q = home;
+    request.speed = capped(speedOf(selection).joint, limits.jointSpeed);
+    request.acceleration = limits.jointAcceleration;
+    const Vector6 way = home.values - from.values;
+    const double longest = way.cwiseAbs().maxCoeff();
+    if (longest < 1e-6) {
+        return request;
+    }
+    // The leading joint's speed sets the others; look along the way for where the TCP is fastest.
+    constexpr int kSamples = 24;
+    double fastest = 0;  // [m] of TCP path per [rad] of the leading joint
+    for (int i = 0; i <= kSamples; ++i) {
+        const JointPositions q(Vector6(from.values + way * (static_cast<double>(i) / kSamples)));
+        const Matrix6 jacobian = kinematics::jacobian(model.dh, q, tcpOffset);
+        fastest = std::max(fastest, (jacobian.topRows<3>() * way).norm() / longest);
+    }
+    if (fastest > 0) {
+        request.speed = std::min(request.speed, 0.95 * limits.tcpSpeed / fastest);
+    }
+    return request;
+}
+
+double modifierFactor(Qt::KeyboardModifiers modifiers) {
+    if (modifiers.testFlag(Qt::ControlModifier)) {
+        return 0.1;
+    }
+    return modifiers.testFlag(Qt::ShiftModifier) ? 3.0 : 1.0;
+}
+
+JointPositions defaultHome() {
+    return {0, -std::numbers::pi / 2, 0, -std::numbers::pi / 2, 0, 0};
+}
+
+}  // namespace tiller

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What a jog key asks for: the speed classes and steps of the interface, and the arithmetic from a key, a
+// frame and a speed to a velocity or a bounded step. Plain functions, no widgets.
+
+#include <Eigen/Core>
+#include <QString>
+#include <array>
+#include <optional>
+
+#include "robot/control/motion_types.h"
+#include "robot/core/robot_model.h"
+#include "widgets/session/robot_session.h"
+
+namespace tiller {
+
+enum class FrameChoice { Base, Tool, View, Taught };
+
+/// Hold moves while the key is held; the steps move once a press.
+enum class MotionChoice { Hold, FineStep, Step, CoarseStep };
+
+/// One notch of the speed selector. Source: operator-interface.md, "Numbers".
+struct SpeedClass {
+    double tcp;       ///< [m/s]
+    double rotation;  ///< [rad/s]
+    double joint;     ///< [rad/s]
+};
+inline constexpr int kSpeedClassCount = 5;
+inline constexpr int kStartSpeedClass = 2;
+const std::array<SpeedClass, kSpeedClassCount>& speedClasses();
+
+/// Length [m] and angle [rad] of one step; zero for Hold.
+struct StepSize {
+    double length = 0;
+    double angle = 0;
+};
+StepSize stepSize(MotionChoice motion);
+
+/// A taught frame; its rotation counts, its position does not.
+struct TaughtFrame {
+    QString name;
+    Pose T_base_frame;
+};
+
+/// Everything the selectors of the jog column say.
+struct JogSelection {
+    FrameChoice frame = FrameChoice::Base;
+    MotionChoice motion = MotionChoice::Hold;
+    int speedClass = kStartSpeedClass;
+    /// Axes of the view in the base frame: X to the right, Y up, Z towards the eye.
+    Eigen::Matrix3d R_base_view = Eigen::Matrix3d::Identity();
+    std::optional<TaughtFrame> taught;
+};
+
+/// axis 0-2 translation along, 3-5 rotation about X, Y, Z; direction +1 or -1.
+struct CartesianKey {
+    int axis = 0;
+    int direction = 1;
+};
+
+/// The velocity of a pad key.
+/// factor  of the modifier keys: 0.1, 1 or 3; the result never exceeds `limits`
+control::JogTarget cartesianJog(const JogSelection& selection, const CartesianKey& key, double factor,
+                                const control::MotionLimits& limits);
+/// The velocity of one joint.
+control::JogTarget jointJog(const JogSelection& selection, int joint, int direction, double factor,
+                            const control::MotionLimits& limits);
+
+/// One bounded step of the TCP from `from`; rotation is about the TCP, in the axes of the chosen frame.
+MoveRequest cartesianStep(const JogSelection& selection, const CartesianKey& key, double factor,
+                          const Pose& from, const control::MotionLimits& limits);
+/// One bounded step of one joint, ending at the joint's range at the latest.
+MoveRequest jointStep(const JogSelection& selection, int joint, int direction, double factor,
+                      const JointPositions& from, const control::MotionLimits& limits);
+
+/// A joint move whose TCP keeps below the application's cap on the whole way.
+MoveRequest homeMove(const JogSelection& selection, const JointPositions& from, const JointPositions& home,
+                     const RobotModel& model, const Pose& tcpOffset, const control::MotionLimits& limits);
+
+/// Fraction by which the modifier keys change the speed: Ctrl 0.1, Shift 3.
+double modifierFactor(Qt::KeyboardModifiers modifiers);
+
+/// [0, -90, 0, -90, 0, 0] deg: upright, clear of itself on every model.
+JointPositions defaultHome();
+
+}  // namespace tiller

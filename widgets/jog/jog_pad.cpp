@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/jog/jog_pad.h"
+
+#include <QGridLayout>
+#include <QPainter>
+
+#include "widgets/common/shapes.h"
+#include "widgets/common/theme.h"
+
+namespace tiller {
+
+JogKey::JogKey(const QString& text, const CartesianKey& key, QWidget* parent)
+    : HoldButton(text, parent), key_(key) {
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+}
+
+void JogKey::paintEvent(QPaintEvent*) {
+    const Theme& theme = Theme::current();
+    QPainter painter(this);
+    paintSurface(painter);
+    painter.setFont(textFont(19, QFont::Bold));
+    painter.setPen(textColor());
+    const int bar = height() >= 68 ? 49 : height() * 49 / 72;
+    painter.drawText(QRect(0, 0, width(), bar + 13), Qt::AlignCenter, text());
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(isEnabled() ? theme.axis(key_.axis % 3) : theme.border);
+    painter.drawRoundedRect(QRectF(13, bar, width() - 26, 4), 2, 2);
+}
+
+/// The reason, on a card in the middle of the greyed pad.
+class JogPad::ReasonCard : public QWidget {
+public:
+    explicit ReasonCard(QWidget* parent) : QWidget(parent) {
+        setAttribute(Qt::WA_TransparentForMouseEvents);
+        hide();
+    }
+    void setText(const QString& text) {
+        text_ = text;
+        setAccessibleName(text);
+        update();
+    }
+    int heightFor(int width) const {
+        const QFontMetrics metrics(textFont(15, QFont::Bold));
+        return metrics.boundingRect(QRect(0, 0, width - 56, 1000), Qt::TextWordWrap, text_).height() + 28;
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        const Theme& theme = Theme::current();
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(theme.secondary, 1));
+        painter.setBrush(theme.raised);
+        painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), kCornerRadius, kCornerRadius);
+        drawShape(painter, StateChip::Shape::Hand, QRectF(14, height() / 2.0 - 10, 20, 20), theme.text,
+                  theme.raised);
+        painter.setFont(textFont(15, QFont::Bold));
+        painter.setPen(theme.text);
+        painter.drawText(QRect(44, 0, width() - 56, height()), Qt::AlignVCenter | Qt::TextWordWrap, text_);
+    }
+
+private:
+    QString text_;
+};
+
+JogPad::JogPad(QWidget* parent) : QWidget(parent), card_(new ReasonCard(this)) {
+    setObjectName(QStringLiteral("jogPad"));
+    setAccessibleName(tr("Jog keys"));
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(8);
+    struct Place {
+        const char* name;
+        CartesianKey key;
+    };
+    // Rows as on the screen; names are the letters of the axes and need no translation.
+    static constexpr Place kPlaces[3][4] = {
+        {{"Y+", {1, 1}}, {"Z+", {2, 1}}, {"Ry+", {4, 1}}, {"Rz+", {5, 1}}},
+        {{"X-", {0, -1}}, {"X+", {0, 1}}, {"Rx-", {3, -1}}, {"Rx+", {3, 1}}},
+        {{"Y-", {1, -1}}, {"Z-", {2, -1}}, {"Ry-", {4, -1}}, {"Rz-", {5, -1}}},
+    };
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 4; ++column) {
+            const Place& place = kPlaces[row][column];
+            QString text = QString::fromLatin1(place.name);
+            auto* key = new JogKey(text.replace(QLatin1Char('-'), QChar(0x2212)), place.key, this);
+            key->setObjectName(QStringLiteral("jog.") + QString::fromLatin1(place.name));
+            key->setAccessibleName(tr("Jog %1").arg(key->text()));
+            keys_.append(key);
+            grid->addWidget(key, row, column);
+        }
+    }
+    for (int column = 0; column < 4; ++column) {
+        grid->setColumnStretch(column, 1);
+    }
+    card_->raise();
+    card_->setObjectName(QStringLiteral("jogReason"));
+}
+
+void JogPad::setReason(const QString& reason) {
+    if (reason == reason_) {
+        return;
+    }
+    reason_ = reason;
+    for (JogKey* key : keys_) {
+        key->setUnavailable(reason);
+    }
+    card_->setText(reason);
+    card_->setVisible(!reason.isEmpty());
+    resizeEvent(nullptr);
+}
+
+void JogPad::resizeEvent(QResizeEvent*) {
+    const int w = width() - 32;
+    const int h = std::min(card_->heightFor(w), height());
+    card_->setGeometry(16, (height() - h) / 2, w, h);
+}
+
+}  // namespace tiller

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/jog/jog_port.h"
+
+namespace tiller {
+
+JogPort sessionPort(RobotSession& session) {
+    return {
+        .beginJog = [&session](const control::JogTarget& target) { return session.beginJog(target); },
+        .beginMove = [&session](const MoveRequest& request) { return session.beginMove(request); },
+        .hold = [&session](RobotSession::MotionId id) { return session.hold(id); },
+        .endMotion = [&session](RobotSession::MotionId id,
+                                control::StopCause cause) { session.endMotion(id, cause); },
+        .limits = [&session] { return session.limits(); },
+    };
+}
+
+}  // namespace tiller

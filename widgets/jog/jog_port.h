@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The few doors through which the jog column moves the arm, so that it can be tried without a robot.
+
+#include <functional>
+
+#include "widgets/session/robot_session.h"
+
+namespace tiller {
+
+struct JogPort {
+    std::function<Result<RobotSession::MotionId>(const control::JogTarget&)> beginJog;
+    std::function<Result<RobotSession::MotionId>(const MoveRequest&)> beginMove;
+    std::function<bool(RobotSession::MotionId)> hold;
+    std::function<void(RobotSession::MotionId, control::StopCause)> endMotion;
+    std::function<control::MotionLimits()> limits;
+};
+
+/// The doors of a session, which must outlive the port.
+JogPort sessionPort(RobotSession& session);
+
+}  // namespace tiller

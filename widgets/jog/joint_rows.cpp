@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/jog/joint_rows.h"
+
+#include <QGridLayout>
+#include <QPainter>
+#include <cmath>
+#include <numbers>
+
+#include "robot/core/robot_model.h"
+#include "widgets/common/format.h"
+#include "widgets/common/theme.h"
+
+namespace tiller {
+
+namespace {
+
+constexpr double kDegPerRad = 180.0 / std::numbers::pi;
+constexpr double kWarnAngle = 15.0 / kDegPerRad;
+constexpr int kMargin = 12;  // as the panel's content
+
+}  // namespace
+
+JointBar::JointBar(QWidget* parent) : QWidget(parent) {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+}
+
+bool JointBar::isNearLimit() const {
+    return valid_ && kJointPositionLimit - std::abs(angle_) < kWarnAngle;
+}
+
+void JointBar::setAngle(double angle, bool valid) {
+    if (angle != angle_ || valid != valid_) {
+        angle_ = angle;
+        valid_ = valid;
+        update();
+    }
+}
+
+void JointBar::paintEvent(QPaintEvent*) {
+    const Theme& theme = Theme::current();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    const double track = std::min(8.0, height() - 4.0);
+    const QRectF groove(0, (height() - track) / 2, width(), track);
+    painter.setBrush(theme.border);
+    painter.drawRoundedRect(groove, track / 2, track / 2);
+    if (!valid_) {
+        return;
+    }
+    const double place = std::clamp((angle_ / kJointPositionLimit + 1) / 2, 0.0, 1.0);
+    const double x = 2 + place * (width() - 4);
+    if (isNearLimit()) {
+        const QRectF end =
+            angle_ < 0 ? QRectF(groove.left(), groove.top(), std::max(x, 8.0), track)
+                       : QRectF(std::min(x, width() - 8.0), groove.top(), std::max(width() - x, 8.0), track);
+        painter.setBrush(theme.warning);
+        painter.drawRoundedRect(end, track / 2, track / 2);
+    }
+    painter.setBrush(isEnabled() ? theme.text : theme.disabledText);
+    painter.drawRoundedRect(QRectF(x - 2, (height() - track) / 2 - 3, 4, track + 6), 2, 2);
+}
+
+JointRow::JointRow(int joint, QWidget* parent)
+    : QWidget(parent)
+    , joint_(joint)
+    , name_(tr(kJointNames[static_cast<std::size_t>(joint)]))
+    , value_(QStringLiteral("–"))
+    , minus_(new HoldButton(QString(QChar(0x2212)), this))
+    , plus_(new HoldButton(QStringLiteral("+"), this))
+    , bar_(new JointBar(this)) {
+    setObjectName(QStringLiteral("joint.%1").arg(joint));
+    setAccessibleName(name_);
+    minus_->setObjectName(QStringLiteral("joint.%1.minus").arg(joint));
+    plus_->setObjectName(QStringLiteral("joint.%1.plus").arg(joint));
+    bar_->setObjectName(QStringLiteral("joint.%1.bar").arg(joint));
+    minus_->setAccessibleName(tr("%1 minus").arg(name_));
+    plus_->setAccessibleName(tr("%1 plus").arg(name_));
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+QSize JointRow::sizeHint() const {
+    return compact_ ? QSize(170, 31) : QSize(330, 40);
+}
+
+void JointRow::setCompact(bool compact) {
+    compact_ = compact;
+    updateGeometry();
+    resizeEvent(nullptr);
+}
+
+void JointRow::setAngle(double angle, bool moving, bool valid, bool stale) {
+    QString text = QStringLiteral("–");
+    if (valid) {
+        text = format::number(angle * kDegPerRad, moving ? 1 : 2) +
+               (moving ? QString(QChar(0x2007)) : QString()) + QStringLiteral("°");
+    }
+    bar_->setAngle(angle, valid);
+    const bool grey = !valid || stale;
+    if (text != value_ || grey != grey_) {
+        value_ = text;
+        grey_ = grey;
+        update();
+    }
+}
+
+void JointRow::resizeEvent(QResizeEvent*) {
+    const int middle = height() / 2;
+    if (compact_) {
+        constexpr int kKey = 26;
+        plus_->setGeometry(width() - kKey, middle - kKey / 2, kKey, kKey);
+        minus_->setGeometry(width() - 2 * kKey - 3, middle - kKey / 2, kKey, kKey);
+        bar_->setGeometry(0, height() - 9, width() - 2 * kKey - 12, 8);
+        return;
+    }
+    plus_->setGeometry(width() - kMargin - 35, middle - 13, 35, 26);
+    const int bar = std::max(40, std::min(94, width() - 2 * kMargin - 86 - 92 - 35 * 2 - 24));
+    bar_->setGeometry(plus_->x() - 9 - bar, middle - 8, bar, 16);
+    minus_->setGeometry(bar_->x() - 9 - 35, middle - 13, 35, 26);
+}
+
+void JointRow::paintEvent(QPaintEvent*) {
+    const Theme& theme = Theme::current();
+    QPainter painter(this);
+    const int left = compact_ ? 0 : kMargin;
+    const int lower = compact_ ? 9 : 1;
+    const QRect text(left, 0, minus_->x() - left - 10, height() - lower);
+    painter.setPen(theme.text);
+    painter.setFont(textFont(compact_ ? 13 : 15));
+    painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, name_);
+    painter.setFont(textFont(compact_ ? 15 : 19));
+    painter.setPen(grey_ ? theme.disabledText : theme.text);
+    painter.drawText(text, Qt::AlignRight | Qt::AlignVCenter, value_);
+    if (!compact_) {
+        painter.setPen(theme.border);
+        painter.drawLine(0, height() - 1, width(), height() - 1);
+    }
+}
+
+JointRows::JointRows(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
+    setObjectName(QStringLiteral("jointRows"));
+    setAccessibleName(tr("Joints"));
+    grid_->setSpacing(0);
+    for (int joint = 0; joint < kJointCount; ++joint) {
+        rows_.append(new JointRow(joint, this));
+    }
+    arrange();
+}
+
+void JointRows::arrange() {
+    for (JointRow* row : rows_) {
+        grid_->removeWidget(row);
+    }
+    grid_->setContentsMargins(compact_ ? kMargin : 0, 0, compact_ ? kMargin : 0, 0);
+    grid_->setHorizontalSpacing(compact_ ? 16 : 0);
+    for (int joint = 0; joint < kJointCount; ++joint) {
+        rows_[joint]->setCompact(compact_);
+        if (compact_) {
+            grid_->addWidget(rows_[joint], joint % 3, joint / 3);
+        } else {
+            grid_->addWidget(rows_[joint], joint, 0);
+        }
+    }
+    grid_->setColumnStretch(0, 1);
+    grid_->setColumnStretch(1, compact_ ? 1 : 0);
+}
+
+void JointRows::setCompact(bool compact) {
+    if (compact != compact_) {
+        compact_ = compact;
+        arrange();
+    }
+}
+
+void JointRows::setJoints(const JointPositions& q, bool moving, bool valid, bool stale) {
+    for (JointRow* row : rows_) {
+        row->setAngle(q[row->joint()], moving, valid, stale);
+    }
+}
+
+}  // namespace tiller

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// One row a joint: its angle, where it stands in its range, and a key for each direction. In compact form the
+// six rows become three rows of two, for small windows.
+
+#include <QVector>
+#include <QWidget>
+
+#include "robot/core/joints.h"
+#include "widgets/common/hold_button.h"
+
+class QGridLayout;
+
+namespace tiller {
+
+/// Where a joint stands in its range; amber near either end.
+class JointBar : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit JointBar(QWidget* parent = nullptr);
+
+    /// angle  [rad]; valid false: no marker
+    void setAngle(double angle, bool valid);
+    /// True within 15 deg of an end of the range.
+    bool isNearLimit() const;
+
+    QSize sizeHint() const override { return {94, 16}; }
+    QSize minimumSizeHint() const override { return {40, 10}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    double angle_ = 0;
+    bool valid_ = false;
+};
+
+class JointRow : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit JointRow(int joint, QWidget* parent = nullptr);
+
+    int joint() const { return joint_; }
+    HoldButton* minusKey() const { return minus_; }
+    HoldButton* plusKey() const { return plus_; }
+    JointBar* bar() const { return bar_; }
+    QString valueText() const { return value_; }
+    void setAngle(double angle, bool moving, bool valid, bool stale);
+    void setCompact(bool compact);
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    int joint_;
+    QString name_;
+    QString value_;
+    HoldButton* minus_;
+    HoldButton* plus_;
+    JointBar* bar_;
+    bool compact_ = false;
+    bool grey_ = true;
+};
+
+class JointRows : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit JointRows(QWidget* parent = nullptr);
+
+    const QVector<JointRow*>& rows() const { return rows_; }
+    void setJoints(const JointPositions& q, bool moving, bool valid, bool stale);
+    void setCompact(bool compact);
+
+private:
+    void arrange();
+
+    QGridLayout* grid_;
+    QVector<JointRow*> rows_;
+    bool compact_ = false;
+};
+
+}  // namespace tiller

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/jog/limiter_line.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <cmath>
+#include <numbers>
+
+#include "robot/kinematics/arm_kinematics.h"
+#include "widgets/common/shapes.h"
+#include "widgets/common/theme.h"
+
+namespace tiller {
+
+namespace {
+
+constexpr double kDegPerRad = 180.0 / std::numbers::pi;
+constexpr double kWarnDegrees = 15.0;
+constexpr double kShoulderWarnMetres = 0.06;
+
+}  // namespace
+
+Limiter nearestLimiter(const SessionState& state) {
+    const auto text = [](const char* source) { return QCoreApplication::translate("Limiter", source); };
+    int nearest = -1;
+    double least = kWarnDegrees;
+    for (int joint = 0; joint < kJointCount; ++joint) {
+        const double left = (kJointPositionLimit - std::abs(state.q[joint])) * kDegPerRad;
+        if (left < least) {
+            least = left;
+            nearest = joint;
+        }
+    }
+    if (nearest >= 0) {
+        const QString name = text(kJointNames[static_cast<std::size_t>(nearest)]);
+        const QString back = state.q[nearest] > 0 ? QStringLiteral("−") : QStringLiteral("+");
+        return {text("%1 %2° from its limit").arg(name).arg(std::max(0.0, least), 0, 'f', 0),
+                text("turn %1 %2").arg(name, back)};
+    }
+    const auto near = kinematics::singularityMeasure(robotModel(state.model).dh, state.q);
+    const auto degrees = [](double sine) { return std::asin(std::min(1.0, std::abs(sine))) * kDegPerRad; };
+    if (degrees(near.elbow) < 8) {
+        return {text("Elbow almost straight"), text("bend the elbow")};
+    }
+    if (near.shoulder < kShoulderWarnMetres) {
+        return {text("Wrist above the base axis"), text("move outwards")};
+    }
+    if (degrees(near.wrist) < 8) {
+        return {text("Wrist 2 near 0° or 180°"), text("turn wrist 2")};
+    }
+    return {};
+}
+
+LimiterLine::LimiterLine(QWidget* parent) : QWidget(parent) {
+    setObjectName(QStringLiteral("limiterLine"));
+    setAccessibleName(tr("Limiter"));
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+}
+
+void LimiterLine::setLimiter(const Limiter& limiter) {
+    if (limiter.what == limiter_.what && limiter.advice == limiter_.advice) {
+        return;
+    }
+    limiter_ = limiter;
+    setAccessibleDescription(limiter.what + QLatin1Char(' ') + limiter.advice);
+    setToolTip(limiter.what.isEmpty() ? QString() : limiter.what + QStringLiteral(": ") + limiter.advice);
+    update();
+}
+
+void LimiterLine::setQuietText(const QString& text) {
+    if (text != quiet_) {
+        quiet_ = text;
+        update();
+    }
+}
+
+void LimiterLine::paintEvent(QPaintEvent*) {
+    const Theme& theme = Theme::current();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (limiter_.what.isEmpty()) {
+        painter.setFont(textFont(13));
+        painter.setPen(theme.secondary);
+        const QString shown = painter.fontMetrics().elidedText(quiet_, Qt::ElideRight, width() - 8);
+        painter.drawText(rect().adjusted(4, 0, -4, 0), Qt::AlignLeft | Qt::AlignVCenter, shown);
+        return;
+    }
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme.warningBackground);
+    painter.drawRoundedRect(QRectF(rect()), kCornerRadius - 1, kCornerRadius - 1);
+    drawShape(painter, StateChip::Shape::WarningTriangle, QRectF(9, height() / 2.0 - 7, 14, 14),
+              theme.warning, theme.warning);
+    painter.setPen(theme.warning);
+    painter.setFont(textFont(13, QFont::Bold));
+    const QFontMetrics strong(painter.font());
+    const int room = width() - 28 - 10;
+    const QString what = strong.elidedText(limiter_.what, Qt::ElideRight, room);
+    painter.drawText(QRect(28, 0, room, height()), Qt::AlignLeft | Qt::AlignVCenter, what);
+    painter.setFont(textFont(13));
+    const int left = room - strong.horizontalAdvance(what) - 10;
+    const QString advice = painter.fontMetrics().elidedText(limiter_.advice, Qt::ElideRight, left);
+    painter.drawText(QRect(28, 0, room, height()), Qt::AlignRight | Qt::AlignVCenter,
+                     left > 30 ? advice : QString());
+}
+
+}  // namespace tiller

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// One line that names what limits the arm and the way out of it; when nothing does, the measured stop of the
+// last jog. It keeps its height, so that nothing below it jumps.
+
+#include <QWidget>
+
+#include "robot/control/motion_types.h"
+#include "widgets/session/session_state.h"
+
+namespace tiller {
+
+/// What limits the arm, and what to do; both empty when nothing does.
+struct Limiter {
+    QString what;
+    QString advice;
+};
+
+/// The nearest limit worth a word: a joint within 15 deg of its range, or a singularity close by.
+/// Threads  any
+Limiter nearestLimiter(const SessionState& state);
+
+class LimiterLine : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit LimiterLine(QWidget* parent = nullptr);
+
+    void setLimiter(const Limiter& limiter);
+    const Limiter& limiter() const { return limiter_; }
+    /// Shown while nothing limits.
+    void setQuietText(const QString& text);
+    QString quietText() const { return quiet_; }
+
+    QSize sizeHint() const override { return {366, 31}; }
+    QSize minimumSizeHint() const override { return {200, 27}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    Limiter limiter_;
+    QString quiet_;
+};
+
+}  // namespace tiller

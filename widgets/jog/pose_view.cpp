@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/jog/pose_view.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <numbers>
+
+#include "widgets/common/format.h"
+#include "widgets/common/theme.h"
+
+namespace tiller {
+
+namespace {
+
+constexpr int kDigitPeriodMs = 100;
+constexpr double kDegPerRad = 180.0 / std::numbers::pi;
+
+/// Two digits at rest, one on the move; a blank keeps the place of the second.
+QString paced(double value, bool moving, bool sign) {
+    const int digits = moving ? 1 : 2;
+    const QString text = sign ? format::signedNumber(value, digits) : format::number(value, digits);
+    return moving ? text + QChar(0x2007) : text;
+}
+
+QString dash() {
+    return QStringLiteral("–");
+}
+
+}  // namespace
+
+PoseView::PoseView(QWidget* parent) : QWidget(parent) {
+    setObjectName(QStringLiteral("poseView"));
+    setAccessibleName(tr("TCP pose in Base"));
+    setToolTip(tr("TCP pose in Base, orientation as RPY. Click: zero here"));
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    pace_.setSingleShot(true);
+    pace_.setInterval(kDigitPeriodMs);
+    connect(&pace_, &QTimer::timeout, this, [this] {
+        if (pending_) {
+            pending_ = false;
+            update();
+            pace_.start();
+        }
+    });
+}
+
+void PoseView::setPose(const Pose& pose, bool moving, bool valid, bool stale) {
+    const bool look = moving != moving_ || valid != valid_ || stale != stale_;
+    if (valid && !hasZero_) {
+        zero_ = pose.position;
+        hasZero_ = true;
+    }
+    if (!look && pose == pose_) {
+        return;
+    }
+    pose_ = pose;
+    rpy_ = rpyFromRotationVector(pose.rotation) * kDegPerRad;
+    moving_ = moving;
+    valid_ = valid;
+    stale_ = stale;
+    if (look || !pace_.isActive()) {
+        update();
+        pace_.start();
+    } else {
+        pending_ = true;
+    }
+}
+
+void PoseView::zeroHere() {
+    zero_ = pose_.position;
+    update();
+}
+
+QString PoseView::positionText(int axis) const {
+    return valid_ ? paced(pose_.position[axis] * 1e3, moving_, true) : dash();
+}
+
+QString PoseView::deltaText(int axis) const {
+    return valid_ ? paced((pose_.position[axis] - zero_[axis]) * 1e3, moving_, true) : dash();
+}
+
+QString PoseView::rotationText(int axis) const {
+    return valid_ ? format::number(rpy_[axis], 2) + QStringLiteral("°") : dash();
+}
+
+void PoseView::paintEvent(QPaintEvent*) {
+    const Theme& theme = Theme::current();
+    QPainter painter(this);
+    const double rowHeight = height() / 3.0;
+    const QColor ink = valid_ && !stale_ ? theme.text : theme.disabledText;
+    const QFont value = textFont(19);
+    const QFont label = textFont(15);
+    static constexpr const char* kAxes[] = {"X", "Y", "Z"};
+    static constexpr const char* kTurns[] = {"RX", "RY", "RZ"};
+    const int right = width();
+    for (int axis = 0; axis < 3; ++axis) {
+        const int top = static_cast<int>(axis * rowHeight);
+        const int h = static_cast<int>(rowHeight);
+        const auto put = [&](const QFont& font, const QColor& colour, int x, int w, Qt::Alignment align,
+                             const QString& text) {
+            painter.setFont(font);
+            painter.setPen(colour);
+            painter.drawText(QRect(x, top, w, h - 1), static_cast<int>(align | Qt::AlignVCenter), text);
+        };
+        put(textFont(16, QFont::Bold), theme.axisTexts.at(static_cast<std::size_t>(axis)), 4, 16,
+            Qt::AlignLeft, QLatin1String(kAxes[axis]));
+        put(value, ink, 20, 94, Qt::AlignRight, positionText(axis));
+        put(label, theme.secondary, 119, 28, Qt::AlignLeft, QStringLiteral("mm"));
+        put(label, theme.secondary, 152, 14, Qt::AlignLeft, QStringLiteral("Δ"));
+        put(label, theme.secondary, 160, 72, Qt::AlignRight, deltaText(axis));
+        put(label, theme.secondary, right - 122, 26, Qt::AlignLeft, QLatin1String(kTurns[axis]));
+        put(value, ink, right - 100, 98, Qt::AlignRight, rotationText(axis));
+        painter.setPen(theme.border);
+        painter.drawLine(0, top + h - 1, width() - 1, top + h - 1);
+    }
+}
+
+void PoseView::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton && rect().contains(event->position().toPoint())) {
+        zeroHere();
+    }
+}
+
+}  // namespace tiller

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The live TCP pose: position in mm with the way since the press (or since "zero here"), orientation as roll,
+// pitch and yaw in degrees. Digits change ten times a second at most; values older than 0.3 s are greyed.
+
+#include <QTimer>
+#include <QWidget>
+
+#include "robot/core/spatial.h"
+
+namespace tiller {
+
+class PoseView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PoseView(QWidget* parent = nullptr);
+
+    /// moving  shows one digit less, because the last one only flickers
+    /// valid   false: dashes; stale: grey
+    void setPose(const Pose& pose, bool moving, bool valid, bool stale);
+    /// Counts the way from here: at each press, and at a click on the view.
+    void zeroHere();
+
+    QString positionText(int axis) const;
+    QString deltaText(int axis) const;
+    QString rotationText(int axis) const;
+
+    QSize sizeHint() const override { return {366, 93}; }
+    QSize minimumSizeHint() const override { return {300, 78}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+
+private:
+    Pose pose_;
+    Eigen::Vector3d rpy_ = Eigen::Vector3d::Zero();
+    Eigen::Vector3d zero_ = Eigen::Vector3d::Zero();
+    QTimer pace_;
+    bool pending_ = false;
+    bool hasZero_ = false;
+    bool moving_ = false;
+    bool valid_ = false;
+    bool stale_ = false;
+};
+
+}  // namespace tiller

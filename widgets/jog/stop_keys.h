@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Esc and Space stop the arm from anywhere in the application, whatever has the focus. One object serves the
+// whole application; while it lives, it sees every key first.
+
+#include <QObject>
+#include <functional>
+
+#include "robot/control/motion_types.h"
+
+namespace tiller {
+
+class RobotSession;
+
+class StopKeys : public QObject {
+    Q_OBJECT
+
+public:
+    /// moving  true while something moves or may be about to
+    StopKeys(std::function<void(control::StopCause)> stop, std::function<bool()> moving,
+             QObject* parent = nullptr);
+    explicit StopKeys(RobotSession& session, QObject* parent = nullptr);
+    ~StopKeys() override;
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    std::function<void(control::StopCause)> stop_;
+    std::function<bool()> moving_;
+};
+
+}  // namespace tiller
