@@ -76,8 +76,8 @@ bool ArmGeometry::follow(const Eigen::Isometry3d& T, Vector6& q, Posture& postur
         evaluate(q, posture);
         Vector6 error;
         error.head<3>() = T.translation() - posture.T_base_tcp.translation();
-        error.tail<3>() = vectorFromQuaternion(
-            Eigen::Quaterniond(T.linear() * posture.T_base_tcp.linear().transpose()));
+        error.tail<3>() =
+            vectorFromQuaternion(Eigen::Quaterniond(T.linear() * posture.T_base_tcp.linear().transpose()));
         const double size = error.cwiseAbs().maxCoeff();
         if (size < kConverged || (i + 1 == kMaxIterations && size < kAccepted)) {
             return true;
@@ -105,7 +105,8 @@ double ArmGeometry::singularityMargin(const Vector6& q, const Posture& posture) 
     const double wrist = std::abs(std::sin(q[4]));
     const double elbow = std::abs(std::sin(q[2]));
     const Eigen::Vector3d centre = posture.frames[5].translation();
-    // How far the wrist centre is beside the line on which it touches the cylinder of radius d4 around axis 1.
+    // How far the wrist centre is beside the line on which it touches the cylinder of radius d4 around
+    // axis 1.
     const double d4 = model_.dh.d[3];
     const double shoulder = std::sqrt(std::max(0.0, centre.head<2>().squaredNorm() - d4 * d4));
     return std::min({wrist / 0.15, elbow / 0.15, shoulder / 0.05});

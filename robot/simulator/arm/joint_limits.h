@@ -9,14 +9,29 @@
 namespace tiller::simulator::arm {
 
 struct JointLimits {
-    Vector6 speed = Vector6::Constant(3.14);           ///< [rad/s]
-    double acceleration = kJointAccelerationLimit;     ///< [rad/s2]
-    double position = kJointPositionLimit;             ///< [rad]
+    Vector6 speed = Vector6::Constant(3.14);        ///< [rad/s]
+    double acceleration = kJointAccelerationLimit;  ///< [rad/s2]
+    double position = kJointPositionLimit;          ///< [rad]
 
     /// Part of the acceleration that planned motion uses, so that corrections have the rest.
     double plannedAcceleration() const { return 0.9 * acceleration; }
     /// Deceleration with which a joint is kept from the end of its range.
     double brakingAcceleration() const { return 0.5 * acceleration; }
+
+    /// Factor 0..1 that brings all of qd within the speed limits.
+    double speedFactor(const Vector6& qd) const;
+    /// Factor 0..1 for qd so that every joint can still stop before the end of its range; `joint` is set to
+    /// the one that limits.
+    double rangeFactor(const Vector6& q, const Vector6& qd, double period, int& joint) const;
+    /// Cuts the change from one velocity to the next to what the acceleration allows within `period`, all
+    /// joints alike. Returns true if something was cut.
+    bool cutToAcceleration(const Vector6& from, Vector6& to, double period) const;
+};
+
+/// Joint state asked of the drives.
+struct JointTarget {
+    Vector6 q = Vector6::Zero();   ///< [rad]
+    Vector6 qd = Vector6::Zero();  ///< [rad/s]
 };
 
 }  // namespace tiller::simulator::arm

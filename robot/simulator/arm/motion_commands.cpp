@@ -11,8 +11,8 @@
 namespace tiller::simulator::arm {
 
 namespace {
-constexpr double kSamePlace = 1e-7;     // m or rad
-constexpr double kRunOutLeast = 4;      // rad/s2 for what is left of a killed motion
+constexpr double kSamePlace = 1e-7;  // m or rad
+constexpr double kRunOutLeast = 4;   // rad/s2 for what is left of a killed motion
 constexpr double kBranchTolerance = 1e-3;
 
 MotionStart refuse(MotionError error, int joint = -1) {
@@ -52,7 +52,9 @@ MotionError MotionGenerator::buildSegment(Segment& segment, Segment::Kind kind, 
                                           const MoveTarget* via, ArcOrientation orientation, int& joint) {
     segment.kind = kind;
     segment.realTime = false;
+    segment.time = 0;
     segment.endFault.reset();
+    segment.endFaultJoint = -1;
     segment.inToolSpace = kind != Segment::Kind::Joint;
     if (segment.inToolSpace) {
         const ToolPoint to = toolPoint(target);
@@ -73,12 +75,13 @@ MotionError MotionGenerator::buildSegment(Segment& segment, Segment::Kind kind, 
         }
         segment.endQ = q->values;
     } else {
-        const auto q = kinematics::inverseNearest(geometry_.model().dh, std::get<Pose>(target),
-                                                  geometry_.tcp(), JointPositions(fromQ), limits_.position);
-        if (!q) {
+        const auto solution =
+            kinematics::inverseNearest(geometry_.model().dh, std::get<Pose>(target), geometry_.tcp(),
+                                       JointPositions(fromQ), limits_.position);
+        if (!solution) {
             return MotionError::NoInverseKinematics;
         }
-        segment.endQ = q->values;
+        segment.endQ = solution->values;
     }
     segment.from = fromQ;
     const Vector6 way = segment.endQ - fromQ;
@@ -124,8 +127,8 @@ MotionStart MotionGenerator::move(Segment::Kind kind, const MoveTarget& target,
     velocity_.drop();
     const MotionStart start = begin();
     segment.id = activeId_ = start.id;
-    const double length = segment.inToolSpace ? segment.path.length()
-                                              : (segment.endQ - segment.from).cwiseAbs().maxCoeff();
+    const double length =
+        segment.inToolSpace ? segment.path.length() : (segment.endQ - segment.from).cwiseAbs().maxCoeff();
     if (length < kSamePlace && !runsOut) {
         mode_ = Mode::Rest;
         finish(start.id, MotionProgress::Returned);
@@ -156,9 +159,8 @@ MotionStart MotionGenerator::move(Segment::Kind kind, const MoveTarget& target,
 }
 
 // The move that runs has reached its blend zone: this one takes over there.
-MotionStart MotionGenerator::queueMove(Segment::Kind kind, const MoveTarget& target,
-                                       const MoveParameters& p, const MoveTarget* via,
-                                       ArcOrientation orientation) {
+MotionStart MotionGenerator::queueMove(Segment::Kind kind, const MoveTarget& target, const MoveParameters& p,
+                                       const MoveTarget* via, ArcOrientation orientation) {
     const Segment& before = path_.current();
     Segment& segment = scratch_;
     segment.r = p.r;
@@ -170,9 +172,9 @@ MotionStart MotionGenerator::queueMove(Segment::Kind kind, const MoveTarget& tar
     }
     const MotionStart start = begin();
     segment.id = start.id;
-    const ToolPoint to = planner_.pointAt(
-        segment, segment.inToolSpace ? segment.path.length()
-                                     : (segment.endQ - segment.from).cwiseAbs().maxCoeff());
+    const ToolPoint to =
+        planner_.pointAt(segment, segment.inToolSpace ? segment.path.length()
+                                                      : (segment.endQ - segment.from).cwiseAbs().maxCoeff());
     if (p.r > 0 && (to.p - before.endPoint.p).norm() < before.r + p.r) {
         // The zones overlap: this waypoint is left out, the next one follows directly.
         if (warningCount_ < kMaxWarnings) {
@@ -320,9 +322,8 @@ MotionStart MotionGenerator::stopL(double a, std::optional<double> aRot) {
     const Vector6 twist = posture_.jacobian * state_.qd;
     const Eigen::Vector3d v = twist.head<3>();
     const Eigen::Vector3d w = twist.tail<3>();
-    const double duration =
-        std::max({v.norm() / a, w.norm() / rotation,
-                  state_.qd.cwiseAbs().maxCoeff() / limits_.plannedAcceleration()});
+    const double duration = std::max(
+        {v.norm() / a, w.norm() / rotation, state_.qd.cwiseAbs().maxCoeff() / limits_.plannedAcceleration()});
     Vector6 rates = Vector6::Zero();
     if (v.norm() + w.norm() < 1e-9 || !geometry_.jointRates(posture_, twist, rates) ||
         (rates - state_.qd).norm() > kBranchTolerance) {

@@ -10,19 +10,20 @@
 namespace tiller::simulator::arm {
 
 namespace {
-constexpr double kRampAcceleration = 12;  // rad/s2 of the fastest joint while program time changes pace
-constexpr double kFastestRamp = 10;       // 1/s
+constexpr double kRampAcceleration = 12;       // rad/s2 of the fastest joint while program time changes pace
+constexpr double kFastestRamp = 10;            // 1/s
 constexpr double kEmergencyDeceleration = 25;  // rad/s2
 constexpr double kAbandonedDeceleration = 4;   // rad/s2
+constexpr double kTorqueEndDeceleration = 10;  // rad/s2
 constexpr double kAccelerationTolerance = 1e-3;
 }  // namespace
 
 MotionGenerator::MotionGenerator(const ArmGeometry& geometry, double period, const JointPositions& start)
-    : geometry_(geometry),
-      period_(period),
-      planner_(geometry, limits_),
-      path_(geometry, period),
-      velocity_(geometry, limits_, period) {
+    : geometry_(geometry)
+    , period_(period)
+    , planner_(geometry, limits_)
+    , path_(geometry, period)
+    , velocity_(geometry, limits_, period) {
     limits_.speed = geometry.maxSpeed();
     state_.q = start.values;
 }
@@ -287,6 +288,17 @@ void MotionGenerator::pathFailed(StopReason reason, int joint) {
     raise(reason, joint);
 }
 
+// The first step of a joint-space stop that began within this period.
+void MotionGenerator::stepStop() {
+    if (mode_ != Mode::Path) {
+        return;
+    }
+    path_.evaluate(period_, 0, candidate_);
+    path_.commit(period_, 0, candidate_);
+    state_.q = candidate_.q;
+    state_.qd = candidate_.rateReal;
+}
+
 void MotionGenerator::stepPath() {
     const bool realTime = path_.current().realTime;
     path_.prepare(programScale_ * period_);
@@ -295,12 +307,7 @@ void MotionGenerator::stepPath() {
     if (!chooseStep(target, scale, candidate_)) {
         const bool unreachable = !candidate_.reached;
         pathFailed(unreachable ? StopReason::Singularity : StopReason::JointSpeedLimit, -1);
-        if (mode_ == Mode::Path) {
-            path_.evaluate(period_, 0, candidate_);
-            path_.commit(period_, 0, candidate_);
-            state_.q = candidate_.q;
-            state_.qd = candidate_.rateReal;
-        }
+        stepStop();
         return;
     }
     const double dtProgram = 0.5 * (pathScale_ + scale) * period_;
@@ -338,11 +345,14 @@ void MotionGenerator::stepVelocity() {
         velocity_.expire();
     }
     int joint = -1;
+    const JointTarget before = state_;
     const std::optional<StopReason> stop = velocity_.step(programScale_, state_, joint);
     scaling_ = velocity_.slowedBy() * std::clamp(programScale_ / std::max(slider_, 1e-3), 0.0, 1.0);
     programRate_ = state_.qd.cwiseAbs().maxCoeff() / std::max(programScale_, 1e-2);
     if (stop) {
+        state_ = before;
         raise(*stop, joint);
+        stepStop();
         return;
     }
     if (blocking_) {
@@ -368,17 +378,21 @@ void MotionGenerator::stepVelocity() {
 }
 
 void MotionGenerator::stepTorque() {
-    if (torque_ == nullptr || !torque_->step(period_, state_, limits_)) {
-        startStop(10, 0);
-    }
-    if (blocking_) {
-        blocking_ = false;
-        sinceReturned_ = 0;
-        finish(activeId_, MotionProgress::Returned);
+    if (!blocking_) {
+        // Not repeated within a period: back to position control.
+        startStop(kTorqueEndDeceleration, 0);
+        stepStop();
         return;
     }
-    // Not repeated within a period: back to position control.
-    startStop(10, 0);
+    const JointTarget before = state_;
+    if (!torque_->step(period_, limits_, state_)) {
+        state_ = before;
+        raise(StopReason::JointPositionLimit, -1);
+        stepStop();
+        return;
+    }
+    blocking_ = false;
+    finish(activeId_, MotionProgress::Returned);
 }
 
 }  // namespace tiller::simulator::arm

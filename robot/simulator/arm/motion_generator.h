@@ -24,7 +24,8 @@ public:
 
     // commands; see Motion
     MotionStart move(Segment::Kind kind, const MoveTarget& target, const MoveParameters& parameters,
-                     const MoveTarget* via = nullptr, ArcOrientation orientation = ArcOrientation::Interpolated);
+                     const MoveTarget* via = nullptr,
+                     ArcOrientation orientation = ArcOrientation::Interpolated);
     MotionStart servoJ(const JointPositions& q, double t, double lookahead, double gain);
     MotionStart servoC(const Pose& target, double a, double v, double r);
     MotionStart speedJ(const JointVelocities& qd, double a, std::optional<double> t);
@@ -55,6 +56,8 @@ public:
     void relocate(const JointTarget& state);
     /// The target is moved by somebody else (force mode, freedrive); speed commands go on from there.
     void rebase(const JointTarget& state);
+    /// The TCP offset changed: speed commands turn about the new TCP from now on.
+    void toolChanged() { velocity_.relocated(state_.q); }
     void setTorqueMotion(TorqueMotion* torque) { torque_ = torque; }
     /// Freedrive: commands return without effect.
     void setIgnoringCommands(bool ignoring) { ignoring_ = ignoring; }
@@ -93,6 +96,7 @@ private:
 
     void stepScale();
     void stepPath();
+    void stepStop();
     void stepVelocity();
     void stepTorque();
     bool chooseStep(double target, double& scale, PathCandidate& candidate);

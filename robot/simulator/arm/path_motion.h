@@ -3,8 +3,8 @@
 
 // Runs planned moves: one after the other, blended into each other, or set in while the arm still runs out
 // from something else. All three are the sum of two motions: what is left of the old one (which by itself
-// would come to rest at the corner) and the new one (which by itself would start there). Position and velocity
-// are continuous by construction, and the sum stays inside the blend zone.
+// would come to rest at the corner) and the new one (which by itself would start there). Position and
+// velocity are continuous by construction, and the sum stays inside the blend zone.
 
 #include "robot/simulator/arm/path_segment.h"
 
@@ -35,7 +35,8 @@ public:
     /// A move can be blended to the one that runs.
     bool acceptsNext() const;
     bool nextWaiting() const { return nextWaiting_; }
-    /// `segment` starts where the running one ends. `switchTime`: time of the running one at which it sets in.
+    /// `segment` starts where the running one ends. `switchTime`: time of the running one at which it sets
+    /// in.
     void setNext(const Segment& segment, double switchTime);
 
     /// The step from now on by `dt` [s] of real and `dtProgram` of program time.

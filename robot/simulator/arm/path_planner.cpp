@@ -8,9 +8,9 @@ namespace tiller::simulator::arm {
 
 namespace {
 constexpr double kTiny = 1e-9;
-constexpr double kSampleStep = 0.01;       // m
-constexpr double kLargestTurn = 0.12;      // rad between samples
-constexpr double kSmallestFraction = 1e-4; // of the path, below which a large turn is a singularity
+constexpr double kSampleStep = 0.01;        // m
+constexpr double kLargestTurn = 0.12;       // rad between samples
+constexpr double kSmallestFraction = 1e-4;  // of the path, below which a large turn is a singularity
 }  // namespace
 
 ToolPoint PathPlanner::pointAt(const Segment& segment, double s) const {
@@ -21,9 +21,8 @@ ToolPoint PathPlanner::pointAt(const Segment& segment, double s) const {
 }
 
 double PathPlanner::lengthWithin(const Segment& segment, double radius, bool fromEnd) const {
-    const double length = segment.inToolSpace
-                              ? segment.path.length()
-                              : (segment.endQ - segment.from).cwiseAbs().maxCoeff();
+    const double length =
+        segment.inToolSpace ? segment.path.length() : (segment.endQ - segment.from).cwiseAbs().maxCoeff();
     const double half = 0.5 * length;
     const Eigen::Vector3d corner = pointAt(segment, fromEnd ? length : 0).p;
     const auto distance = [&](double within) {
@@ -74,8 +73,8 @@ ProfileRequest PathPlanner::profileRequest(const Segment& segment, const Request
         }
         // Braking over the zone takes half of a at most; the other half is for the next move to set in. A
         // process move keeps its speed through the corner.
-        profile.zoneSpeed = segment.kind == Segment::Kind::Process ? profile.v
-                                                                    : std::sqrt(profile.a * profile.zone);
+        profile.zoneSpeed =
+            segment.kind == Segment::Kind::Process ? profile.v : std::sqrt(profile.a * profile.zone);
     }
     return profile;
 }
@@ -183,8 +182,8 @@ void PathPlanner::limitSpeeds(Segment& segment, int count, double a) {
         if (i > 0 && i + 1 < n) {
             const double before = s_[i] - s_[i - 1];
             const double after = s_[i + 1] - s_[i];
-            const Vector6 bend = ((q_[i + 1] - q_[i]) / after - (q_[i] - q_[i - 1]) / before) /
-                                 (0.5 * (before + after));
+            const Vector6 bend =
+                ((q_[i + 1] - q_[i]) / after - (q_[i] - q_[i - 1]) / before) / (0.5 * (before + after));
             const double sharpest = bend.cwiseAbs().maxCoeff();
             limit = std::min(limit, std::sqrt(0.5 * usable / std::max(sharpest, kTiny)));
         }
@@ -209,8 +208,8 @@ void PathPlanner::limitSpeeds(Segment& segment, int count, double a) {
         const double gain = 2 * std::min(a_[i + 1], a_[i]) * (s_[i + 1] - s_[i]);
         v_[i] = std::min(v_[i], std::sqrt(v_[i + 1] * v_[i + 1] + gain));
     }
-    segment.profile = SpeedProfile::through({s_.data(), n}, {v_.data(), n},
-                                            hasZone ? zoneStart : s_[n - 1] + 1);
+    segment.profile =
+        SpeedProfile::through({s_.data(), n}, {v_.data(), n}, hasZone ? zoneStart : s_[n - 1] + 1);
 }
 
 }  // namespace tiller::simulator::arm

@@ -46,7 +46,8 @@ struct Segment {
 /// at all it ends, with `endFault` saying why.
 class PathPlanner {
 public:
-    PathPlanner(const ArmGeometry& geometry, const JointLimits& limits) : geometry_(geometry), limits_(limits) {}
+    PathPlanner(const ArmGeometry& geometry, const JointLimits& limits)
+        : geometry_(geometry), limits_(limits) {}
 
     struct Request {
         double a = 1;

@@ -40,7 +40,8 @@ void SpeedProfile::appendRamp(double distance, double v, double vEnd, double a) 
     if (distance <= kTiny) {
         return;
     }
-    if (v0 > v && (square(v0) - square(v)) / (2 * a) + std::abs(square(v) - square(vEnd)) / (2 * a) <= distance) {
+    if (v0 > v &&
+        (square(v0) - square(v)) / (2 * a) + std::abs(square(v) - square(vEnd)) / (2 * a) <= distance) {
         append(-a, (v0 - v) / a);
         const double slowing = (square(v) - square(vEnd)) / (2 * a);
         const double cruise = distance - (square(v0) - square(v)) / (2 * a) - slowing;

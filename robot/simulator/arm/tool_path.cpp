@@ -154,11 +154,10 @@ ToolPathPoint ToolPath::atRounded(double s) const {
     const Eigen::Vector3d corner = centre_;
     if (s >= arcLength_) {
         const double beyond = s - arcLength_ + tangent_;
-        const Eigen::Vector3d exit = axis_.isZero(0)
-                                         ? Eigen::Vector3d(from_.p + direction_ * arcLength_)
-                                         : Eigen::Vector3d(corner + Eigen::AngleAxisd(anglePerLength_ * arcLength_,
-                                                                                      axis_) *
-                                                                        radial_);
+        const Eigen::Vector3d exit =
+            axis_.isZero(0)
+                ? Eigen::Vector3d(from_.p + direction_ * arcLength_)
+                : Eigen::Vector3d(corner + Eigen::AngleAxisd(anglePerLength_ * arcLength_, axis_) * radial_);
         point.at.p = exit + direction_ * (s - arcLength_);
         point.at.R = quaternionFromVector(turn_ * beyond) * cornerR_;
         point.dp = direction_;

@@ -7,12 +7,12 @@
 namespace tiller::simulator::arm {
 
 namespace {
-constexpr double kNoScale = 1e-3;          // program time slower than this counts as standing
-constexpr double kSingular = 0.06;         // margin at which Cartesian motion ends
-constexpr double kCreeping = 1e-3;         // rad/s or a part of the wanted speed: as good as standing
-constexpr double kRangeReserve = 0.002;    // rad kept to the end of the joint range
-constexpr double kExpiryJoint = 2.0;       // rad/s2, at least, when a speed command is not repeated
-constexpr double kExpiryTool = 0.5;        // m/s2
+constexpr double kNoScale = 1e-3;        // program time slower than this counts as standing
+constexpr double kSingular = 0.06;       // margin at which Cartesian motion ends
+constexpr double kCreeping = 1e-3;       // rad/s or a part of the wanted speed: as good as standing
+constexpr double kRangeReserve = 0.002;  // rad kept to the end of the joint range
+constexpr double kExpiryJoint = 2.0;     // rad/s2, at least, when a speed command is not repeated
+constexpr double kExpiryTool = 0.5;      // m/s2
 }  // namespace
 
 void VelocityMotion::begin(Kind kind, const JointTarget& now, double timeScale) {
@@ -41,7 +41,7 @@ void VelocityMotion::speedJ(const JointTarget& now, double timeScale, const Vect
     begin(Kind::SpeedJ, now, timeScale);
     targetVelocity_ = qd;
     // More than the joints can would never be reached.
-    const double factor = speedFactor(qd);
+    const double factor = limits_.speedFactor(qd);
     targetVelocity_ *= factor;
     a_ = a;
     speedReached_ = false;
@@ -111,39 +111,14 @@ std::optional<StopReason> VelocityMotion::step(double timeScale, JointTarget& st
     return stop;
 }
 
-double VelocityMotion::speedFactor(const Vector6& qd) const {
-    const double worst = (qd.cwiseAbs().array() / limits_.speed.array()).maxCoeff();
-    return worst > 1 ? 1 / worst : 1.0;
-}
-
-// How much of qd is possible so that every joint can still stop before the end of its range.
-double VelocityMotion::rangeFactor(const Vector6& q, const Vector6& qd, int& joint) const {
-    double factor = 1;
-    for (int j = 0; j < kJointCount; ++j) {
-        const double v = std::abs(qd[j]);
-        if (v < 1e-12) {
-            continue;
-        }
-        const double left = limits_.position - kRangeReserve - (qd[j] > 0 ? q[j] : -q[j]);
-        const double room = std::max(0.0, left - v * period_);
-        // Within the last bit the speed falls with the distance, so that the end is approached, not hit.
-        const double allowed = std::min(std::sqrt(2 * limits_.brakingAcceleration() * room), 20 * room);
-        if (allowed < factor * v) {
-            factor = allowed / v;
-            joint = j;
-        }
-    }
-    return factor;
-}
-
-bool VelocityMotion::cutToAcceleration(const Vector6& from, Vector6& to) const {
-    const double change = (to - from).cwiseAbs().maxCoeff();
-    const double possible = limits_.acceleration * period_;
-    if (change <= possible) {
+bool VelocityMotion::settled(const JointTarget& state) const {
+    if (state.qd.cwiseAbs().maxCoeff() > 1e-4) {
         return false;
     }
-    to = from + (to - from) * (possible / change);
-    return true;
+    if (kind_ == Kind::ServoJ) {
+        return (servoQ_ - state.q).cwiseAbs().maxCoeff() < 1e-5;
+    }
+    return kind_ == Kind::ServoC || targetVelocity_.isZero(1e-9);
 }
 
 std::optional<StopReason> VelocityMotion::stepSpeedJ(double timeScale, JointTarget& state, int& joint) {
@@ -152,12 +127,12 @@ std::optional<StopReason> VelocityMotion::stepSpeedJ(double timeScale, JointTarg
     const double possible = a_ * period_ * timeScale;
     velocity_ = most <= possible ? targetVelocity_ : Vector6(velocity_ + change * (possible / most));
     Vector6 wanted = velocity_ * timeScale;
-    double factor = speedFactor(wanted);
-    factor *= rangeFactor(state.q, wanted * factor, joint);
+    double factor = limits_.speedFactor(wanted);
+    factor *= limits_.rangeFactor(state.q, wanted * factor, period_, joint);
     wanted *= factor;
     velocity_ *= factor;
     slowedBy_ = factor;
-    if (cutToAcceleration(state.qd, wanted) && timeScale > kNoScale) {
+    if (limits_.cutToAcceleration(state.qd, wanted, period_) && timeScale > kNoScale) {
         velocity_ = wanted / timeScale;
     }
     speedReached_ = most <= possible || factor < 1;
@@ -215,7 +190,7 @@ std::optional<StopReason> VelocityMotion::stepCartesian(double timeScale, JointT
     geometry_.evaluate(state.q, posture);
     const double margin = geometry_.singularityMargin(state.q, posture);
 
-    double factor = speedFactor(qd);
+    double factor = limits_.speedFactor(qd);
     if (marginAfter < margin && marginAfter < 1) {
         // Towards a singular position: the joints get slower in proportion to the way left.
         const double usable = std::max(0.0, (marginAfter - kSingular) / (1 - kSingular));
@@ -225,7 +200,7 @@ std::optional<StopReason> VelocityMotion::stepCartesian(double timeScale, JointT
         factor = std::min(factor, 4 * std::max(0.0, marginAfter - kSingular) / std::max(approach, 1e-9));
     }
     const double singularFactor = factor;
-    factor *= rangeFactor(state.q, qd * factor, joint);
+    factor *= limits_.rangeFactor(state.q, qd * factor, period_, joint);
     const bool rangeLimited = factor < singularFactor;
     if (!rangeLimited) {
         joint = -1;
@@ -241,7 +216,7 @@ std::optional<StopReason> VelocityMotion::stepCartesian(double timeScale, JointT
             return StopReason::Singularity;
         }
     }
-    if (cutToAcceleration(state.qd, qd)) {
+    if (limits_.cutToAcceleration(state.qd, qd, period_)) {
         // Off the wanted path for this step: go on from where the joints really are.
         state.q += 0.5 * (state.qd + qd) * period_;
         geometry_.evaluate(state.q, posture);
@@ -284,12 +259,12 @@ std::optional<StopReason> VelocityMotion::stepServoJ(double timeScale, JointTarg
         next[j] = std::clamp(next[j], velocity_[j] - reachable, velocity_[j] + reachable);
     }
     Vector6 wanted = next * timeScale;
-    const double factor = rangeFactor(state.q, wanted, joint);
+    const double factor = limits_.rangeFactor(state.q, wanted, period_, joint);
     joint = -1;
     slowedBy_ = factor;
     wanted *= factor;
     next *= factor;
-    if (cutToAcceleration(state.qd, wanted) && timeScale > kNoScale) {
+    if (limits_.cutToAcceleration(state.qd, wanted, period_) && timeScale > kNoScale) {
         next = wanted / timeScale;
     }
     velocity_ = next;

@@ -14,12 +14,6 @@
 
 namespace tiller::simulator::arm {
 
-/// Joint state of the generator: what was asked of the drives last.
-struct JointTarget {
-    Vector6 q = Vector6::Zero();
-    Vector6 qd = Vector6::Zero();
-};
-
 class VelocityMotion {
 public:
     enum class Kind : std::uint8_t { SpeedJ, SpeedL, ServoJ, ServoC };
@@ -27,18 +21,24 @@ public:
     VelocityMotion(const ArmGeometry& geometry, const JointLimits& limits, double period)
         : geometry_(geometry), limits_(limits), period_(period) {}
 
-    // Each begins from, or goes on with, the velocity in `now`; `timeScale` is the ratio program to real time.
+    // Each begins from, or goes on with, the velocity in `now`; `timeScale` is the ratio program to real
+    // time.
     void speedJ(const JointTarget& now, double timeScale, const Vector6& qd, double a);
     void speedL(const JointTarget& now, double timeScale, const Vector6& twist, double a, double aRot);
     void servoJ(const JointTarget& now, double timeScale, const Vector6& q, double t, double lookahead,
                 double gain);
-    void servoC(const JointTarget& now, double timeScale, const ToolPoint& target, double a, double v, double r);
+    void servoC(const JointTarget& now, double timeScale, const ToolPoint& target, double a, double v,
+                double r);
 
     /// No further command came: speed commands brake to rest; servo targets are kept, without their velocity.
     void expire();
     /// Ends; the next command begins anew from the velocity the arm then has.
     void drop() { running_ = false; }
     bool running() const { return running_; }
+    /// Somebody else moved the arm to q.
+    void relocated(const Vector6& q) { tool_ = ToolPoint(geometry_.tcpPose(q)); }
+    /// At rest and with nothing left to do.
+    bool settled(const JointTarget& state) const;
     Kind kind() const { return kind_; }
 
     /// One step. Returns why the arm must stop, if it must; `joint` is then the joint concerned.
@@ -56,9 +56,6 @@ private:
     std::optional<StopReason> stepCartesian(double timeScale, JointTarget& state, int& joint);
     std::optional<StopReason> stepServoJ(double timeScale, JointTarget& state, int& joint);
     void pursue();
-    double rangeFactor(const Vector6& q, const Vector6& qd, int& joint) const;
-    double speedFactor(const Vector6& qd) const;
-    bool cutToAcceleration(const Vector6& from, Vector6& to) const;
 
     const ArmGeometry& geometry_;
     const JointLimits& limits_;

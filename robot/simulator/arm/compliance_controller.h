@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Behind Compliance: an admittance laid over the programmed motion. In force mode the compliant axes of the
+// force frame move as a damped mass pushed by the difference of wanted and measured force; the other axes
+// follow the program. In freedrive the joints move as damped inertias pushed by the hand.
+
+#include "robot/simulator/arm/arm_geometry.h"
+#include "robot/simulator/arm/compliance.h"
+#include "robot/simulator/arm/motion_generator.h"
+
+namespace tiller::simulator::arm {
+
+class ComplianceController {
+public:
+    ComplianceController(const ArmGeometry& geometry, MotionGenerator& generator, double period);
+
+    MotionError startForceMode(const ForceModeParameters& parameters);
+    void endForceMode();
+    MotionError startFreedrive(const FreedriveParameters& parameters);
+    void endFreedrive();
+    bool isForceMode() const { return forceMode_; }
+    bool isFreedrive() const { return freedrive_; }
+    int freedriveStatus() const;
+
+    double damping = 0.005;    ///< 0..1
+    double gainScaling = 1.0;  ///< 0..2
+
+    /// Ends both without a stop of its own.
+    void drop();
+    /// The program's target becomes the commanded one. `measured`: TCP force as the controller sees it;
+    /// `external`: what really pushes at the TCP, without load and noise; both base axes about the TCP.
+    const JointTarget& apply(const Wrench& measured, const Wrench& external, bool operational);
+    const JointTarget& target() const { return command_; }
+
+private:
+    Eigen::Matrix3d forceFrame(const Eigen::Vector3d& tcp, const Eigen::Vector3d& tcpVelocity) const;
+    void stepForceMode(const Wrench& measured);
+    void stepFreedrive(const Wrench& external);
+    bool takeTwist(const Vector6& twist);
+
+    const ArmGeometry& geometry_;
+    MotionGenerator& generator_;
+    double period_;
+    bool forceMode_ = false;
+    bool freedrive_ = false;
+    ForceModeParameters force_;
+    FreedriveParameters free_;
+    Vector6 forceVelocity_ = Vector6::Zero();  // compliant axes, force frame
+    JointTarget command_;
+    Posture posture_;
+    Posture program_;
+};
+
+}  // namespace tiller::simulator::arm

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "robot/simulator/arm/dynamics.h"
+
+#include <kdl/chain.hpp>
+#include <kdl/chaindynparam.hpp>
+#include <kdl/chainidsolver_recursive_newton_euler.hpp>
+#include <optional>
+
+namespace tiller::simulator::arm {
+
+namespace {
+KDL::Vector toKdl(const Eigen::Vector3d& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+KDL::RigidBodyInertia toKdl(const LinkInertia& link) {
+    const auto& c = link.centreOfMass;
+    const auto& i = link.inertia;
+    return KDL::RigidBodyInertia(link.mass, KDL::Vector(c[0], c[1], c[2]),
+                                 KDL::RotationalInertia(i[0], i[3], i[5], i[1], i[2], i[4]));
+}
+
+KDL::RigidBodyInertia toKdl(const Payload& payload) {
+    const Vector6& i = payload.inertia;
+    return KDL::RigidBodyInertia(payload.mass, toKdl(payload.centreOfGravity),
+                                 KDL::RotationalInertia(i[0], i[1], i[2], i[3], i[4], i[5]));
+}
+}  // namespace
+
+struct Dynamics::Chain {
+    explicit Chain(const RobotModel& m) : model(m), q(6), qd(6), qdd(6), torque(6), mass(6), external(6) {
+        const DhParameters& dh = model.dh;
+        for (std::size_t i = 0; i < 6; ++i) {
+            chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::RotZ),
+                                          KDL::Frame::DH(dh.a[i], dh.alpha[i], dh.d[i], dh.theta[i]),
+                                          toKdl(model.links[i])));
+        }
+    }
+
+    void rebuild(const Eigen::Vector3d& gravity) {
+        const KDL::Vector down = toKdl(-gravity);
+        inverse.emplace(chain, down);
+        parameters.emplace(chain, down);
+    }
+
+    static void set(KDL::JntArray& to, const Vector6& from) { to.data = from; }
+
+    const RobotModel& model;
+    KDL::Chain chain;
+    std::optional<KDL::ChainIdSolver_RNE> inverse;
+    std::optional<KDL::ChainDynParam> parameters;
+    KDL::JntArray q, qd, qdd, torque;
+    KDL::JntSpaceInertiaMatrix mass;
+    KDL::Wrenches external;
+    Payload payload;
+};
+
+Dynamics::Dynamics(const RobotModel& model) : chain_(std::make_unique<Chain>(model)) {
+    setGravity({0, 0, 9.82});
+}
+
+Dynamics::~Dynamics() = default;
+
+void Dynamics::setPayload(const Payload& payload) {
+    chain_->payload = payload;
+    chain_->chain.getSegment(5).setInertia(toKdl(chain_->model.links[5]) + toKdl(payload));
+}
+
+void Dynamics::setGravity(const Eigen::Vector3d& gravity) {
+    chain_->rebuild(gravity);
+}
+
+Vector6 Dynamics::torques(const Vector6& q, const Vector6& qd, const Vector6& qdd, const Wrench& onFlange) {
+    Chain& c = *chain_;
+    Chain::set(c.q, q);
+    Chain::set(c.qd, qd);
+    Chain::set(c.qdd, qdd);
+    c.external[5] = KDL::Wrench(toKdl(onFlange.force), toKdl(onFlange.torque));
+    c.inverse->CartToJnt(c.q, c.qd, c.qdd, c.external, c.torque);
+    return c.torque.data;
+}
+
+Matrix6 Dynamics::massMatrix(const Vector6& q) {
+    Chain& c = *chain_;
+    Chain::set(c.q, q);
+    c.parameters->JntToMass(c.q, c.mass);
+    return c.mass.data;
+}
+
+Vector6 Dynamics::coriolis(const Vector6& q, const Vector6& qd) {
+    Chain& c = *chain_;
+    Chain::set(c.q, q);
+    Chain::set(c.qd, qd);
+    c.parameters->JntToCoriolis(c.q, c.qd, c.torque);
+    return c.torque.data;
+}
+
+Vector6 Dynamics::gravityTorques(const Vector6& q) {
+    return torques(q, Vector6::Zero(), Vector6::Zero());
+}
+
+Eigen::Vector3d Dynamics::momentum(const std::array<Eigen::Isometry3d, 7>& frames, const Vector6& qd) const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    Eigen::Vector3d omega = Eigen::Vector3d::Zero();
+    Eigen::Vector3d origin = frames[0].translation();
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+    for (int i = 0; i < kJointCount; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        omega += frames[k].linear().col(2) * qd[i];
+        const Eigen::Isometry3d& T = frames[k + 1];
+        velocity += omega.cross(T.translation() - origin);
+        origin = T.translation();
+        const LinkInertia& link = chain_->model.links[k];
+        const Eigen::Vector3d centre =
+            T.linear() * Eigen::Map<const Eigen::Vector3d>(link.centreOfMass.data());
+        sum += link.mass * (velocity + omega.cross(centre));
+    }
+    const Eigen::Vector3d load = frames[6].linear() * chain_->payload.centreOfGravity;
+    return sum + chain_->payload.mass * (velocity + omega.cross(load));
+}
+
+}  // namespace tiller::simulator::arm

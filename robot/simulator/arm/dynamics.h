@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Rigid-body dynamics of the arm with a payload: torques for a motion, mass matrix, Coriolis torques,
+// momentum. Recursive Newton-Euler by orocos-KDL on the model's DH chain.
+// Nothing allocates after construction, except setGravity().
+
+#include <memory>
+
+#include "robot/core/joints.h"
+#include "robot/core/robot_model.h"
+#include "robot/core/spatial.h"
+#include "robot/simulator/arm/arm_state.h"
+
+namespace tiller::simulator::arm {
+
+class Dynamics {
+public:
+    explicit Dynamics(const RobotModel& model);
+    ~Dynamics();
+
+    void setPayload(const Payload& payload);
+    /// Acceleration the base experiences; upright [0, 0, 9.82] m/s2.
+    void setGravity(const Eigen::Vector3d& gravity);
+
+    /// Torques at the joints [Nm] that produce qdd while `onFlange` (flange frame, about its origin) acts.
+    Vector6 torques(const Vector6& q, const Vector6& qd, const Vector6& qdd, const Wrench& onFlange = {});
+    Matrix6 massMatrix(const Vector6& q);
+    Vector6 coriolis(const Vector6& q, const Vector6& qd);
+    Vector6 gravityTorques(const Vector6& q);
+
+    /// Sum of mass times velocity of all links and the payload, base frame [kg m/s].
+    Eigen::Vector3d momentum(const std::array<Eigen::Isometry3d, 7>& frames, const Vector6& qd) const;
+
+private:
+    struct Chain;
+    std::unique_ptr<Chain> chain_;
+};
+
+}  // namespace tiller::simulator::arm

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "robot/simulator/arm/joint_limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tiller::simulator::arm {
+
+namespace {
+constexpr double kRangeReserve = 0.002;  // rad kept to the end of the joint range
+constexpr double kCreepRate = 20;        // 1/s: close to the end the speed falls with the distance
+}  // namespace
+
+double JointLimits::speedFactor(const Vector6& qd) const {
+    const double worst = (qd.cwiseAbs().array() / speed.array()).maxCoeff();
+    return worst > 1 ? 1 / worst : 1.0;
+}
+
+double JointLimits::rangeFactor(const Vector6& q, const Vector6& qd, double period, int& joint) const {
+    double factor = 1;
+    for (int j = 0; j < kJointCount; ++j) {
+        const double v = std::abs(qd[j]);
+        if (v < 1e-12) {
+            continue;
+        }
+        const double left = position - kRangeReserve - (qd[j] > 0 ? q[j] : -q[j]);
+        const double room = std::max(0.0, left - v * period);
+        const double allowed = std::min(std::sqrt(2 * brakingAcceleration() * room), kCreepRate * room);
+        if (allowed < factor * v) {
+            factor = allowed / v;
+            joint = j;
+        }
+    }
+    return factor;
+}
+
+bool JointLimits::cutToAcceleration(const Vector6& from, Vector6& to, double period) const {
+    const double change = (to - from).cwiseAbs().maxCoeff();
+    const double possible = acceleration * period;
+    if (change <= possible) {
+        return false;
+    }
+    to = from + (to - from) * (possible / change);
+    return true;
+}
+
+}  // namespace tiller::simulator::arm

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What the drives and sensors of the arm answer to a target: encoders with a little lag and noise, motor
+// currents, the force/torque sensor at the flange, temperatures, supply.
+
+#include <cstdint>
+
+#include "robot/simulator/arm/arm_geometry.h"
+#include "robot/simulator/arm/arm_state.h"
+#include "robot/simulator/arm/dynamics.h"
+#include "robot/simulator/arm/environment.h"
+#include "robot/simulator/arm/joint_limits.h"
+
+namespace tiller::simulator::arm {
+
+/// Small, fast, seeded noise: bounded, mean 0, standard deviation as asked (sum of four uniform values).
+class Noise {
+public:
+    explicit Noise(std::uint64_t seed) : state_(seed * 0x9E3779B97F4A7C15ull + 0x1234567ull) {}
+    double operator()(double standardDeviation);
+    Eigen::Vector3d vector(double standardDeviation);
+
+private:
+    double uniform();
+    std::uint64_t state_;
+};
+
+class Sensors {
+public:
+    Sensors(const ArmGeometry& geometry, double period, std::uint64_t seed, bool ideal);
+
+    void setGravity(const Eigen::Vector3d& gravity);
+    const Eigen::Vector3d& gravity() const { return gravity_; }
+    void setPayload(const Payload& payload);
+    const Payload& payload() const { return payload_; }
+    /// The present force reading becomes zero.
+    void zeroForce();
+    /// The arm is at q, at rest.
+    void place(const Vector6& q);
+
+    /// Everything in `state` that follows from the new target.
+    void update(const JointTarget& target, DriveState drive, const Environment& environment, ArmState& state);
+
+    Dynamics& dynamics() { return model_; }
+    /// What pushes at the TCP besides what the controller knows of: hand, contact, weight it was not told of.
+    const Wrench& unexplained() const { return unexplained_; }
+    double contactForce() const { return contact_; }
+
+private:
+    void updateKinematics(const JointTarget& target, ArmState& state);
+    void updateForces(const Environment& environment, DriveState drive, ArmState& state);
+    void updateDrives(DriveState drive, ArmState& state);
+    void updateSupply(DriveState drive, ArmState& state);
+    Eigen::Vector3d accelerationOf(const Eigen::Vector3d& point) const;
+    Wrench loadOnFlange(const Payload& load) const;
+
+    const ArmGeometry& geometry_;
+    double period_;
+    bool ideal_;
+    Noise noise_;
+    Dynamics model_;  // with the payload as configured
+    Dynamics real_;   // with the load really carried
+    Payload payload_;
+    Payload load_;
+    Eigen::Vector3d gravity_{0, 0, 9.82};
+
+    Vector6 q_ = Vector6::Zero();  // where the joints really are
+    Vector6 qd_ = Vector6::Zero();
+    Vector6 qdd_ = Vector6::Zero();
+    Posture target_;
+    Posture actual_;
+    Twist targetTwist_;
+    Twist actualTwist_;
+    Eigen::Vector3d tcpAcceleration_ = Eigen::Vector3d::Zero();  // TCP acceleration of the target motion
+    Eigen::Vector3d tcpTurning_ = Eigen::Vector3d::Zero();
+    Wrench atFlange_;     // external and load, flange frame
+    Wrench external_;     // on the flange, flange frame, load excluded: for the dynamics
+    Wrench unexplained_;  // base axes at the TCP
+    Wrench compensated_;  // flange frame, before zeroing
+    Wrench zero_;         // flange frame
+    Wrench offset_;       // of the raw sensor
+    double contact_ = 0;
+    bool first_ = true;
+};
+
+}  // namespace tiller::simulator::arm

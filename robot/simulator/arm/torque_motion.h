@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// direct_torque: the joints move as the commanded torques and the arm's inertia make them. Gravity is always
+// compensated, friction in part.
+
+#include "robot/simulator/arm/dynamics.h"
+#include "robot/simulator/arm/joint_limits.h"
+
+namespace tiller::simulator::arm {
+
+class TorqueMotion {
+public:
+    explicit TorqueMotion(Dynamics& dynamics) : dynamics_(dynamics) {}
+
+    /// torques [Nm] without gravity; scales 0..1: how much of the friction is compensated.
+    void command(const JointTorques& torques, const Vector6& viscousScale, const Vector6& coulombScale);
+    /// One control period. False if a joint has come to the end of its range.
+    bool step(double period, const JointLimits& limits, JointTarget& state);
+
+private:
+    Dynamics& dynamics_;
+    Vector6 torques_ = Vector6::Zero();
+    Vector6 viscous_ = Vector6::Zero();  // Nm s/rad that remain
+    Vector6 coulomb_ = Vector6::Zero();  // Nm that remain
+};
+
+}  // namespace tiller::simulator::arm
