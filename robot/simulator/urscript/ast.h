@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The tree between parser and code generator. Nodes live in the deques of a Tree and point at each other; nothing is
-// freed one by one, so no input can make destruction recurse.
+// The tree between parser and code generator. Nodes live in the deques of a Tree and point at each other;
+// nothing is freed one by one, so no input can make destruction recurse.
 
 #include <cstdint>
 #include <deque>
@@ -93,8 +93,8 @@ struct Stmt {
     StmtKind kind = StmtKind::Expression;
     Position at;
     AssignScope scope = AssignScope::Unqualified;
-    Expr* target = nullptr;  ///< Assign
-    Expr* value = nullptr;   ///< Assign, Expression, Return (may be absent), Join, Kill
+    Expr* target = nullptr;         ///< Assign
+    Expr* value = nullptr;          ///< Assign, Expression, Return (may be absent), Join, Kill
     std::vector<Expr*> conditions;  ///< If: one per branch; While: one
     std::vector<Block> blocks;      ///< If: one per condition, plus one for else; While: one
     Function* definition = nullptr;

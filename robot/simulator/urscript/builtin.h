@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The one table of builtin functions: signature with defaults, since when, what it does. Compiler, interpreter and
-// documentation read the same rows.
+// The one table of builtin functions: signature with defaults, since when, what it does. Compiler,
+// interpreter and documentation read the same rows.
 
 #include <cstdint>
 #include <span>
@@ -34,12 +34,14 @@ struct CallContext {
     std::int64_t stepNs = 2'000'000;  ///< length of a frame
     std::uint64_t random = 1;         ///< generator state
     ThreadId motionOwner = -1;        ///< whose motion command is unfinished
+    int motionVersion = 1;            ///< remembered for motion_version_get
+    double jerkGain = 1.0;            ///< remembered for jerk_gain_scaling_get
 };
 
 inline constexpr const char* kTooMuchBehind = "Runtime is too much behind";
 
-/// One execution of a builtin. A builtin that cannot finish now returns Status::Again and is executed again, with the
-/// same arguments, once in every later frame until it returns Done.
+/// One execution of a builtin. A builtin that cannot finish now returns Status::Again and is executed again,
+/// with the same arguments, once in every later frame until it returns Done.
 class Call {
 public:
     Call(CallContext& context, const Builtin& builtin, ThreadId threadId, std::span<Value> arguments)
@@ -64,6 +66,9 @@ public:
     std::int64_t stepNs() const { return context_.stepNs; }
     double random();
 
+    const std::string& name() const;
+    CallContext& context() { return context_; }
+
     /// A motion builtin: starts the command when first executed, then waits for its end.
     template <class MakeCommand>
     Status motion(MakeCommand make) {
@@ -77,17 +82,17 @@ public:
     // ---- arguments, each with the error text of a wrong type
     bool given(std::size_t i) const { return !args[i].isUnset(); }
     double number(std::size_t i) const;
-    double finite(std::size_t i) const;      ///< number that is neither NaN nor infinite
+    double finite(std::size_t i) const;         ///< number that is neither NaN nor infinite
     std::int32_t integer(std::size_t i) const;  ///< int, or a float that is integral
     int integerIn(std::size_t i, int low, int high) const;
     bool boolean(std::size_t i) const;  ///< bool, or a number (0 is false)
     const std::string& string(std::size_t i) const;
-    std::vector<double> numbers(std::size_t i) const;                  ///< list or pose
-    std::array<double, 6> six(std::size_t i) const;                    ///< 6-list or pose
-    Eigen::Vector3d three(std::size_t i) const;                        ///< list of three
+    std::vector<double> numbers(std::size_t i) const;  ///< list or pose
+    std::array<double, 6> six(std::size_t i) const;    ///< 6-list or pose
+    Eigen::Vector3d three(std::size_t i) const;        ///< list of three
     JointPositions joints(std::size_t i) const;
-    Pose pose(std::size_t i) const;        ///< pose only
-    Pose poseOr6(std::size_t i) const;     ///< pose or 6-list
+    Pose pose(std::size_t i) const;          ///< pose only
+    Pose poseOr6(std::size_t i) const;       ///< pose or 6-list
     MoveTarget target(std::size_t i) const;  ///< pose, or joint list
 
     [[noreturn]] void badArgument(std::size_t i, const char* expected) const;
@@ -100,6 +105,13 @@ private:
     CallContext& context_;
     const Builtin& builtin_;
 };
+
+/// "<name> is not simulated".
+[[noreturn]] Status absent(Call& c);
+/// Passes the numbers to SetupHost::applySetting.
+Status setting(Call& c);
+/// A list of a joint quantity.
+Value jointList(const Vector6& values);
 
 /// The fault text of a host's Error.
 [[noreturn]] void fault(const Error& error);
@@ -119,7 +131,8 @@ enum BuiltinFlags : unsigned {
     kAnyArguments = 2,  ///< parameters are not checked
 };
 
-/// First version with the function: 5.x and 10.x; {0, 0} = always, 99 = never.
+/// First version with the function: 5.x and 10.x; {0, 0} = always.
+inline constexpr int kNever = 1000;
 struct Since {
     int minor5 = 0;
     int minor10 = 0;
@@ -127,7 +140,8 @@ struct Since {
 
 /// A row as written in the tables.
 struct BuiltinRow {
-    const char* signature;  ///< "movej(q, a=1.4, v=1.05, t=0, r=0)"; a `?` behind a name: optional, no fixed default
+    const char*
+        signature;  ///< "movej(q, a=1.4, v=1.05, t=0, r=0)"; a `?` behind a name: optional, no fixed default
     BuiltinFunction function;
     unsigned flags = kPlain;
     Since since = {};

@@ -87,9 +87,9 @@ bool Builtin::availableIn(const SoftwareVersion& version) const {
     if (version.major >= 10) {
         return static_cast<int>(version.minor) >= since.minor10;
     }
-    // Series 3 has what was there from the beginning.
-    const int minor = version.major >= 5 ? static_cast<int>(version.minor) : 0;
-    return minor >= since.minor5;
+    // Series 3 got the same functions in step with series 5: 3.14 with 5.9, 3.15 with 5.10.
+    const int minor = static_cast<int>(version.minor) - (version.major >= 5 ? 0 : 5);
+    return std::max(minor, 0) >= since.minor5;
 }
 
 const std::vector<Builtin>& builtins() {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a program is executed as: a stack machine's code, one sequence per function. Every variable is a slot number,
-// every callee an index; nothing is looked up by name while running.
+// What a program is executed as: a stack machine's code, one sequence per function. Every variable is a slot
+// number, every callee an index; nothing is looked up by name while running.
 
 #include <cstdint>
 #include <string>

@@ -17,6 +17,31 @@ void fault(const Error& error) {
     throw Fault{text.toStdString()};
 }
 
+Status absent(Call& c) {
+    fault(c.name() + " is not simulated");
+}
+
+Status setting(Call& c) {
+    std::vector<double> values;
+    for (const Value& v : c.args) {
+        if (v.isNumber() || v.is(Value::Type::Bool)) {
+            values.push_back(v.isNumber() ? v.number() : v.asBool() ? 1.0 : 0.0);
+        } else if (v.is(Value::Type::Pose)) {
+            values.insert(values.end(), v.pose().begin(), v.pose().end());
+        }
+    }
+    c.check(c.host.applySetting(c.name(), values));
+    return Status::Done;
+}
+
+Value jointList(const Vector6& values) {
+    return Value::floats(values.data(), 6);
+}
+
+const std::string& Call::name() const {
+    return builtin_.name;
+}
+
 double Call::random() {
     // splitmix64: small, and the same numbers on every machine for the same seed.
     std::uint64_t z = (context_.random += 0x9E3779B97F4A7C15ULL);

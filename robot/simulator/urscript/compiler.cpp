@@ -27,8 +27,8 @@ using ast::StmtKind;
 
 Method methodOf(std::string_view name) {
     static constexpr std::pair<std::string_view, Method> kMethods[] = {
-        {"append", Method::Append},  {"pop", Method::Pop},           {"insert", Method::Insert},
-        {"clear", Method::Clear},    {"length", Method::Length},     {"capacity", Method::Capacity},
+        {"append", Method::Append},      {"pop", Method::Pop},       {"insert", Method::Insert},
+        {"clear", Method::Clear},        {"length", Method::Length}, {"capacity", Method::Capacity},
         {"to_string", Method::ToString},
     };
     for (const auto& [spelling, method] : kMethods) {
@@ -416,8 +416,8 @@ private:
             case ExprKind::And:
             case ExprKind::Or: {
                 expression(e->children[0]);
-                const int skip = emit(
-                    e->kind == ExprKind::And ? Op::JumpIfFalseKeep : Op::JumpIfTrueKeep, e->at, 0, 0, -1);
+                const int skip = emit(e->kind == ExprKind::And ? Op::JumpIfFalseKeep : Op::JumpIfTrueKeep,
+                                      e->at, 0, 0, -1);
                 expression(e->children[1]);
                 emit(Op::ToBool, e->at);
                 land(skip);
@@ -563,13 +563,17 @@ private:
         } else {
             pushed = arguments(e, formals);
         }
-        emit(builtin >= 0 ? Op::CallBuiltin : Op::Call, e->at, builtin >= 0 ? builtin : f ? f->index : 0,
+        emit(builtin >= 0 ? Op::CallBuiltin : Op::Call, e->at,
+             builtin >= 0 ? builtin
+             : f          ? f->index
+                          : 0,
              pushed, 1 - pushed);
     }
 
     static const Builtin& row(int builtin) { return builtins()[static_cast<std::size_t>(builtin)]; }
 
-    // One value per parameter, in the order of the parameters. Wrong arguments are found when the call is reached.
+    // One value per parameter, in the order of the parameters. Wrong arguments are found when the call is
+    // reached.
     int arguments(const Expr* e, const std::vector<Formal>& formals) {
         std::vector<const Expr*> given(formals.size(), nullptr);
         std::string problem;

@@ -62,7 +62,8 @@ Result<StateHost::FieldValue> StateHost::rtdeValue(std::string_view) const {
     return notSimulated("get_rtde_value");
 }
 
-Result<Matrix6> KinematicsHost::jacobian(const std::optional<JointPositions>&, const std::optional<Pose>&) const {
+Result<Matrix6> KinematicsHost::jacobian(const std::optional<JointPositions>&,
+                                         const std::optional<Pose>&) const {
     return notSimulated("get_jacobian");
 }
 Result<Matrix6> KinematicsHost::jacobianTimeDerivative(const std::optional<JointPositions>&,

@@ -150,7 +150,8 @@ private:
         if (result.ec == std::errc::result_out_of_range) {
             return false;
         }
-        // An integer beyond 32 bits can only be meant as a float; 2147483648 must lex, for its negative is an int.
+        // An integer beyond 32 bits can only be meant as a float; 2147483648 must lex, for its negative is an
+        // int.
         if (!isFloat && token.number <= std::numeric_limits<std::int32_t>::max()) {
             token.kind = TokenKind::Integer;
             token.integer = static_cast<std::int32_t>(token.number);

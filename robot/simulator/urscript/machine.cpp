@@ -26,7 +26,8 @@ Interpreter::Machine::~Machine() {
     stop();
 }
 
-// --------------------------------------------------------------------------------------------------- the frame
+// --------------------------------------------------------------------------------------------------- the
+// frame
 
 Interpreter::State Interpreter::Machine::runFrame() {
     if (state != State::Running) {
@@ -36,8 +37,8 @@ Interpreter::State Interpreter::Machine::runFrame() {
     hostTold_ = false;
     ++frame;
     beginFrame();
-    // Cooperative: a thread runs until it blocks, so nothing else runs between two of its statements, critical
-    // section or not, and everything else runs while it waits, critical section or not.
+    // Cooperative: a thread runs until it blocks, so nothing else runs between two of its statements,
+    // critical section or not, and everything else runs while it waits, critical section or not.
     for (bool progress = true; progress && !over_;) {
         progress = false;
         for (std::size_t i = 0; i < threads_.size() && !over_; ++i) {
@@ -118,6 +119,13 @@ void Interpreter::Machine::run(Thread& thread) {
     }
 }
 
+ast::Position Interpreter::Machine::position(const Thread& thread) {
+    const CallFrame& call = thread.calls.back();
+    // pc is the next instruction, but a builtin that waits is its own next one.
+    const int pc = std::max(thread.again ? call.pc : call.pc - 1, 0);
+    return call.function->positions[static_cast<std::size_t>(pc)];
+}
+
 void Interpreter::Machine::fail(const Thread& thread, const std::string& text) {
     if (state != State::Running) {
         return;
@@ -125,10 +133,9 @@ void Interpreter::Machine::fail(const Thread& thread, const std::string& text) {
     RuntimeError e;
     e.text = text;
     if (!thread.calls.empty()) {
-        const CallFrame& call = thread.calls.back();
-        const std::size_t pc = static_cast<std::size_t>(std::max(call.pc - 1, 0));
-        e.line = call.function->positions[pc].line;
-        e.column = call.function->positions[pc].column;
+        const ast::Position at = position(thread);
+        e.line = at.line;
+        e.column = at.column;
     }
     error = std::move(e);
     state = State::Failed;
@@ -145,7 +152,8 @@ void Interpreter::Machine::finishProgram() {
     }
 }
 
-// ------------------------------------------------------------------------------------------- control from outside
+// ------------------------------------------------------------------------------------------- control from
+// outside
 
 void Interpreter::Machine::pause() {
     if (state != State::Running) {
@@ -177,7 +185,8 @@ void Interpreter::Machine::stop() {
     finishProgram();
 }
 
-// ------------------------------------------------------------------------------------------------------- threads
+// -------------------------------------------------------------------------------------------------------
+// threads
 
 Interpreter::Machine::Thread& Interpreter::Machine::start(int function, ThreadId parent) {
     auto thread = std::make_unique<Thread>();
@@ -251,8 +260,7 @@ int Interpreter::Machine::currentLine() const {
     if (frame == 0 || main == nullptr || main->calls.empty()) {
         return 0;
     }
-    const CallFrame& call = main->calls.back();
-    return call.function->positions[static_cast<std::size_t>(std::max(call.pc - 1, 0))].line;
+    return position(*main).line;
 }
 
 int Interpreter::Machine::threadCount() const {
@@ -270,7 +278,8 @@ const Value* Interpreter::Machine::global(std::string_view name) const {
     return v.isUnset() ? nullptr : &v;
 }
 
-// --------------------------------------------------------------------------------------------------------- the face
+// ---------------------------------------------------------------------------------------------------------
+// the face
 
 Interpreter::Interpreter(std::shared_ptr<const Program> program, Host& host, const Limits& limits)
     : machine_(std::make_unique<Machine>(std::move(program), host, limits)) {}

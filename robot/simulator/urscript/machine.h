@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The inside of an Interpreter: script threads with their stacks, and the scheduler that shares out the frame.
+// The inside of an Interpreter: script threads with their stacks, and the scheduler that shares out the
+// frame.
 
 #include <memory>
 #include <vector>
@@ -71,6 +72,7 @@ private:
     void killTree(ThreadId id);
     void finishProgram();
     void fail(const Thread& thread, const std::string& text);
+    static ast::Position position(const Thread& thread);
     ThreadId handleOf(const Value& v) const;
 
     // execution (machine_run.cpp)

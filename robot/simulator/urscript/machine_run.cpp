@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Executes bytecode. The common cases (numbers, jumps, variables) are handled here; all else goes to operators.cpp.
+// Executes bytecode. The common cases (numbers, jumps, variables) are handled here; all else goes to
+// operators.cpp.
 
 #include <algorithm>
 #include <cmath>
@@ -230,7 +231,8 @@ void Interpreter::Machine::execute(Thread& thread) {
             case Op::LoadLocal:
             case Op::LoadGlobal: {
                 const bool global = instruction.op == Op::LoadGlobal;
-                const Value& v = global ? globals_[static_cast<std::size_t>(instruction.b)] : locals[instruction.b];
+                const Value& v =
+                    global ? globals_[static_cast<std::size_t>(instruction.b)] : locals[instruction.b];
                 if (v.isUnset()) [[unlikely]] {
                     save();
                     settle();
@@ -244,7 +246,8 @@ void Interpreter::Machine::execute(Thread& thread) {
                 const bool global = instruction.op == Op::StoreGlobal;
                 Value& v = global ? globals_[static_cast<std::size_t>(instruction.b)] : locals[instruction.b];
                 --sp;
-                if (sp->isPlain() && (v.isUnset() || (v.isPlain() && v.isNumber() && sp->isNumber()))) {
+                if (sp->isPlain() &&
+                    (v.isUnset() || v.type() == sp->type() || (v.isNumber() && sp->isNumber()))) {
                     v.initialize(*sp);
                     sp->forget();
                 } else {
@@ -344,7 +347,8 @@ void Interpreter::Machine::execute(Thread& thread) {
                 save();
                 charge(instruction.b / 4);
                 settle();
-                Value list = makeList(sp - instruction.b, static_cast<std::size_t>(instruction.b), limits_.listLength);
+                Value list =
+                    makeList(sp - instruction.b, static_cast<std::size_t>(instruction.b), limits_.listLength);
                 for (int i = 0; i < instruction.b; ++i) {
                     (--sp)->reset();
                 }

@@ -12,8 +12,8 @@ namespace {
 
 using Type = Value::Type;
 
-// The type of a variable is fixed by its first value, as far as these families go: numbers mix, and so do poses and
-// lists, because scripts in the field assign one to the other.
+// The type of a variable is fixed by its first value, as far as these families go: numbers mix, and so do
+// poses and lists, because scripts in the field assign one to the other.
 int family(const Value& v) {
     switch (v.type()) {
         case Type::Bool:
@@ -40,8 +40,8 @@ void Interpreter::Machine::store(Value& variable, Value v, const std::string& na
         const int before = family(variable);
         const int after = family(v);
         if (before != after && before != 0 && after != 0) {
-            fault("Type error: variable '" + name + "' is a " + variable.typeName() + " and cannot become a " +
-                  v.typeName());
+            fault("Type error: variable '" + name + "' is a " + variable.typeName() +
+                  " and cannot become a " + v.typeName());
         }
         if (variable.is(Type::List) && v.is(Type::List)) {
             const std::size_t capacity = variable.list().capacity;

@@ -103,8 +103,9 @@ bool elementwise(Op op, const Elements& a, const Elements& b, std::size_t count,
     const bool integer = a.integer && b.integer && op != Op::Divide;
     out.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
-        out[i] = integer ? applyInt(op, static_cast<std::int32_t>(a.at(i)), static_cast<std::int32_t>(b.at(i)))
-                         : apply(op, a.at(i), b.at(i));
+        out[i] = integer
+                     ? applyInt(op, static_cast<std::int32_t>(a.at(i)), static_cast<std::int32_t>(b.at(i)))
+                     : apply(op, a.at(i), b.at(i));
     }
     return integer;
 }
@@ -122,8 +123,7 @@ Value product(const Value& left, const Value& right) {
     MatrixData out;
     out.rows = m.rows;
     out.cols = cols;
-    out.integer = m.integer &&
-                  (vector ? right.list().kind == ListData::Kind::Int : right.matrix().integer);
+    out.integer = m.integer && (vector ? right.list().kind == ListData::Kind::Int : right.matrix().integer);
     out.numbers.assign(out.rows * out.cols, 0.0);
     for (std::size_t r = 0; r < out.rows; ++r) {
         for (std::size_t c = 0; c < cols; ++c) {
@@ -253,7 +253,8 @@ Value makePose(const Value* elements) {
     std::array<double, 6> pose{};
     for (std::size_t i = 0; i < 6; ++i) {
         if (!elements[i].isNumber()) {
-            fault(std::string("Type error: elements of a pose must be numbers, not ") + elements[i].typeName());
+            fault(std::string("Type error: elements of a pose must be numbers, not ") +
+                  elements[i].typeName());
         }
         pose[i] = elements[i].number();
     }
@@ -364,7 +365,8 @@ void assignIndexed(Value& v, const Value& i, const Value& element) {
         }
         case Type::Pose:
             if (!element.isNumber()) {
-                fault(std::string("Type error: elements of a pose must be numbers, not ") + element.typeName());
+                fault(std::string("Type error: elements of a pose must be numbers, not ") +
+                      element.typeName());
             }
             v.pose()[checkedIndex(i, 6)] = element.number();
             return;

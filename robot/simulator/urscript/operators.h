@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Arithmetic and comparison of values as the language defines them. Everything throws Fault for types that do not
-// go together.
+// Arithmetic and comparison of values as the language defines them. Everything throws Fault for types that do
+// not go together.
 
 #include "robot/simulator/urscript/bytecode.h"
 #include "robot/simulator/urscript/value.h"

@@ -53,7 +53,9 @@ public:
 
 private:
     // ---- tokens
-    const Token& peek(std::size_t ahead = 0) const { return tokens_[std::min(at_ + ahead, tokens_.size() - 1)]; }
+    const Token& peek(std::size_t ahead = 0) const {
+        return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
+    }
     const Token& take() {
         const Token& token = peek();
         if (token.kind != TokenKind::End) {
@@ -227,8 +229,7 @@ private:
                 return newStmt(StmtKind::ExitCritical, take());
             case TokenKind::KwJoin:
             case TokenKind::KwKill: {
-                Stmt* s =
-                    newStmt(token.kind == TokenKind::KwJoin ? StmtKind::Join : StmtKind::Kill, take());
+                Stmt* s = newStmt(token.kind == TokenKind::KwJoin ? StmtKind::Join : StmtKind::Kill, take());
                 s->value = expression();
                 return s;
             }

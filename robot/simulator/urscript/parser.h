@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Tokens to tree. Newlines separate nothing: an operand is extended as far as the grammar allows, and since no
-// statement begins with an operator or a bracket the next statement begins where it stops.
+// Tokens to tree. Newlines separate nothing: an operand is extended as far as the grammar allows, and since
+// no statement begins with an operator or a bracket the next statement begins where it stops.
 
 #include <optional>
 #include <string_view>

@@ -33,20 +33,19 @@ public:
     /// The next complete unit, or nothing yet.
     std::optional<Unit> next();
     /// Bytes waiting for the rest of their unit.
-    std::size_t pending() const { return text_.size() - done_; }
+    std::size_t pending() const { return unit_.size() + line_.size(); }
     void clear();
 
 private:
-    void scanLine(std::string_view line);
-    void finish(Unit::Kind kind);
+    void takeLine();
+    void finish();
+    void emitCommand(std::string_view words);
 
-    std::string text_;         // bytes not given out yet
-    std::size_t done_ = 0;     // given out, not yet erased
-    std::size_t scanned_ = 0;  // end of the last complete line looked at
-    int depth_ = 0;            // open blocks
-    int brackets_ = 0;
-    bool inUnit_ = false;
-    bool blockStarts_ = false;
+    std::string line_;    // begun, not ended
+    std::string unit_;    // whole lines of an unfinished unit
+    int blocks_ = 0;      // open def, if, while...
+    int brackets_ = 0;    // open ( and [
+    bool begun_ = false;  // unit_ holds more than comments
     Unit::Kind kind_ = Unit::Kind::Statements;
     std::deque<Unit> ready_;
 };

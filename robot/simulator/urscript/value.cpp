@@ -191,9 +191,8 @@ bool Value::equals(const Value& other) const {
             if (a.kind != ListData::Kind::Other && b.kind != ListData::Kind::Other) {
                 return a.numbers == b.numbers;
             }
-            return a.kind == b.kind &&
-                   std::equal(a.values.begin(), a.values.end(), b.values.begin(),
-                              [](const Value& x, const Value& y) { return x.equals(y); });
+            return a.kind == b.kind && std::equal(a.values.begin(), a.values.end(), b.values.begin(),
+                                                  [](const Value& x, const Value& y) { return x.equals(y); });
         }
         case Type::Matrix:
             return matrix().rows == other.matrix().rows && matrix().numbers == other.matrix().numbers;
@@ -244,7 +243,8 @@ bool Value::nested() const noexcept {
     return type_ == Type::Struct || (type_ == Type::List && list().kind == ListData::Kind::Other);
 }
 
-// ------------------------------------------------------------------------------------------------------- lists
+// -------------------------------------------------------------------------------------------------------
+// lists
 
 Value ListData::at(std::size_t i) const {
     switch (kind) {

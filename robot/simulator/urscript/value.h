@@ -126,8 +126,9 @@ public:
     const char* typeName() const noexcept;
     /// Same type and content; 2 and 2.0 are equal, NaN is not.
     bool equals(const Value& other) const;
-    /// Whether it nests at most `depth` deep and holds at most `budget` values, which are taken off. Every value that
-    /// a program builds is kept within such bounds, so that copies, comparisons and destruction stay cheap.
+    /// Whether it nests at most `depth` deep and holds at most `budget` values, which are taken off. Every
+    /// value that a program builds is kept within such bounds, so that copies, comparisons and destruction
+    /// stay cheap.
     bool withinBounds(int depth, std::size_t& budget) const noexcept;
     /// Struct, or a list of values that are not numbers.
     bool nested() const noexcept;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Values as text. The two styles differ on the controller too: to_str prints six decimals, textmsg six significant
-// digits without blanks.
+// Values as text. The two styles differ on the controller too: to_str prints six decimals, textmsg six
+// significant digits without blanks.
 
 #include <cmath>
 #include <cstdio>

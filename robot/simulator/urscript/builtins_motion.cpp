@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+// Moves, servo and speed commands, stops.
+
+#include <cmath>
+
+#include "robot/simulator/urscript/builtin.h"
+
+namespace tiller::simulator::urscript {
+
+namespace {
+
+void checkMove(const Call& c, const Move& move) {
+    if (!(move.acceleration > 0) || !(move.velocity > 0)) {
+        fault(c.name() + ": acceleration and velocity must be greater than 0");
+    }
+    if (move.duration < 0 || move.blend < 0) {
+        fault(c.name() + ": time and blend radius must not be negative");
+    }
+}
+
+Move moveOf(Call& c, Move::Kind kind) {
+    Move move;
+    move.kind = kind;
+    move.target = c.target(0);
+    move.acceleration = c.finite(1);
+    move.velocity = c.finite(2);
+    return move;
+}
+
+Status movej(Call& c) {
+    return c.motion([&] {
+        Move move = moveOf(c, Move::Kind::J);
+        move.duration = c.finite(3);
+        move.blend = c.finite(4);
+        checkMove(c, move);
+        return MotionCommand(move);
+    });
+}
+
+Status movel(Call& c) {
+    return c.motion([&] {
+        Move move = moveOf(c, Move::Kind::L);
+        move.duration = c.finite(3);
+        move.blend = c.finite(4);
+        checkMove(c, move);
+        return MotionCommand(move);
+    });
+}
+
+Status movep(Call& c) {
+    return c.motion([&] {
+        Move move = moveOf(c, Move::Kind::P);
+        move.blend = c.finite(3);
+        checkMove(c, move);
+        return MotionCommand(move);
+    });
+}
+
+Status movec(Call& c) {
+    return c.motion([&] {
+        Move move;
+        move.kind = Move::Kind::C;
+        move.via = c.target(0);
+        move.target = c.target(1);
+        move.acceleration = c.finite(2);
+        move.velocity = c.finite(3);
+        move.blend = c.finite(4);
+        move.orientationMode = c.integerIn(5, 0, 1);
+        checkMove(c, move);
+        return MotionCommand(move);
+    });
+}
+
+MotionCommand optimove(Call& c, Move::Kind kind) {
+    if (c.args[0].is(Value::Type::String) || c.args[0].is(Value::Type::Struct)) {
+        fault(c.name() + ": goals in named frames are not simulated");
+    }
+    Move move = moveOf(c, kind);
+    move.blend = c.finite(3);
+    checkMove(c, move);
+    if (move.acceleration > 1 || move.velocity > 1) {
+        fault(c.name() + ": acceleration and velocity are fractions, at most 1");
+    }
+    return move;
+}
+Status optimovej(Call& c) {
+    return c.motion([&] { return optimove(c, Move::Kind::OptimoveJ); });
+}
+Status optimovel(Call& c) {
+    return c.motion([&] { return optimove(c, Move::Kind::OptimoveL); });
+}
+
+// a and v (1, 2) are taken and have no effect, as on the controller.
+Status servoj(Call& c) {
+    return c.motion([&] {
+        ServoJ servo;
+        servo.q = c.joints(0);
+        servo.duration = c.given(3) ? c.finite(3) : static_cast<double>(c.stepNs()) * 1e-9;
+        servo.lookahead = c.finite(4);
+        servo.gain = c.finite(5);
+        return MotionCommand(servo);
+    });
+}
+
+Status servoc(Call& c) {
+    return c.motion([&] {
+        return MotionCommand(ServoC{c.target(0), c.finite(1), c.finite(2), c.finite(3)});
+    });
+}
+
+std::optional<double> duration(const Call& c, std::size_t i) {
+    return c.given(i) ? std::optional(std::max(c.finite(i), 0.0)) : std::nullopt;
+}
+
+// The acceleration is not checked for finiteness: scripts compute it by dividing by a remaining time.
+Status speedj(Call& c) {
+    return c.motion([&] {
+        return MotionCommand(SpeedJ{JointVelocities(c.six(0)), std::abs(c.number(1)), duration(c, 2)});
+    });
+}
+
+Status speedl(Call& c) {
+    return c.motion([&] {
+        const std::array<double, 6> v = c.six(0);
+        SpeedL speed;
+        speed.xd = Twist::fromVector(Eigen::Map<const Vector6>(v.data()));
+        speed.acceleration = std::abs(c.number(1));
+        speed.duration = duration(c, 2);
+        speed.rotationAcceleration = c.given(3) ? std::abs(c.number(3)) : speed.acceleration;
+        return MotionCommand(speed);
+    });
+}
+
+Status stopj(Call& c) {
+    return c.motion([&] { return MotionCommand(StopJ{std::abs(c.finite(0))}); });
+}
+
+Status stopl(Call& c) {
+    return c.motion([&] {
+        const double a = std::abs(c.finite(0));
+        return MotionCommand(StopL{a, c.given(1) ? std::abs(c.finite(1)) : a});
+    });
+}
+
+// Two generations: (torques, friction_comp) and (torque, viscous_scale, coulomb_scale).
+Status directTorque(Call& c) {
+    return c.motion([&] {
+        DirectTorque torque;
+        torque.torque = JointTorques(c.six(0));
+        if (!torque.torque.allFinite()) {
+            c.badArgument(0, "a list of six finite numbers");
+        }
+        if (c.given(1) && c.args[1].is(Value::Type::Bool)) {
+            torque.frictionCompensation = c.boolean(1);
+        } else if (c.given(1)) {
+            const std::array<double, 6> scale = c.six(1);
+            torque.viscous = Eigen::Map<const Vector6>(scale.data());
+        }
+        if (c.given(2)) {
+            const std::array<double, 6> scale = c.six(2);
+            torque.coulomb = Eigen::Map<const Vector6>(scale.data());
+        }
+        if (c.given(3)) {
+            torque.frictionCompensation = c.boolean(3);
+        }
+        return MotionCommand(torque);
+    });
+}
+
+Status setPos(Call& c) {
+    c.check(c.host.setJointPositions(c.joints(0)));
+    return Status::Done;
+}
+
+Status resetRevolutionCounter(Call& c) {
+    c.check(c.host.resetRevolutionCounter(c.given(0) ? c.joints(0) : JointPositions()));
+    return Status::Done;
+}
+
+Status motionVersionSet(Call& c) {
+    c.context().motionVersion = c.integerIn(0, 1, 2);
+    return setting(c);
+}
+Status motionVersionGet(Call& c) {
+    c.result = std::int32_t{c.context().motionVersion};
+    return Status::Done;
+}
+Status jerkGainSet(Call& c) {
+    const double gain = c.number(0);
+    if (!(gain >= 0.01 && gain <= 1.0)) {
+        fault("jerk_gain_scaling_set: gain must be from 0.01 to 1.0");
+    }
+    c.context().jerkGain = gain;
+    return setting(c);
+}
+Status jerkGainGet(Call& c) {
+    c.result = c.context().jerkGain;
+    return Status::Done;
+}
+
+constexpr BuiltinRow kRows[] = {
+    {"movej(q, a=1.4, v=1.05, t=0, r=0)", movej, kMotion},
+    {"movel(pose, a=1.2, v=0.25, t=0, r=0)", movel, kMotion},
+    {"movep(pose, a=1.2, v=0.25, r=0)", movep, kMotion},
+    {"movec(pose_via, pose_to, a=1.2, v=0.25, r=0, mode=0)", movec, kMotion},
+    {"optimovej(goal, a=0.3, v=0.3, r=0)", optimovej, kMotion, {21, 8}},
+    {"optimovel(goal, a=0.3, v=0.3, r=0)", optimovel, kMotion, {21, 8}},
+    {"servoj(q, a?, v?, t?, lookahead_time=0.1, gain=300)", servoj, kMotion},
+    {"servoc(pose, a=1.2, v=0.25, r=0)", servoc, kMotion},
+    {"speedj(qd, a, t?)", speedj, kMotion},
+    {"speedl(xd, a, t?, aRot?)", speedl, kMotion},
+    {"stopj(a)", stopj, kMotion},
+    {"stopl(a, aRot?)", stopl, kMotion},
+    {"direct_torque(torque, viscous_scale?, coulomb_scale?, friction_comp?)",
+     directTorque,
+     kMotion,
+     {23, 10}},
+    {"set_pos(q)", setPos},
+    {"reset_revolution_counter(qNear?)", resetRevolutionCounter},
+    {"set_safety_mode_transition_hardness(type)", setting},
+    {"position_deviation_warning(enabled, threshold=0.8)", setting},
+    {"pause_on_error_code(code, argument?)", setting},
+    {"tool_wrench_limit_set(frame_offset, Fx?, Fy?, Fz?, Mx?, My?, Mz?)", setting, kPlain, {19, 0}},
+    {"tool_wrench_limit_disable()", setting, kPlain, {19, 0}},
+    {"motion_version_set(version)", motionVersionSet},
+    {"motion_version_get()", motionVersionGet},
+    {"jerk_gain_scaling_set(gain)", jerkGainSet},
+    {"jerk_gain_scaling_get()", jerkGainGet},
+    {"frame_tracking_enable(frame_name)", absent, kPlain, {kNever, 0}},
+    {"frame_tracking_disable()", absent, kPlain, {kNever, 0}},
+};
+
+}  // namespace
+
+std::span<const BuiltinRow> motionBuiltins() {
+    return kRows;
+}
+
+}  // namespace tiller::simulator::urscript
