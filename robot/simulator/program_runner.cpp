@@ -26,15 +26,15 @@ void ProgramRunner::submit(const Unit& unit) {
     if (unit.kind == Unit::Kind::Command) {
         runCommand(unit.text);
     } else {
-        enqueue(unit.text);
+        enqueue(unit.text, false);
     }
 }
 
 bool ProgramRunner::submitText(std::string_view text) {
-    return enqueue(text);
+    return enqueue(text, true);
 }
 
-bool ProgramRunner::enqueue(std::string_view text) {
+bool ProgramRunner::enqueue(std::string_view text, bool fromFile) {
     urscript::CompileOptions options;
     options.version = plant_.options().software;
     urscript::CompileOutcome outcome = urscript::compile(text, options);
@@ -43,7 +43,7 @@ bool ProgramRunner::enqueue(std::string_view text) {
                                                  outcome.error.column, outcome.error.text));
         return false;
     }
-    requests_.push_back({std::move(outcome.program)});
+    requests_.push_back({std::move(outcome.program), fromFile});
     return true;
 }
 
@@ -69,12 +69,13 @@ void ProgramRunner::runCommand(std::string_view words) {
 }
 
 void ProgramRunner::requestStop() {
-    requests_.push_back({nullptr});
+    requests_.push_back({});
 }
 
 void ProgramRunner::takeRequests() {
     while (!requests_.empty()) {
-        const std::shared_ptr<const Program> program = std::move(requests_.front().program);
+        const Request request = std::move(requests_.front());
+        const std::shared_ptr<const Program>& program = request.program;
         requests_.pop_front();
         if (!program) {
             beginStopping();
@@ -83,6 +84,7 @@ void ProgramRunner::takeRequests() {
             startSecondary(program);
         } else {
             startMain(program);
+            fromFile_ = request.fromFile;
         }
     }
 }

@@ -46,6 +46,8 @@ public:
     /// Anything but stopped.
     bool isActive() const { return state_ != RuntimeState::Stopped; }
     bool isPaused() const { return state_ == RuntimeState::Paused; }
+    /// The main program came from a program file, not over a socket.
+    bool isFileProgram() const { return isActive() && fromFile_; }
     std::uint32_t currentLine() const;
 
     void step();
@@ -57,10 +59,11 @@ private:
     using Unit = urscript::SourceSplitter::Unit;
     struct Request {
         std::shared_ptr<const urscript::Program> program;  ///< null: stop
+        bool fromFile = false;
     };
 
     void runCommand(std::string_view words);
-    bool enqueue(std::string_view text);
+    bool enqueue(std::string_view text, bool fromFile);
     void takeRequests();
     void startMain(std::shared_ptr<const urscript::Program> program);
     void startSecondary(std::shared_ptr<const urscript::Program> program);
@@ -78,7 +81,8 @@ private:
     std::string name_;  ///< of the main program
     RuntimeState state_ = RuntimeState::Stopped;
     double stopping_ = 0;  ///< [s] in STOPPING
-    bool ended_ = false;   ///< the main body ended; told in the next period
+    bool fromFile_ = false;
+    bool ended_ = false;  ///< the main body ended; told in the next period
     bool runningSecondary_ = false;
 };
 

@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: MIT
+#include "robot/simulator/servers/dashboard_commands.h"
+
+#include <QDateTime>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <algorithm>
+#include <cctype>
+
+#include "robot/simulator/plant.h"
+#include "robot/simulator/program_runner.h"
+
+namespace tiller::simulator {
+
+namespace {
+
+using C = DashboardCommands;
+constexpr SoftwareVersion kNever{99, 0, 0, 0};
+
+constexpr const char* kRefusedInLocal =
+    "Command is not allowed due to safety reasons, please switch robot to Remote Control mode and reconnect "
+    "to port 29999";
+
+char lower(char c) {
+    return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+}
+
+bool startsWithIgnoringCase(std::string_view text, std::string_view start) {
+    return text.size() >= start.size() && std::equal(start.begin(), start.end(), text.begin(),
+                                                     [](char a, char b) { return lower(a) == lower(b); });
+}
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view kBlank = " \t\r";
+    const std::size_t first = text.find_first_not_of(kBlank);
+    if (first == std::string_view::npos) {
+        return {};
+    }
+    return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
+}
+
+std::string upper(std::string text) {
+    for (char& c : text) {
+        c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    }
+    return text;
+}
+
+}  // namespace
+
+// Longer words first where one begins like another.
+const DashboardCommands::Command DashboardCommands::kCommands[] = {
+    {"load installation", &C::loadInstallation, true, true, {3, 2, 0, 0}, {}},
+    {"load", &C::load, true, true, {}, {}},
+    {"play", &C::play, false, true, {}, {}},
+    {"stop", &C::stop, false, true, {}, {}},
+    {"pause", &C::pause, false, true, {}, {}},
+    {"running", &C::running, false, false, {}, {}},
+    {"programState", &C::programState, false, false, {}, {}},
+    {"get loaded program", &C::loadedProgram, false, false, {}, {}},
+    {"isProgramSaved", &C::isProgramSaved, false, false, {}, {}},
+    {"robotmode", &C::robotMode, false, false, {}, {}},
+    {"power on", &C::powerOn, false, true, {}, {}},
+    {"power off", &C::powerOff, false, true, {}, {}},
+    {"brake release", &C::brakeRelease, false, true, {}, {}},
+    {"unlock protective stop", &C::unlockProtectiveStop, false, true, {3, 1, 0, 0}, {}},
+    {"close safety popup", &C::closeSafetyPopup, false, true, {3, 1, 0, 0}, {}},
+    {"restart safety", &C::restartSafety, false, true, {3, 7, 0, 0}, {5, 1, 0, 0}},
+    {"safetymode", &C::safetyMode, false, false, {}, {}},
+    {"safetystatus", &C::safetyStatus, false, false, {3, 11, 0, 0}, {5, 4, 0, 0}},
+    {"shutdown", &C::shutdown, false, true, {}, {}},
+    {"quit", &C::quit, false, false, {}, {}},
+    {"popup", &C::popup, true, false, {}, {}},
+    {"close popup", &C::closePopup, false, false, {}, {}},
+    {"addToLog", &C::addToLog, true, false, {}, {}},
+    {"saveLog", &C::saveLog, false, false, {3, 13, 0, 0}, {5, 8, 0, 0}},
+    {"setUserRole", &C::setUserRole, true, false, {3, 1, 0, 0}, kNever},
+    {"getUserRole", &C::getUserRole, false, false, {3, 1, 0, 0}, kNever},
+    {"PolyscopeVersion", &C::polyscopeVersion, false, false, {}, {}},
+    {"version", &C::version, false, false, kNever, {}},
+    {"get serial number", &C::serialNumber, false, false, {3, 12, 0, 0}, {5, 6, 0, 0}},
+    {"get robot model", &C::robotModel, false, false, {3, 12, 0, 0}, {5, 6, 0, 0}},
+    {"is in remote control", &C::isInRemoteControl, false, false, kNever, {5, 6, 0, 0}},
+    {"set operational mode", &C::setOperationalMode, true, false, kNever, {}},
+    {"get operational mode", &C::getOperationalMode, false, false, kNever, {5, 6, 0, 0}},
+    {"clear operational mode", &C::clearOperationalMode, false, false, kNever, {}},
+    {"generate flight report", &C::flightReport, true, false, {3, 13, 0, 0}, {5, 8, 0, 0}},
+    {"generate support file", &C::supportFile, true, false, {3, 13, 0, 0}, {5, 8, 0, 0}},
+};
+
+DashboardCommands::DashboardCommands(Plant& plant) : plant_(plant) {}
+
+DashboardCommands::Rights DashboardCommands::rightsOfNewClient() const {
+    // Clients on the controller itself are exempt; with a simulator on this machine that is everybody, unless
+    // the option says otherwise.
+    const ControllerOptions& options = plant_.options();
+    const bool loopback = options.listenAddress.startsWith(QLatin1String("127."));
+    const bool gated = options.gateLocalControl && (!loopback || options.gateLoopbackClients);
+    return {plant_.isRemoteControl() || !gated || options.software.isCb3()};
+}
+
+bool DashboardCommands::isKnown(const Command& command) const {
+    const SoftwareVersion& software = plant_.options().software;
+    return software >= (software.isCb3() ? command.cb3 : command.eSeries);
+}
+
+const DashboardCommands::Command* DashboardCommands::find(std::string_view line,
+                                                          std::string& argument) const {
+    for (const Command& command : kCommands) {
+        if (!startsWithIgnoringCase(line, command.words) || !isKnown(command)) {
+            continue;
+        }
+        const std::string_view rest = line.substr(command.words.size());
+        if (rest.empty() || (command.takesArgument && rest.front() == ' ')) {
+            argument = trimmed(rest);
+            return &command;
+        }
+    }
+    return nullptr;
+}
+
+DashboardCommands::Reply DashboardCommands::run(std::string_view line, const Rights& rights) {
+    line = trimmed(line);
+    std::string argument;
+    const Command* command = find(line, argument);
+    if (command == nullptr) {
+        return {"could not understand: '" + std::string(line) + "'"};
+    }
+    if (command->controls && !rights.mayControl) {
+        return {kRefusedInLocal};
+    }
+    const bool closes = command->handler == &C::quit || command->handler == &C::shutdown;
+    return {(this->*command->handler)(argument), closes};
+}
+
+// ---- program --------------------------------------------------------------------------------------------
+
+std::string DashboardCommands::load(const std::string& name) {
+    std::string bare = name;
+    if (bare.size() >= 2 && bare.front() == '"' && bare.back() == '"') {
+        bare = bare.substr(1, bare.size() - 2);
+    }
+    const QString wanted = QString::fromStdString(bare);
+    const QString path =
+        QDir::isAbsolutePath(wanted) ? wanted : QDir(plant_.options().programsFolder).filePath(wanted);
+    const bool mayLook = !plant_.options().programsFolder.isEmpty() && !bare.empty();
+    if (!mayLook || !QFileInfo(path).isFile()) {
+        return "File not found: " + name;
+    }
+    if (!QFileInfo(path).isReadable()) {
+        return "Error while loading program: " + name;
+    }
+    plant_.programs().requestStop();
+    loadedPath_ = path;
+    loadedName_ = QFileInfo(path).fileName().toStdString();
+    return "Loading program: " + name;
+}
+
+std::string DashboardCommands::loadInstallation(const std::string& name) {
+    const QString path = QDir(plant_.options().programsFolder).filePath(QString::fromStdString(name));
+    if (plant_.options().programsFolder.isEmpty() || !QFileInfo(path).isFile()) {
+        return "File not found: " + name;
+    }
+    plant_.power().powerOff();
+    return "Loading installation: " + name;
+}
+
+std::string DashboardCommands::play(const std::string&) {
+    constexpr const char* kFailed = "Failed to execute: play";
+    ProgramRunner& programs = plant_.programs();
+    if (plant_.power().mode() != RobotMode::Running || !allowsMotion(plant_.safety().mode()) ||
+        plant_.popups().any()) {
+        return kFailed;
+    }
+    if (programs.isPaused()) {
+        programs.resume();
+        return "Starting program";
+    }
+    QFile file(loadedPath_);
+    if (loadedPath_.isEmpty() || programs.isActive() || !file.open(QIODevice::ReadOnly)) {
+        return kFailed;
+    }
+    constexpr qint64 kLargestProgram = 16 << 20;
+    QByteArray text = file.read(kLargestProgram);
+    if (!text.endsWith('\n')) {
+        text += '\n';
+    }
+    return programs.submitText(std::string_view(text.constData(), static_cast<std::size_t>(text.size())))
+               ? "Starting program"
+               : kFailed;
+}
+
+std::string DashboardCommands::stop(const std::string&) {
+    // Positive also when nothing runs: clients that stop a program which has just ended by itself rely on it.
+    plant_.programs().requestStop();
+    return "Stopped";
+}
+
+std::string DashboardCommands::pause(const std::string&) {
+    if (plant_.programs().state() != RuntimeState::Playing) {
+        return "Failed to execute: pause";
+    }
+    plant_.programs().pause();
+    return "Pausing program";
+}
+
+std::string DashboardCommands::running(const std::string&) {
+    const bool running = plant_.programs().isActive() && !plant_.programs().isPaused();
+    return running ? "Program running: true" : "Program running: false";
+}
+
+std::string DashboardCommands::programState(const std::string&) {
+    if (loadedName_.empty()) {
+        return "STOPPED";
+    }
+    const ProgramRunner& programs = plant_.programs();
+    // Scripts sent over a socket are not what this command is about.
+    const char* state = !programs.isFileProgram() ? "STOPPED" : programs.isPaused() ? "PAUSED" : "PLAYING";
+    return state + (" " + loadedName_);
+}
+
+std::string DashboardCommands::loadedProgram(const std::string&) {
+    return loadedName_.empty() ? "No program loaded" : "Loaded program: " + loadedPath_.toStdString();
+}
+
+std::string DashboardCommands::isProgramSaved(const std::string&) {
+    return "true " + (loadedName_.empty() ? std::string("<unnamed>") : loadedName_);
+}
+
+// ---- power and safety -----------------------------------------------------------------------------------
+
+std::string DashboardCommands::robotMode(const std::string&) {
+    return "Robotmode: " + robotModeName(plant_.power().mode()).toStdString();
+}
+
+std::string DashboardCommands::powerOn(const std::string&) {
+    plant_.powerOn();
+    return "Powering on";
+}
+
+std::string DashboardCommands::powerOff(const std::string&) {
+    plant_.power().powerOff();
+    return "Powering off";
+}
+
+std::string DashboardCommands::brakeRelease(const std::string&) {
+    plant_.releaseBrakes();
+    return "Brake releasing";
+}
+
+std::string DashboardCommands::unlockProtectiveStop(const std::string&) {
+    return plant_.safety().unlockProtectiveStop(true) ? "Protective stop releasing"
+                                                      : "Cannot unlock protective stop until 5s after "
+                                                        "occurrence. Always inspect cause of protective "
+                                                        "stop before unlocking";
+}
+
+std::string DashboardCommands::closeSafetyPopup(const std::string&) {
+    return "closing safety popup";
+}
+
+std::string DashboardCommands::restartSafety(const std::string&) {
+    plant_.restartSafety();
+    return "Restarting safety";
+}
+
+std::string DashboardCommands::safetyMode(const std::string&) {
+    return "Safetymode: " + safetyModeName(plant_.safety().mode()).toStdString();
+}
+
+std::string DashboardCommands::safetyStatus(const std::string&) {
+    return "Safetystatus: " + safetyModeName(plant_.safety().mode()).toStdString();
+}
+
+std::string DashboardCommands::shutdown(const std::string&) {
+    plant_.shutDown();
+    return "Shutting down";
+}
+
+std::string DashboardCommands::quit(const std::string&) {
+    return "Disconnected";
+}
+
+// ---- user interface -------------------------------------------------------------------------------------
+
+std::string DashboardCommands::popup(const std::string& text) {
+    const int id = plant_.popups().open(false);
+    plant_.publish(primary::popup(plant_.timestampNs(),
+                                  {static_cast<std::uint32_t>(id), false, false, false, "", text}));
+    return "showing popup";
+}
+
+std::string DashboardCommands::closePopup(const std::string&) {
+    plant_.popups().closeNewest();
+    return "closing popup";
+}
+
+std::string DashboardCommands::addToLog(const std::string& text) {
+    return text.empty() ? "No log message to add" : "Added log message";
+}
+
+std::string DashboardCommands::saveLog(const std::string&) {
+    return "Log saved to disk";
+}
+
+std::string DashboardCommands::setUserRole(const std::string& role) {
+    static constexpr std::string_view kRoles[] = {"PROGRAMMER", "OPERATOR", "NONE", "LOCKED", "RESTRICTED"};
+    const std::string wanted = upper(role);
+    if (std::find(std::begin(kRoles), std::end(kRoles), wanted) == std::end(kRoles)) {
+        return "Failed setting user role: " + role;
+    }
+    userRole_ = wanted;
+    return "Setting user role: " + role;
+}
+
+std::string DashboardCommands::getUserRole(const std::string&) {
+    return userRole_;
+}
+
+// ---- identity -------------------------------------------------------------------------------------------
+
+std::string DashboardCommands::versionNumber() const {
+    const SoftwareVersion& v = plant_.options().software;
+    return std::to_string(v.major) + '.' + std::to_string(v.minor) + '.' + std::to_string(v.bugfix) + '.' +
+           std::to_string(v.build);
+}
+
+std::string DashboardCommands::polyscopeVersion(const std::string&) {
+    return "URSoftware " + versionNumber() + " (Mar 12 2025)";
+}
+
+std::string DashboardCommands::version(const std::string&) {
+    return versionNumber();
+}
+
+std::string DashboardCommands::serialNumber(const std::string&) {
+    return plant_.options().serialNumber.toStdString();
+}
+
+std::string DashboardCommands::robotModel(const std::string&) {
+    return plant_.arm().model().dashboardName;
+}
+
+std::string DashboardCommands::isInRemoteControl(const std::string&) {
+    return plant_.isRemoteControl() ? "true" : "false";
+}
+
+std::string DashboardCommands::setOperationalMode(const std::string& mode) {
+    const std::string wanted = upper(mode);
+    if (wanted != "MANUAL" && wanted != "AUTOMATIC") {
+        return "Failed setting operational mode: " + mode;
+    }
+    operationalMode_ = wanted;
+    return "Operational mode " + wanted + " is set";
+}
+
+std::string DashboardCommands::getOperationalMode(const std::string&) {
+    return operationalMode_;
+}
+
+std::string DashboardCommands::clearOperationalMode(const std::string&) {
+    operationalMode_ = "NONE";
+    return "No longer controlling the operational mode. Current operational mode: NONE";
+}
+
+std::string DashboardCommands::flightReport(const std::string&) {
+    return "Flight Report generated with id:" + std::to_string(plant_.tick());
+}
+
+std::string DashboardCommands::supportFile(const std::string&) {
+    const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HH-mm-ss"));
+    return "Completed successfully:ur_" + plant_.options().serialNumber.toStdString() + '_' +
+           stamp.toStdString() + ".zip";
+}
+
+}  // namespace tiller::simulator

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The vocabulary of the dashboard: each command with its exact reply. Source: Dashboard Server guide; the
+// replies that clients compare letter by letter are those of the vendor's simulator.
+
+#include <QString>
+#include <string>
+#include <string_view>
+
+#include "robot/core/version.h"
+
+namespace tiller::simulator {
+
+class Plant;
+
+class DashboardCommands {
+public:
+    explicit DashboardCommands(Plant& plant);
+
+    /// What a connection may do is settled when it is made.
+    struct Rights {
+        bool mayControl = true;
+    };
+    Rights rightsOfNewClient() const;
+
+    struct Reply {
+        std::string line;  ///< without the newline
+        bool closes = false;
+    };
+    Reply run(std::string_view line, const Rights& rights);
+
+private:
+    using Handler = std::string (DashboardCommands::*)(const std::string& argument);
+    struct Command {
+        std::string_view words;
+        Handler handler;
+        bool takesArgument = false;
+        bool controls = false;  ///< refused in local control
+        SoftwareVersion cb3{};
+        SoftwareVersion eSeries{};
+    };
+    static const Command kCommands[];
+    const Command* find(std::string_view line, std::string& argument) const;
+    bool isKnown(const Command& command) const;
+
+    // program
+    std::string load(const std::string& name);
+    std::string loadInstallation(const std::string& name);
+    std::string play(const std::string&);
+    std::string stop(const std::string&);
+    std::string pause(const std::string&);
+    std::string running(const std::string&);
+    std::string programState(const std::string&);
+    std::string loadedProgram(const std::string&);
+    std::string isProgramSaved(const std::string&);
+    // power and safety
+    std::string robotMode(const std::string&);
+    std::string powerOn(const std::string&);
+    std::string powerOff(const std::string&);
+    std::string brakeRelease(const std::string&);
+    std::string unlockProtectiveStop(const std::string&);
+    std::string closeSafetyPopup(const std::string&);
+    std::string restartSafety(const std::string&);
+    std::string safetyMode(const std::string&);
+    std::string safetyStatus(const std::string&);
+    std::string shutdown(const std::string&);
+    std::string quit(const std::string&);
+    // user interface
+    std::string popup(const std::string& text);
+    std::string closePopup(const std::string&);
+    std::string addToLog(const std::string& text);
+    std::string saveLog(const std::string&);
+    std::string setUserRole(const std::string& role);
+    std::string getUserRole(const std::string&);
+    // identity
+    std::string polyscopeVersion(const std::string&);
+    std::string version(const std::string&);
+    std::string serialNumber(const std::string&);
+    std::string robotModel(const std::string&);
+    std::string isInRemoteControl(const std::string&);
+    std::string setOperationalMode(const std::string& mode);
+    std::string getOperationalMode(const std::string&);
+    std::string clearOperationalMode(const std::string&);
+    std::string flightReport(const std::string&);
+    std::string supportFile(const std::string&);
+
+    std::string versionNumber() const;
+
+    Plant& plant_;
+    QString loadedPath_;
+    std::string loadedName_;  ///< bare file name
+    std::string userRole_ = "PROGRAMMER";
+    std::string operationalMode_ = "NONE";
+};
+
+}  // namespace tiller::simulator

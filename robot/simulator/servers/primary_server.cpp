@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "robot/simulator/servers/primary_server.h"
+
+#include "robot/simulator/plant.h"
+#include "robot/simulator/servers/primary_state.h"
+
+namespace tiller::simulator {
+
+namespace {
+constexpr double kStatePeriod = 0.1;  ///< [s]
+}
+
+PrimaryServer::PrimaryServer(Plant& plant, bool messages, bool acceptsScripts)
+    : plant_(plant), messages_(messages), acceptsScripts_(acceptsScripts), nextState_(plant.timestamp()) {}
+
+void PrimaryServer::service() {
+    const bool mayWrite = plant_.isRemoteControl() || !plant_.options().gateLocalControl;
+    for (const native_socket::Descriptor descriptor : takeAccepted()) {
+        clients_.push_back(std::make_unique<Client>(descriptor, mayWrite));
+        clients_.back()->peer.send(primary::version(plant_.timestampNs(), plant_.options().software));
+    }
+    for (const auto& client : clients_) {
+        client->intake.read(client->peer, acceptsScripts_ ? &plant_ : nullptr);
+        client->peer.flush();
+    }
+    removeClosed(clients_, [](const Client&) {});
+}
+
+void PrimaryServer::publish() {
+    if (plant_.timestamp() + 1e-9 < nextState_) {
+        return;
+    }
+    nextState_ += kStatePeriod;
+    if (clients_.empty()) {
+        return;
+    }
+    const auto first = primary::robotState(plant_.telemetry(), true);
+    const auto later = primary::robotState(plant_.telemetry(), false);
+    for (const auto& client : clients_) {
+        client->peer.flush();
+        if (client->peer.pending() > 0) {
+            continue;  // does not keep up: this state is skipped
+        }
+        client->peer.send(client->knowsArm ? later : first);
+        client->knowsArm = true;
+    }
+}
+
+void PrimaryServer::sendMessage(const primary::Bytes& message) {
+    if (!messages_) {
+        return;
+    }
+    for (const auto& client : clients_) {
+        client->peer.send(message);  // kept as long as there is room
+    }
+}
+
+}  // namespace tiller::simulator

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The primary and secondary services, ports 30001 and 30002, with their read-only twins 30011 and 30012:
+// RobotState ten times a second, messages when they happen, scripts the other way. A client that does not
+// read misses packages; it is never dropped for that and never makes the others wait.
+// Source: client interface manual.
+
+#include "robot/simulator/servers/primary_messages.h"
+#include "robot/simulator/servers/script_intake.h"
+#include "robot/simulator/servers/server.h"
+
+namespace tiller::simulator {
+
+class PrimaryServer final : public Server {
+public:
+    /// messages  primary: all messages; otherwise only the version, at connect
+    PrimaryServer(Plant& plant, bool messages, bool acceptsScripts);
+
+    void service() override;
+    void publish() override;
+    void closeClients() override { clients_.clear(); }
+
+    void sendMessage(const primary::Bytes& message);
+
+private:
+    struct Client {
+        Client(native_socket::Descriptor descriptor, bool mayWrite)
+            : peer(descriptor, 64 * 1024), intake(mayWrite) {}
+        Peer peer;
+        ScriptIntake intake;
+        bool knowsArm = false;  ///< has had KinematicsInfo and ConfigurationData
+    };
+
+    Plant& plant_;
+    bool messages_;
+    bool acceptsScripts_;
+    double nextState_ = 0;  ///< [s] controller time
+    std::vector<std::unique_ptr<Client>> clients_;
+};
+
+}  // namespace tiller::simulator

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "robot/simulator/servers/rtde_server.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "robot/simulator/plant.h"
+
+namespace tiller::simulator {
+
+namespace {
+constexpr std::size_t kMostInputRecipes = 255;
+/// Bytes of one client read at a stretch, so that one that floods does not keep the others waiting.
+constexpr std::size_t kReadShare = 256 * 1024;
+}  // namespace
+
+RtdeServer::RtdeServer(Plant& plant) : plant_(plant), inputs_(plant, plant.options().software) {}
+
+void RtdeServer::service() {
+    for (const native_socket::Descriptor descriptor : takeAccepted()) {
+        clients_.push_back(std::make_unique<Client>(descriptor, ++lastId_));
+    }
+    for (const auto& client : clients_) {
+        read(*client);
+        client->peer.flush();
+    }
+    removeClosed(clients_, [this](const Client& client) { inputs_.release(client.id); });
+}
+
+void RtdeServer::read(Client& client) {
+    std::size_t total = 0;
+    while (client.peer.isOpen() && total < kReadShare) {
+        const std::size_t got = client.peer.receive(client.splitter.writable());
+        if (got == 0) {
+            return;
+        }
+        total += got;
+        client.splitter.commit(got);
+        while (const auto package = client.splitter.next()) {
+            handle(client, *package);
+        }
+        if (client.splitter.fault() != rtde::PackageSplitter::Fault::None) {
+            client.peer.close();
+        }
+    }
+}
+
+void RtdeServer::handle(Client& client, const rtde::PackageView& package) {
+    reply_.clear();
+    switch (package.type) {
+        case rtde::PackageType::RequestProtocolVersion:
+            onProtocol(client, package.payload);
+            break;
+        case rtde::PackageType::GetUrControlVersion:
+            rtde::writeVersionReply(reply_, plant_.options().software);
+            break;
+        case rtde::PackageType::SetupOutputs:
+            onOutputs(client, package.payload);
+            break;
+        case rtde::PackageType::SetupInputs:
+            onInputs(client, package.payload);
+            break;
+        case rtde::PackageType::Start:
+            client.started = client.output && client.output->isValid();
+            client.periods = 0;
+            rtde::writeStartReply(reply_, client.started);
+            break;
+        case rtde::PackageType::Pause:
+            client.started = false;
+            rtde::writePauseReply(reply_, true);
+            break;
+        case rtde::PackageType::Data:
+            onData(client, package.payload);
+            break;
+        case rtde::PackageType::TextMessage:
+            break;  // taken note of, as the guide says: never answered
+    }
+    reply(client);
+}
+
+void RtdeServer::reply(Client& client) {
+    if (!reply_.empty() && !client.peer.send(reply_)) {
+        client.peer.close();
+    }
+}
+
+void RtdeServer::onProtocol(Client& client, rtde::ByteView payload) {
+    const Result<std::uint16_t> wanted = rtde::readProtocolRequest(payload);
+    const bool accepted = wanted && (*wanted == 1 || *wanted == 2);
+    if (accepted) {
+        client.protocol = static_cast<rtde::ProtocolVersion>(*wanted);
+    }
+    rtde::writeProtocolReply(reply_, accepted);
+}
+
+unsigned RtdeServer::dividerFor(double frequency) const {
+    const double most = plant_.options().software.maxFrequency();
+    if (!(frequency > 0) || frequency >= most) {
+        return 1;
+    }
+    // A hair's width more, so that a third of the maximum, rounded, still gives every third period.
+    return static_cast<unsigned>(std::floor(most / std::max(frequency, 1.0) + 1e-9));
+}
+
+void RtdeServer::onOutputs(Client& client, rtde::ByteView payload) {
+    const Result<rtde::SetupOutputsRequest> request = rtde::readSetupOutputsRequest(payload, client.protocol);
+    if (!request) {
+        client.output.reset();
+        client.started = false;
+        rtde::writeSetupOutputsReply(reply_, client.protocol, 0, {});
+        return;
+    }
+    client.output.emplace(request->names, plant_.options().software);
+    client.divider = client.protocol == rtde::ProtocolVersion::V2 ? dividerFor(request->frequency) : 1;
+    const bool valid = client.output->isValid();
+    client.started = client.started && valid;
+    rtde::writeSetupOutputsReply(reply_, client.protocol, valid ? 1 : 0, client.output->answers());
+}
+
+void RtdeServer::onInputs(Client& client, rtde::ByteView payload) {
+    const Result<std::vector<std::string>> names = rtde::readSetupInputsRequest(payload);
+    if (!names || client.inputs.size() >= kMostInputRecipes) {
+        rtde::writeSetupInputsReply(reply_, 0, {});
+        return;
+    }
+    RtdeInputs::Claim claim = inputs_.claim(client.id, *names);
+    std::uint8_t id = 0;
+    if (claim.recipe) {
+        client.inputs.push_back(std::move(*claim.recipe));
+        id = static_cast<std::uint8_t>(client.inputs.size());
+    }
+    rtde::writeSetupInputsReply(reply_, id, claim.answers);
+}
+
+void RtdeServer::onData(Client& client, rtde::ByteView payload) {
+    const auto data = rtde::readInputData(payload);
+    if (data && data->recipeId >= 1 && data->recipeId <= client.inputs.size()) {
+        inputs_.apply(client.inputs[data->recipeId - 1U], data->values);
+    }
+}
+
+void RtdeServer::publish() {
+    for (const auto& client : clients_) {
+        if (!client->started || !client->peer.isOpen()) {
+            continue;
+        }
+        if (client->periods++ % client->divider != 0) {
+            continue;
+        }
+        const auto id =
+            client->protocol == rtde::ProtocolVersion::V2 ? std::optional<std::uint8_t>(1) : std::nullopt;
+        if (!client->peer.send(client->output->write(plant_.telemetry(), id))) {
+            client->peer.close();  // as the guide says of a client that does not read
+        }
+    }
+    removeClosed(clients_, [this](const Client& client) { inputs_.release(client.id); });
+}
+
+void RtdeServer::closeClients() {
+    for (const auto& client : clients_) {
+        inputs_.release(client->id);
+    }
+    clients_.clear();
+}
+
+}  // namespace tiller::simulator

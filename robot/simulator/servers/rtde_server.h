@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The RTDE service, port 30004. Source: RTDE guide. What the guide leaves open is decided here so:
+//
+// - A size field below 3 ends the connection: nothing after it could be understood.
+// - A well-framed package of unknown type is ignored. A request whose payload makes no sense is refused in
+//   the reply that belongs to it (version not accepted, recipe id 0); a data package of unknown recipe or
+//   wrong length is not applied. No text message is sent: clients take it for the answer they wait for.
+// - A frequency that is not a number above zero, or is above the maximum, means the maximum; below 1 Hz
+//   means 1 Hz.
+// - A setup while started replaces the recipe from the next package on; an invalid one stops the stream.
+// - START without a valid output recipe is refused, PAUSE always accepted.
+
+#include "robot/rtde/codec.h"
+#include "robot/simulator/servers/rtde_inputs.h"
+#include "robot/simulator/servers/rtde_values.h"
+#include "robot/simulator/servers/server.h"
+
+namespace tiller::simulator {
+
+class Plant;
+
+class RtdeServer final : public Server {
+public:
+    explicit RtdeServer(Plant& plant);
+
+    void service() override;
+    void publish() override;
+    void closeClients() override;
+
+    std::uint64_t inputPackages() const { return inputs_.packages(); }
+    int clients() const { return static_cast<int>(clients_.size()); }
+
+private:
+    struct Client {
+        Client(native_socket::Descriptor descriptor, RtdeInputs::ClientId number)
+            : peer(descriptor, kBacklog), id(number) {}
+
+        /// What a client may lag behind, besides the system's own buffer, before it is dropped [bytes].
+        static constexpr std::size_t kBacklog = 64 * 1024;
+
+        Peer peer;
+        RtdeInputs::ClientId id;
+        rtde::PackageSplitter splitter;
+        rtde::ProtocolVersion protocol = rtde::ProtocolVersion::V1;
+        std::optional<OutputRecipe> output;
+        unsigned divider = 1;  ///< every n-th control period
+        bool started = false;
+        std::uint64_t periods = 0;        ///< since START
+        std::vector<InputRecipe> inputs;  ///< index + 1 is the recipe id
+    };
+
+    void read(Client& client);
+    void handle(Client& client, const rtde::PackageView& package);
+    void onProtocol(Client& client, rtde::ByteView payload);
+    void onOutputs(Client& client, rtde::ByteView payload);
+    void onInputs(Client& client, rtde::ByteView payload);
+    void onData(Client& client, rtde::ByteView payload);
+    unsigned dividerFor(double frequency) const;
+    void reply(Client& client);
+
+    Plant& plant_;
+    RtdeInputs inputs_;
+    std::vector<std::unique_ptr<Client>> clients_;
+    RtdeInputs::ClientId lastId_ = 0;
+    rtde::Bytes reply_;
+};
+
+}  // namespace tiller::simulator
