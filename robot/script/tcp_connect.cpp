@@ -6,6 +6,7 @@
 #include <QNetworkProxy>
 #include <QTcpSocket>
 #include <QTimer>
+#include <optional>
 
 namespace tiller::script {
 
@@ -26,13 +27,8 @@ ErrorCode codeOf(QAbstractSocket::SocketError error) {
     }
 }
 
-// Without an application object there is no event loop to wait in; then a cancel waits for the deadline.
-void waitForOutcome(QTcpSocket& socket, const Deadline& deadline) {
-    if (QCoreApplication::instance() == nullptr) {
-        socket.waitForConnected(static_cast<int>(deadline.remaining().count()));
-        return;
-    }
-    QEventLoop loop;
+// Runs the thread's events until the outcome is known.
+void waitForOutcome(QTcpSocket& socket, QEventLoop& loop, const Deadline& deadline) {
     QTimer poll;
     QObject::connect(&socket, &QTcpSocket::connected, &loop, &QEventLoop::quit);
     QObject::connect(&socket, &QTcpSocket::errorOccurred, &loop, &QEventLoop::quit);
@@ -42,9 +38,8 @@ void waitForOutcome(QTcpSocket& socket, const Deadline& deadline) {
         }
     });
     poll.start(std::chrono::milliseconds(10));
-    const bool undecided = socket.state() != QAbstractSocket::ConnectedState &&
-                           socket.error() == QAbstractSocket::UnknownSocketError;
-    if (undecided && !deadline.hasExpired()) {
+    while (socket.state() != QAbstractSocket::ConnectedState &&
+           socket.state() != QAbstractSocket::UnconnectedState && !deadline.hasExpired()) {
         loop.exec(QEventLoop::ExcludeUserInputEvents);
     }
 }
@@ -57,10 +52,21 @@ Result<std::unique_ptr<QTcpSocket>> connectTcp(const QString& host, int port, co
     if (host.trimmed().isEmpty() || port <= 0 || port > kMaxPort) {
         return Error{ErrorCode::AddressInvalid, context, {}};
     }
+    // The loop comes before the socket: it gives a thread that is not one of Qt's the dispatcher without
+    // which the socket would never hear of its connection. Without an application object there is none; then
+    // a cancel waits for the deadline.
+    std::optional<QEventLoop> loop;
+    if (QCoreApplication::instance() != nullptr) {
+        loop.emplace();
+    }
     auto socket = std::make_unique<QTcpSocket>();
     socket->setProxy(QNetworkProxy::NoProxy);
     socket->connectToHost(host.trimmed(), static_cast<quint16>(port));
-    waitForOutcome(*socket, deadline);
+    if (loop) {
+        waitForOutcome(*socket, *loop, deadline);
+    } else {
+        socket->waitForConnected(static_cast<int>(deadline.remaining().count()));
+    }
     if (socket->state() != QAbstractSocket::ConnectedState) {
         if (deadline.isCancelled()) {
             return Error{ErrorCode::Cancelled, context, {}};

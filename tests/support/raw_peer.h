@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The other end of a connection for the text and byte protocols: a thread that does with each client what the
+// test says.
+
+#include <QByteArray>
+#include <QHostAddress>
+#include <QTcpServer>
+#include <atomic>
+#include <functional>
+#include <future>
+#include <thread>
+#include <vector>
+
+#include "robot/core/native_socket.h"
+
+namespace tiller::test {
+
+class RawPeer {
+public:
+    /// One client. Closed when the script returns.
+    class Link {
+    public:
+        Link(native_socket::Descriptor socket, const std::atomic<bool>& over) : socket_(socket), over_(over) {
+            native_socket::prepare(socket);
+        }
+        ~Link() { native_socket::close(socket_); }
+        Link(const Link&) = delete;
+        Link& operator=(const Link&) = delete;
+
+        bool isOver() const { return over_ || closed_; }
+        void send(const QByteArray& bytes) {
+            std::span<const std::uint8_t> left(reinterpret_cast<const std::uint8_t*>(bytes.constData()),
+                                               static_cast<std::size_t>(bytes.size()));
+            while (!left.empty() && !isOver()) {
+                const auto sent = native_socket::send(socket_, left);
+                if (sent.status == native_socket::Status::Ok) {
+                    left = left.subspan(sent.bytes);
+                } else if (sent.status != native_socket::Status::WouldBlock) {
+                    closed_ = true;
+                }
+            }
+        }
+        /// The next line without its end; null when the client is gone or the test over.
+        QByteArray readLine() {
+            while (!received_.contains('\n')) {
+                if (isOver()) {
+                    return {};
+                }
+                read();
+            }
+            const qsizetype end = received_.indexOf('\n');
+            const QByteArray line = received_.left(end);
+            received_.remove(0, end + 1);
+            return line;
+        }
+        /// Everything until the client hangs up or the test is over.
+        QByteArray readAll() {
+            while (!isOver()) {
+                read();
+            }
+            return received_;
+        }
+        /// Says nothing until then.
+        void beMute() { readAll(); }
+
+    private:
+        void read() {
+            std::array<std::uint8_t, 4096> bytes;
+            if (!native_socket::waitReadable(socket_, std::chrono::milliseconds(10))) {
+                return;
+            }
+            const auto got = native_socket::receive(socket_, bytes);
+            if (got.status == native_socket::Status::Ok) {
+                received_.append(reinterpret_cast<const char*>(bytes.data()),
+                                 static_cast<qsizetype>(got.bytes));
+            } else if (got.status != native_socket::Status::WouldBlock) {
+                closed_ = true;
+            }
+        }
+        native_socket::Descriptor socket_;
+        const std::atomic<bool>& over_;
+        bool closed_ = false;
+        QByteArray received_;
+    };
+
+    using Script = std::function<void(Link&)>;
+
+    explicit RawPeer(Script script) {
+        std::promise<int> listening;
+        auto port = listening.get_future();
+        thread_ = std::thread([this, script = std::move(script), &listening] {
+            Server server;
+            server.listen(QHostAddress::LocalHost);
+            listening.set_value(server.serverPort());
+            while (!over_) {
+                server.waitForNewConnection(5);
+                while (!server.accepted.empty()) {
+                    Link link(server.accepted.front(), over_);
+                    server.accepted.erase(server.accepted.begin());
+                    ++clients_;
+                    script(link);
+                }
+            }
+        });
+        port_ = port.get();
+    }
+    ~RawPeer() {
+        over_ = true;
+        thread_.join();
+    }
+
+    int port() const { return port_; }
+    int clients() const { return clients_; }
+
+    /// A port on which nothing listens.
+    static int deadPort() {
+        QTcpServer server;
+        server.listen(QHostAddress::LocalHost);
+        return server.serverPort();
+    }
+
+private:
+    class Server : public QTcpServer {
+    public:
+        std::vector<native_socket::Descriptor> accepted;
+
+    protected:
+        void incomingConnection(qintptr socket) override { accepted.push_back(socket); }
+    };
+
+    std::atomic<bool> over_{false};
+    std::atomic<int> clients_{0};
+    int port_ = 0;
+    std::thread thread_;
+};
+
+}  // namespace tiller::test
