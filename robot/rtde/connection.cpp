@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace tiller::rtde {
 
@@ -43,6 +44,12 @@ Result<Descriptor> connectTcp(const QString& host, std::uint16_t port, const QSt
                               const Deadline& deadline) {
     if (host.trimmed().isEmpty()) {
         return Error{ErrorCode::AddressInvalid, context, QStringLiteral("the address is empty")};
+    }
+    // Gives a thread that is not one of Qt's the dispatcher without which a socket never hears of its
+    // connection; it must be there before the socket.
+    std::optional<QEventLoop> dispatcher;
+    if (QCoreApplication::instance() != nullptr) {
+        dispatcher.emplace();
     }
     QTcpSocket socket;
     socket.setProxy(QNetworkProxy::NoProxy);
