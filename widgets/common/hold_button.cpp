@@ -53,7 +53,7 @@ void HoldButton::setUnavailable(const QString& reason) {
 
 QSize HoldButton::sizeHint() const {
     const QFontMetrics metrics(textFont(15));
-    return {metrics.horizontalAdvance(text()) + 28, 40};
+    return {metrics.horizontalAdvance(text()) + 24, 40};
 }
 
 QSize HoldButton::minimumSizeHint() const {

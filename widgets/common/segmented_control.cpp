@@ -3,6 +3,7 @@
 
 #include <QAbstractButton>
 #include <QButtonGroup>
+#include <QFocusEvent>
 #include <QHBoxLayout>
 #include <QPainter>
 #include <QPainterPath>
@@ -63,7 +64,7 @@ protected:
         painter.setPen(theme.border);
         painter.setBrush(fill);
         painter.drawPath(path.simplified());
-        if (hasFocus()) {
+        if (hasFocus() && byKeyboard_) {
             painter.setPen(QPen(theme.moving, 2));
             painter.setBrush(Qt::NoBrush);
             painter.drawRoundedRect(QRectF(rect()).adjusted(2, 2, -2, -2), r - 1, r - 1);
@@ -72,11 +73,21 @@ protected:
         painter.setPen(ink);
         painter.drawText(rect(), Qt::AlignCenter, text());
     }
+    void focusInEvent(QFocusEvent* event) override {
+        // A ring only for those who walk by keyboard; a click shows its place by itself.
+        if (event->reason() != Qt::ActiveWindowFocusReason) {
+            byKeyboard_ = event->reason() == Qt::TabFocusReason ||
+                          event->reason() == Qt::BacktabFocusReason ||
+                          event->reason() == Qt::ShortcutFocusReason;
+        }
+        QAbstractButton::focusInEvent(event);
+    }
     void wheelEvent(QWheelEvent* event) override { event->ignore(); }
 
 private:
     bool first_;
     bool last_;
+    bool byKeyboard_ = false;
 };
 
 }  // namespace

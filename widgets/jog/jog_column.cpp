@@ -62,10 +62,13 @@ JogColumn::JogColumn(JogPort port, QWidget* parent) : Panel(tr("Jog"), parent), 
     layout->addLayout(inset(limiter_, 8, 4));
     layout->addLayout(inset(detailTab_, 0, 2));
     layout->addLayout(inset(pose_, 0, 0));
+    layout->addSpacing(8);
     layout->addWidget(joints_);
     layout->addStretch(3);
     buildBottom(layout);
     setContent(body);
+    // The column folds itself below what its content would like; see resizeEvent().
+    Panel::layout()->setSizeConstraint(QLayout::SetNoConstraint);
 
     refusalTimer_ = new QTimer(this);
     refusalTimer_->setSingleShot(true);
@@ -146,9 +149,10 @@ void JogColumn::buildBottom(QVBoxLayout* layout) {
     auto* row = new QHBoxLayout;
     row->setContentsMargins(kMargin, 8, kMargin, 0);
     row->setSpacing(8);
-    row->addWidget(freedrive_, 148);
-    row->addWidget(homeKey_, 121);
-    row->addWidget(back_, 82);
+    for (HoldButton* key : {freedrive_, homeKey_, back_}) {
+        key->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        row->addWidget(key);
+    }
     layout->addLayout(row);
 }
 

@@ -111,9 +111,9 @@ void JogPad::setReason(const QString& reason) {
 }
 
 void JogPad::resizeEvent(QResizeEvent*) {
-    const int w = width() - 32;
+    const int w = width();
     const int h = std::min(card_->heightFor(w), height());
-    card_->setGeometry(16, (height() - h) / 2, w, h);
+    card_->setGeometry(0, (height() - h) / 2, w, h);
 }
 
 }  // namespace tiller

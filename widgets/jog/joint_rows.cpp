@@ -51,9 +51,9 @@ void JointBar::paintEvent(QPaintEvent*) {
     const double place = std::clamp((angle_ / kJointPositionLimit + 1) / 2, 0.0, 1.0);
     const double x = 2 + place * (width() - 4);
     if (isNearLimit()) {
-        const QRectF end =
-            angle_ < 0 ? QRectF(groove.left(), groove.top(), std::max(x, 8.0), track)
-                       : QRectF(std::min(x, width() - 8.0), groove.top(), std::max(width() - x, 8.0), track);
+        const QRectF end = angle_ < 0 ? QRectF(groove.left(), groove.top(), std::max(x, 14.0), track)
+                                      : QRectF(std::min(x, width() - 14.0), groove.top(),
+                                               std::max(width() - x, 14.0), track);
         painter.setBrush(theme.warning);
         painter.drawRoundedRect(end, track / 2, track / 2);
     }
@@ -83,8 +83,15 @@ QSize JointRow::sizeHint() const {
     return compact_ ? QSize(170, 31) : QSize(330, 40);
 }
 
+QString JointRow::shortName() const {
+    // As operators abbreviate them: B, S, E, W1, W2, W3.
+    const qsizetype space = name_.indexOf(QLatin1Char(' '));
+    return space < 0 ? name_.left(1) : name_.left(1) + name_.mid(space + 1);
+}
+
 void JointRow::setCompact(bool compact) {
     compact_ = compact;
+    setToolTip(compact ? name_ : QString());
     updateGeometry();
     resizeEvent(nullptr);
 }
@@ -92,8 +99,8 @@ void JointRow::setCompact(bool compact) {
 void JointRow::setAngle(double angle, bool moving, bool valid, bool stale) {
     QString text = QStringLiteral("–");
     if (valid) {
-        text = format::number(angle * kDegPerRad, moving ? 1 : 2) +
-               (moving ? QString(QChar(0x2007)) : QString()) + QStringLiteral("°");
+        text = format::number(angle * kDegPerRad, moving || compact_ ? 1 : 2) + QStringLiteral("°") +
+               (moving && !compact_ ? QString(QChar(0x2007)) : QString());
     }
     bar_->setAngle(angle, valid);
     const bool grey = !valid || stale;
@@ -127,7 +134,7 @@ void JointRow::paintEvent(QPaintEvent*) {
     const QRect text(left, 0, minus_->x() - left - 10, height() - lower);
     painter.setPen(theme.text);
     painter.setFont(textFont(compact_ ? 13 : 15));
-    painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, name_);
+    painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, compact_ ? shortName() : name_);
     painter.setFont(textFont(compact_ ? 15 : 19));
     painter.setPen(grey_ ? theme.disabledText : theme.text);
     painter.drawText(text, Qt::AlignRight | Qt::AlignVCenter, value_);

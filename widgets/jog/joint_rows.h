@@ -59,6 +59,8 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    QString shortName() const;
+
     int joint_;
     QString name_;
     QString value_;

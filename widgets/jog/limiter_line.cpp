@@ -89,7 +89,7 @@ void LimiterLine::paintEvent(QPaintEvent*) {
     painter.setBrush(theme.warningBackground);
     painter.drawRoundedRect(QRectF(rect()), kCornerRadius - 1, kCornerRadius - 1);
     drawShape(painter, StateChip::Shape::WarningTriangle, QRectF(9, height() / 2.0 - 7, 14, 14),
-              theme.warning, theme.warning);
+              theme.warning, theme.warningBackground);
     painter.setPen(theme.warning);
     painter.setFont(textFont(13, QFont::Bold));
     const QFontMetrics strong(painter.font());

@@ -89,7 +89,10 @@ void PoseView::paintEvent(QPaintEvent*) {
     const double rowHeight = height() / 3.0;
     const QColor ink = valid_ && !stale_ ? theme.text : theme.disabledText;
     const QFont value = textFont(19);
-    const QFont label = textFont(15);
+    const bool narrow = width() < 352;
+    const QFont label = textFont(narrow ? 13 : 15);
+    const int number = narrow ? 104 : 110;  // right edge of the position
+    const int delta = narrow ? 203 : 226;   // right edge of the way
     static constexpr const char* kAxes[] = {"X", "Y", "Z"};
     static constexpr const char* kTurns[] = {"RX", "RY", "RZ"};
     const int right = width();
@@ -104,11 +107,12 @@ void PoseView::paintEvent(QPaintEvent*) {
         };
         put(textFont(16, QFont::Bold), theme.axisTexts.at(static_cast<std::size_t>(axis)), 4, 16,
             Qt::AlignLeft, QLatin1String(kAxes[axis]));
-        put(value, ink, 20, 94, Qt::AlignRight, positionText(axis));
-        put(label, theme.secondary, 119, 28, Qt::AlignLeft, QStringLiteral("mm"));
-        put(label, theme.secondary, 152, 14, Qt::AlignLeft, QStringLiteral("Δ"));
-        put(label, theme.secondary, 160, 72, Qt::AlignRight, deltaText(axis));
-        put(label, theme.secondary, right - 122, 26, Qt::AlignLeft, QLatin1String(kTurns[axis]));
+        put(value, ink, 12, number - 12, Qt::AlignRight, positionText(axis));
+        put(label, theme.secondary, number + 4, 32, Qt::AlignLeft, QStringLiteral("mm"));
+        put(label, theme.secondary, number + (narrow ? 33 : 43), 14, Qt::AlignLeft, QStringLiteral("Δ"));
+        put(label, theme.secondary, delta - 66, 66, Qt::AlignRight, deltaText(axis));
+        put(label, theme.secondary, right - (narrow ? 121 : 124), 26, Qt::AlignLeft,
+            QLatin1String(kTurns[axis]));
         put(value, ink, right - 100, 98, Qt::AlignRight, rotationText(axis));
         painter.setPen(theme.border);
         painter.drawLine(0, top + h - 1, width() - 1, top + h - 1);
