@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: MIT
+#include <QTest>
+#include <limits>
+
+#include "robot/receive/receiver.h"
+#include "robot/receive/robot_state.h"
+#include "tests/support/rtde_peer.h"
+
+using namespace tiller;
+using namespace tiller::receive;
+using namespace std::chrono_literals;
+using test::RtdePeer;
+using test::ScriptedPeer;
+
+namespace {
+
+// Only a failing test waits for it.
+constexpr int kPatienceMs = 20000;
+#define TRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, kPatienceMs)
+#define TRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, kPatienceMs)
+
+ReceiverOptions to(std::uint16_t port) {
+    ReceiverOptions options;
+    options.host = QStringLiteral("127.0.0.1");
+    options.port = port;
+    options.priority = 0;
+    options.reconnectDelays = {1ms};
+    return options;
+}
+
+/// The next sample, waited for.
+bool fetch(Subscription& subscription, Sample& sample) {
+    return QTest::qWaitFor([&] { return subscription.pending() > 0; }, kPatienceMs) &&
+           subscription.next(sample);
+}
+
+std::uint16_t portNobodyListensOn() {
+    QTcpServer server;
+    server.listen(QHostAddress::LocalHost);
+    return server.serverPort();
+}
+
+}  // namespace
+
+class TestReceiver : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void publishesEveryPackageOnceInOrder();
+    void latestIsTheNewest();
+    void beforeTheFirstPackageThereIsNothing();
+    void samplesCarryTheClocksTime();
+    void countsWhatTheControllerSkipped();
+    void countsWhatCameLate();
+    void fieldsTheRobotLacksAreAbsent();
+    void addsTheTimestamp();
+    void worksWithCb3();
+    void comesBackByItself();
+    void comesBackAfterGarbage();
+    void givesUpASilentConnection();
+    void waitsLongerAfterEveryFailure();
+    void countersCanBeReset();
+    void slowSubscriberLosesTheOldestOnly();
+    void subscriptionOutlivesTheReceiver();
+    void startsAgainAfterStop();
+    void stopsPromptly_data();
+    void stopsPromptly();
+};
+
+void TestReceiver::publishesEveryPackageOnceInOrder() {
+    RtdePeer peer;
+    Receiver receiver(to(peer.port()));
+    Subscription first = receiver.subscribe();
+    Subscription second = receiver.subscribe();
+    receiver.start();
+    for (int i = 1; i <= 500; ++i) {
+        peer.send(i * 0.002);
+    }
+    for (Subscription* subscription : {&first, &second}) {
+        Sample sample;
+        for (int i = 1; i <= 500; ++i) {
+            QVERIFY(fetch(*subscription, sample));
+            QCOMPARE(sample.sequence, std::uint64_t(i));
+            QCOMPARE(sample.lostBefore, std::uint64_t(0));
+            QCOMPARE(sample.connection, std::uint64_t(1));
+            QCOMPARE(RobotState(sample).timestamp(), i * 0.002);
+        }
+        QVERIFY(!subscription->next(sample));
+        QCOMPARE(subscription->lost(), std::uint64_t(0));
+    }
+    QCOMPARE(receiver.counters().packets, std::uint64_t(500));
+    QCOMPARE(receiver.counters().lost, std::uint64_t(0));
+    QCOMPARE(receiver.version().major, 5U);
+    QCOMPARE(receiver.period(), 0.002);
+    QCOMPARE(receiver.lastError().code, ErrorCode::None);
+}
+
+void TestReceiver::latestIsTheNewest() {
+    RtdePeer peer;
+    peer.set("actual_q", {1, 2, 3, 4, 5, 6});
+    Receiver receiver(to(peer.port()));
+    receiver.start();
+    peer.send(1.0);
+    TRY_COMPARE(receiver.latest().sequence, std::uint64_t(1));
+    peer.set("actual_q", {6, 5, 4, 3, 2, 1});
+    peer.send(1.002);
+    TRY_COMPARE(receiver.latest().sequence, std::uint64_t(2));
+    const Sample sample = receiver.latest();
+    QCOMPARE(RobotState(sample).q()[0], 6.0);
+}
+
+void TestReceiver::beforeTheFirstPackageThereIsNothing() {
+    Receiver receiver(to(1));
+    QCOMPARE(receiver.state(), ReceiverState::Stopped);
+    const Sample sample = receiver.latest();
+    QVERIFY(sample.isEmpty());
+    QVERIFY(!RobotState(sample).has("actual_q"));
+    QCOMPARE(receiver.ageNs(), std::numeric_limits<std::int64_t>::max());
+    QVERIFY(!receiver.isFresh(1h));
+    QCOMPARE(receiver.counters().rateHz, 0.0);
+}
+
+void TestReceiver::samplesCarryTheClocksTime() {
+    VirtualClock clock(5 * kNsPerSecond);
+    RtdePeer peer;
+    ReceiverOptions options = to(peer.port());
+    options.clock = &clock;
+    Receiver receiver(options);
+    receiver.start();
+    peer.send(1.0);
+    TRY_COMPARE(receiver.latest().sequence, std::uint64_t(1));
+    QCOMPARE(receiver.latest().hostTimeNs, 5 * kNsPerSecond);
+    QCOMPARE(receiver.ageNs(), std::int64_t(0));
+    QVERIFY(receiver.isFresh(0ns));
+    clock.advanceNs(300 * kNsPerMs);
+    QCOMPARE(receiver.ageNs(), 300 * kNsPerMs);
+    QVERIFY(receiver.isFresh(300ms));
+    QVERIFY(!receiver.isFresh(299ms));
+}
+
+void TestReceiver::countsWhatTheControllerSkipped() {
+    RtdePeer peer;
+    Receiver receiver(to(peer.port()));
+    Subscription subscription = receiver.subscribe();
+    receiver.start();
+    for (const double timestamp : {1.000, 1.002, 1.010, 1.012, 1.016}) {
+        peer.send(timestamp);
+    }
+    TRY_COMPARE(receiver.counters().packets, std::uint64_t(5));
+    QCOMPARE(receiver.counters().lost, std::uint64_t(4));
+    const std::uint64_t expected[] = {0, 0, 3, 0, 1};
+    Sample sample;
+    for (const std::uint64_t lost : expected) {
+        QVERIFY(fetch(subscription, sample));
+        QCOMPARE(sample.lostBefore, lost);
+    }
+}
+
+void TestReceiver::countsWhatCameLate() {
+    VirtualClock clock;
+    RtdePeer peer;
+    ReceiverOptions options = to(peer.port());
+    options.clock = &clock;
+    Receiver receiver(options);
+    receiver.start();
+    const auto sendAfter = [&](std::int64_t ns, double timestamp, std::uint64_t number) {
+        clock.advanceNs(ns);
+        peer.send(timestamp);
+        TRY_COMPARE(receiver.counters().packets, number);
+    };
+    sendAfter(0, 1.000, 1);
+    sendAfter(2 * kNsPerMs, 1.002, 2);
+    QCOMPARE(receiver.counters().late, std::uint64_t(0));
+    sendAfter(4 * kNsPerMs, 1.004, 3);
+    QCOMPARE(receiver.counters().late, std::uint64_t(1));
+    sendAfter(0, 1.006, 4);
+    QCOMPARE(receiver.counters().late, std::uint64_t(1));
+    receiver.stop();
+    QCOMPARE(receiver.intervals().count(), std::uint64_t(3));
+    QCOMPARE(receiver.intervals().maxNs(), 4 * kNsPerMs);
+}
+
+void TestReceiver::fieldsTheRobotLacksAreAbsent() {
+    test::RtdePeerOptions robot;
+    robot.missing = {"ft_raw_wrench", "payload", "output_int_register_36"};
+    RtdePeer peer(robot);
+    peer.set("actual_qd", {1, 1, 1, 1, 1, 1});
+    peer.set("payload_cog", {7, 8, 9});
+    Receiver receiver(to(peer.port()));
+    receiver.start();
+    peer.send(1.0);
+    TRY_COMPARE(receiver.latest().sequence, std::uint64_t(1));
+    const Sample sample = receiver.latest();
+    const RobotState state(sample);
+    QVERIFY(!state.has("ft_raw_wrench"));
+    QVERIFY(!state.has("payload"));
+    QVERIFY(state.has("actual_q"));
+    // What follows the gaps is still in its place.
+    QCOMPARE(state.payloadCentreOfGravity().z(), 9.0);
+    QCOMPARE(state.qd()[5], 1.0);
+    QCOMPARE(receiver.absentFields().size(), std::size_t(3));
+}
+
+void TestReceiver::addsTheTimestamp() {
+    RtdePeer peer;
+    ReceiverOptions options = to(peer.port());
+    options.fields = {"actual_q"};
+    Receiver receiver(options);
+    receiver.start();
+    peer.send(2.5);
+    TRY_COMPARE(receiver.latest().sequence, std::uint64_t(1));
+    QCOMPARE(peer.outputs().names, (std::vector<std::string>{"timestamp", "actual_q"}));
+    const Sample sample = receiver.latest();
+    QCOMPARE(RobotState(sample).timestamp(), 2.5);
+}
+
+void TestReceiver::worksWithCb3() {
+    for (const int protocol : {1, 2}) {
+        test::RtdePeerOptions robot;
+        robot.version = {3, 15, 8, 0};
+        robot.highestProtocol = protocol;
+        RtdePeer peer(robot);
+        Receiver receiver(to(peer.port()));
+        receiver.start();
+        for (const double timestamp : {1.0, 1.008, 1.024}) {
+            peer.send(timestamp);
+        }
+        TRY_COMPARE(receiver.counters().packets, std::uint64_t(3));
+        QCOMPARE(receiver.period(), 0.008);
+        QCOMPARE(receiver.counters().lost, std::uint64_t(1));
+    }
+}
+
+void TestReceiver::comesBackByItself() {
+    RtdePeer peer;
+    Receiver receiver(to(peer.port()));
+    Subscription subscription = receiver.subscribe();
+    receiver.start();
+    peer.send(1.000);
+    TRY_COMPARE(receiver.counters().packets, std::uint64_t(1));
+    peer.closeConnection();
+    TRY_COMPARE(peer.connections(), 2);
+    TRY_VERIFY(peer.isStarted());
+    peer.send(2.000);
+    TRY_COMPARE(receiver.counters().packets, std::uint64_t(2));
+    QCOMPARE(receiver.counters().reconnects, std::uint64_t(1));
+    QCOMPARE(receiver.state(), ReceiverState::Receiving);
+    QCOMPARE(receiver.lastError().code, ErrorCode::None);
+    Sample sample;
+    QVERIFY(subscription.next(sample));
+    QVERIFY(subscription.next(sample));
+    QCOMPARE(sample.connection, std::uint64_t(2));
+    QCOMPARE(sample.sequence, std::uint64_t(2));
+    // What the interruption cost is known from the time stamps; the controller did not skip it.
+    QCOMPARE(sample.lostBefore, std::uint64_t(499));
+    QCOMPARE(receiver.counters().lost, std::uint64_t(0));
+}
+
+void TestReceiver::comesBackAfterGarbage() {
+    RtdePeer peer;
+    Receiver receiver(to(peer.port()));
+    receiver.start();
+    peer.send(1.000);
+    TRY_COMPARE(receiver.counters().packets, std::uint64_t(1));
+    peer.sendRaw({0, 2, 0});
+    TRY_COMPARE(receiver.counters().reconnects, std::uint64_t(1));
+    TRY_VERIFY(peer.isStarted());
+    peer.send(1.002);
+    TRY_COMPARE(receiver.counters().packets, std::uint64_t(2));
+}
+
+void TestReceiver::givesUpASilentConnection() {
+    VirtualClock clock;
+    RtdePeer peer;
+    ReceiverOptions options = to(peer.port());
+    options.clock = &clock;
+    options.silenceLimit = 2500ms;
+    Receiver receiver(options);
+    receiver.start();
+    peer.send(1.0);
+    TRY_COMPARE(receiver.counters().packets, std::uint64_t(1));
+    // As long as the clock stands still nobody is silent, however long the test takes.
+    clock.advanceNs(2400 * kNsPerMs);
+    QTest::qWait(120);
+    QCOMPARE(peer.connections(), 1);
+    clock.advanceNs(200 * kNsPerMs);
+    TRY_COMPARE(peer.connections(), 2);
+}
+
+void TestReceiver::waitsLongerAfterEveryFailure() {
+    ReceiverOptions options = to(portNobodyListensOn());
+    // The second wait never ends within the test; stop() ends it.
+    options.reconnectDelays = {1ms, 1h};
+    Receiver receiver(options);
+    receiver.start();
+    TRY_COMPARE(receiver.state(), ReceiverState::Waiting);
+    TRY_COMPARE(receiver.lastError().code, ErrorCode::ConnectionRefused);
+    QVERIFY(receiver.lastError().context.contains(QString::number(options.port)));
+    receiver.stop();
+    QCOMPARE(receiver.state(), ReceiverState::Stopped);
+}
+
+void TestReceiver::countersCanBeReset() {
+    RtdePeer peer;
+    Receiver receiver(to(peer.port()));
+    receiver.start();
+    peer.send(1.000);
+    peer.send(1.100);
+    TRY_COMPARE(receiver.counters().packets, std::uint64_t(2));
+    QVERIFY(receiver.counters().lost > 0);
+    receiver.resetCounters();
+    peer.send(1.102);
+    TRY_COMPARE(receiver.latest().sequence, std::uint64_t(3));
+    TRY_COMPARE(receiver.counters().packets, std::uint64_t(1));
+    QCOMPARE(receiver.counters().lost, std::uint64_t(0));
+}
+
+void TestReceiver::slowSubscriberLosesTheOldestOnly() {
+    RtdePeer peer;
+    ReceiverOptions options = to(peer.port());
+    options.ringCapacity = 64;
+    Receiver receiver(options);
+    Subscription subscription = receiver.subscribe();
+    receiver.start();
+    for (int i = 1; i <= 200; ++i) {
+        peer.send(i * 0.002);
+    }
+    TRY_COMPARE(receiver.counters().packets, std::uint64_t(200));
+    Sample sample;
+    for (std::uint64_t i = 137; i <= 200; ++i) {
+        QVERIFY(subscription.next(sample));
+        QCOMPARE(sample.sequence, i);
+    }
+    QVERIFY(!subscription.next(sample));
+    QCOMPARE(subscription.lost(), std::uint64_t(136));
+}
+
+void TestReceiver::subscriptionOutlivesTheReceiver() {
+    Subscription subscription;
+    Sample sample;
+    QVERIFY(!subscription.next(sample));
+    QVERIFY(!subscription.isValid());
+    {
+        RtdePeer peer;
+        Receiver receiver(to(peer.port()));
+        subscription = receiver.subscribe();
+        receiver.start();
+        peer.send(1.0);
+        TRY_COMPARE(receiver.counters().packets, std::uint64_t(1));
+    }
+    QVERIFY(subscription.next(sample));
+    QCOMPARE(sample.sequence, std::uint64_t(1));
+}
+
+void TestReceiver::startsAgainAfterStop() {
+    RtdePeer peer;
+    Receiver receiver(to(peer.port()));
+    for (std::uint64_t round = 1; round <= 3; ++round) {
+        receiver.start();
+        receiver.start();  // once is enough
+        peer.send(static_cast<double>(round));
+        TRY_COMPARE(receiver.counters().packets, round);
+        receiver.stop();
+        receiver.stop();
+        QCOMPARE(receiver.state(), ReceiverState::Stopped);
+        TRY_VERIFY(!peer.isStarted());
+    }
+}
+
+void TestReceiver::stopsPromptly_data() {
+    QTest::addColumn<QString>("situation");
+    for (const char* situation : {"mute peer", "silent stream", "nobody there", "waiting"}) {
+        QTest::newRow(situation) << QString::fromLatin1(situation);
+    }
+}
+
+void TestReceiver::stopsPromptly() {
+    QFETCH(QString, situation);
+    ScriptedPeer mute([](ScriptedPeer::Link& link) { link.beMute(); });
+    RtdePeer silent;
+    ReceiverOptions options = to(situation == QLatin1String("mute peer") ? mute.port() : silent.port());
+    options.connectTimeout = 1h;
+    options.silenceLimit = 1h;
+    options.reconnectDelays = {1h};
+    if (situation == QLatin1String("nobody there")) {
+        // A documentation address: no answer, or no route where there is no network.
+        options.host = QStringLiteral("192.0.2.1");
+    } else if (situation == QLatin1String("waiting")) {
+        options.port = portNobodyListensOn();
+    }
+    Receiver receiver(options);
+    receiver.start();
+    if (situation == QLatin1String("mute peer")) {
+        TRY_COMPARE(mute.connections(), 1);
+    } else if (situation == QLatin1String("silent stream")) {
+        TRY_VERIFY(silent.isStarted());
+    } else if (situation == QLatin1String("waiting")) {
+        TRY_COMPARE(receiver.state(), ReceiverState::Waiting);
+    }
+    // All these waits are an hour; that stop() returns at all is the point. (How fast is for benchmarks.)
+    receiver.stop();
+    QCOMPARE(receiver.state(), ReceiverState::Stopped);
+}
+
+QTEST_GUILESS_MAIN(TestReceiver)
+#include "tst_receiver.moc"
