@@ -8,8 +8,8 @@ namespace tiller {
 
 namespace {
 
-constexpr int kMostLines = 5;     // grid lines of one scale
-constexpr double kMargin = 0.35;  // of a step, beyond the outermost curve
+constexpr double kEdge = 0.55;   // of a step, from the outermost grid line to the end of the scale
+constexpr double kReach = 0.35;  // of a step, how far a curve may go beyond that line
 
 double niceStep(double least) {
     const double decade = std::pow(10.0, std::floor(std::log10(least)));
@@ -21,6 +21,10 @@ double niceStep(double least) {
     return 10.0 * decade;
 }
 
+bool usable(double low, double high) {
+    return std::isfinite(low) && std::isfinite(high) && low <= high;
+}
+
 }  // namespace
 
 AxisRange::AxisRange(double smallestStep) : smallestStep_(smallestStep) {
@@ -28,24 +32,33 @@ AxisRange::AxisRange(double smallestStep) : smallestStep_(smallestStep) {
 }
 
 AxisRange::Scale AxisRange::best(double low, double high) const {
+    const double fewest = std::min(3, mostLines_) - 1;
     for (double step = niceStep(smallestStep_);; step = niceStep(step * 1.5)) {
-        // Grid lines at multiples of the step; the scale ends half a step beyond the outermost.
-        double bottom = std::floor(low / step + 0.5 - kMargin) * step;
-        double top = std::ceil(high / step - 0.5 + kMargin) * step;
-        if (bottom > 0 && bottom <= 2 * step) {
+        // The outermost grid lines, in steps; a curve may reach a little beyond them.
+        double bottom = std::floor(low / step + kReach);
+        double top = std::ceil(high / step - kReach);
+        // Zero is worth a line when it is near.
+        if (bottom > 0 && bottom <= 2) {
             bottom = 0;
         }
-        if (top < 0 && top >= -2 * step) {
+        if (top < 0 && top >= -2) {
             top = 0;
         }
-        // Never fewer than three lines: one alone says nothing of the scale.
-        while (std::lround((top - bottom) / step) < 2) {
-            (high - top > bottom - low ? top : bottom) += high - top > bottom - low ? step : -step;
+        while (top - bottom < fewest) {
+            if (top * step - high <= low - bottom * step) {
+                top += 1;
+            } else {
+                bottom -= 1;
+            }
         }
-        if (std::lround((top - bottom) / step) < kMostLines) {
-            return {bottom - 0.55 * step, top + 0.55 * step, step};
+        if (top - bottom < mostLines_) {
+            return {(bottom - kEdge) * step, (top + kEdge) * step, step};
         }
     }
+}
+
+void AxisRange::setMostLines(int lines) {
+    mostLines_ = std::max(2, lines);
 }
 
 bool AxisRange::set(const Scale& scale) {
@@ -58,16 +71,16 @@ bool AxisRange::set(const Scale& scale) {
 }
 
 bool AxisRange::reset(double low, double high) {
-    return low > high ? false : set(best(low, high));
+    return usable(low, high) && set(best(low, high));
 }
 
 bool AxisRange::fit(double low, double high, double seconds) {
-    if (!(low <= high)) {
+    if (!usable(low, high)) {
         return false;
     }
     if (low < min_ || high > max_) {
         // Grow, but do not let go of what is shown on the other side in the same moment.
-        return set(best(std::min(low, min_ + 0.55 * step_), std::max(high, max_ - 0.55 * step_)));
+        return set(best(std::min(low, min_ + kEdge * step_), std::max(high, max_ - kEdge * step_)));
     }
     const Scale narrower = best(low, high);
     if (narrower.max - narrower.min > 0.75 * (max_ - min_)) {

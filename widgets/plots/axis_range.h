@@ -22,6 +22,9 @@ public:
     /// Takes the best scale for low ... high at once.
     bool reset(double low, double high);
 
+    /// How many grid lines there is room for; 2 at least. Takes effect with the next change of the scale.
+    void setMostLines(int lines);
+
     static constexpr double kPatience = 3.0;  ///< [s]
 
 private:
@@ -32,6 +35,7 @@ private:
     bool set(const Scale& scale);
 
     double smallestStep_;
+    int mostLines_ = 4;
     double min_ = -1;
     double max_ = 1;
     double step_ = 1;

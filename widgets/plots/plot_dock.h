@@ -52,8 +52,12 @@ public Q_SLOTS:
     void setJogLabel(const QString& label);
     void setPaused(bool paused);
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
     void buildHeader();
+    void styleHeader();
     void onState(const SessionState& state);
     void updateHeader();
     void askExport();
@@ -69,11 +73,12 @@ private:
     QToolButton* pause_ = nullptr;
     QToolButton* export_ = nullptr;
     QToolButton* record_ = nullptr;
-    const void* receiver_ = nullptr;  // whose samples the pump drains; only compared
+    const void* layout_ = nullptr;  // of the receiver whose samples the pump drains; only compared
     bool ownSource_ = false;
     QString jogLabel_;
     QString recordingFolder_;
     bool recording_ = false;
+    double recordingSeconds_ = 0;
 };
 
 }  // namespace tiller

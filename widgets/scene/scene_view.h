@@ -96,6 +96,8 @@ private:
     /// Asks for a repaint, at most 60 a second.
     void changed();
     void updateGhost();
+    void orbitBy(const QPointF& pixels);
+    void zoomBy(double factor);
     void extendTrace(double now, const Eigen::Vector3d& tcp);
 
     struct TracePoint {

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The word for what the robot is doing, as the lane under the plots shows it.
+
+#include <QString>
+
+#include "widgets/plots/state_lane.h"
+#include "widgets/session/session_state.h"
+
+namespace tiller {
+
+struct LaneEntry {
+    LaneKind kind = LaneKind::NoData;
+    QString label;
+};
+
+/// jogLabel  the held key, "X+"; empty when not known
+LaneEntry laneEntry(const SessionState& state, const QString& jogLabel);
+
+}  // namespace tiller

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/plot_dock.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QFrame>
+#include <QMenu>
+#include <QToolButton>
+#include <cmath>
+
+#include "widgets/common/elided_label.h"
+#include "widgets/common/format.h"
+#include "widgets/common/theme.h"
+#include "widgets/plots/lane_text.h"
+#include "widgets/plots/plot_view.h"
+#include "widgets/plots/receiver_source.h"
+#include "widgets/plots/sample_pump.h"
+#include "widgets/plots/series_buffer.h"
+#include "widgets/plots/state_lane.h"
+#include "widgets/session/robot_session.h"
+
+namespace tiller {
+
+namespace {
+
+struct SpanChoice {
+    double seconds;
+    const char* text;
+};
+constexpr SpanChoice kSpans[] = {{5, QT_TRANSLATE_NOOP("tiller::PlotDock", "5 s")},
+                                 {10, QT_TRANSLATE_NOOP("tiller::PlotDock", "10 s")},
+                                 {30, QT_TRANSLATE_NOOP("tiller::PlotDock", "30 s")},
+                                 {120, QT_TRANSLATE_NOOP("tiller::PlotDock", "2 min")},
+                                 {600, QT_TRANSLATE_NOOP("tiller::PlotDock", "10 min")},
+                                 {1800, QT_TRANSLATE_NOOP("tiller::PlotDock", "30 min")}};
+
+QToolButton* quietButton(const QString& name, const QString& accessibleName, QWidget* parent) {
+    auto* button = new QToolButton(parent);
+    button->setObjectName(name);
+    button->setAccessibleName(accessibleName);
+    button->setProperty("quiet", true);
+    button->setFont(textFont(13));
+    button->setFocusPolicy(Qt::TabFocus);
+    return button;
+}
+
+/// Changes the text only when it differs: setting it lays out the title bar anew.
+void setTextIfNew(QToolButton* button, const QString& text) {
+    if (button->text() != text) {
+        button->setText(text);
+    }
+}
+
+}  // namespace
+
+PlotDock::PlotDock(RobotSession& session, QWidget* parent)
+    : Panel(QString(), parent)
+    , session_(session)
+    , history_(std::make_unique<SeriesBuffer>(kPlotSignalCount))
+    , lane_(std::make_unique<StateLane>())
+    , pump_(std::make_unique<SamplePump>(*history_)) {
+    setObjectName(QStringLiteral("plots"));
+    setTitle(tr("Plots"));
+    setSubtitle(tr("TCP force [N] · joint current [A]"));
+    view_ = new PlotView(*history_, *lane_);
+    setContent(view_);
+    buildHeader();
+
+    connect(view_, &PlotView::windowChanged, this, &PlotDock::updateHeader);
+    connect(view_, &PlotView::readoutChanged, this, &PlotDock::updateHeader);
+    connect(pump_.get(), &SamplePump::frame, this, [this] {
+        if (!history_->isEmpty()) {
+            lane_->forgetBefore(history_->firstTime());
+        }
+        view_->refresh(SamplePump::kFrameMs / 1000.0);
+    });
+    connect(&session_, &RobotSession::stateChanged, this, &PlotDock::onState);
+    onState(session_.state());
+    pump_->start();
+}
+
+PlotDock::~PlotDock() = default;
+
+void PlotDock::buildHeader() {
+    readout_ = new ElidedLabel({}, this);
+    readout_->setObjectName(QStringLiteral("plots.readout"));
+    readout_->setAccessibleName(tr("Cursor read-out"));
+    readout_->setFont(textFont(13));
+    readout_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    readout_->setProperty("role", QStringLiteral("secondary"));
+    readout_->setElideMode(Qt::ElideRight);
+    readout_->setToolTip(
+        tr("Click in the plots to place the cursors A and B; drag them, or use the keys A, B "
+           "and the arrows. Click a name in a legend to read that signal."));
+    auto* line = new QFrame(this);
+    line->setObjectName(QStringLiteral("plots.separator"));
+    line->setFixedSize(1, 16);
+
+    span_ = quietButton(QStringLiteral("plots.span"), tr("Time window"), this);
+    span_->setToolTip(tr("How much time the plots show. The wheel over the plots zooms."));
+    span_->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(span_);
+    menu->setObjectName(QStringLiteral("plots.span.menu"));
+    for (const SpanChoice& choice : kSpans) {
+        QAction* action = menu->addAction(tr(choice.text));
+        action->setData(choice.seconds);
+        connect(action, &QAction::triggered, this,
+                [this, seconds = choice.seconds] { view_->setSpan(seconds); });
+    }
+    span_->setMenu(menu);
+
+    pause_ = quietButton(QStringLiteral("plots.pause"), tr("Pause the plots"), this);
+    connect(pause_, &QToolButton::clicked, this, [this] { setPaused(view_->window().follows()); });
+    export_ = quietButton(QStringLiteral("plots.export"), tr("Export the shown range"), this);
+    export_->setText(tr("Export…"));
+    export_->setToolTip(tr("Save what is shown as a picture (PNG) or as values (CSV)"));
+    connect(export_, &QToolButton::clicked, this, &PlotDock::askExport);
+    record_ = quietButton(QStringLiteral("plots.record"), tr("Record to a CSV file"), this);
+    record_->setToolTip(tr("Record every packet of the robot to a CSV file"));
+    connect(record_, &QToolButton::clicked, this, &PlotDock::toggleRecording);
+
+    addHeaderWidget(readout_);
+    addHeaderWidget(line);
+    addHeaderWidget(span_);
+    addHeaderWidget(pause_);
+    addHeaderWidget(export_);
+    addHeaderWidget(record_);
+    styleHeader();
+    updateHeader();
+}
+
+void PlotDock::setSource(std::unique_ptr<PlotSource> source) {
+    ownSource_ = source != nullptr;
+    pump_->setSource(std::move(source));
+}
+
+void PlotDock::setPaused(bool paused) {
+    if (paused) {
+        view_->pause();
+    } else {
+        view_->follow();
+    }
+}
+
+void PlotDock::setJogLabel(const QString& label) {
+    jogLabel_ = label;
+}
+
+void PlotDock::onState(const SessionState& state) {
+    receive::Receiver* receiver = session_.receiver();
+    // The layout, not the receiver: our subscription keeps it alive, so that its address is never used again.
+    const void* layout = receiver != nullptr ? receiver->layout().get() : nullptr;
+    if (!ownSource_ && layout != layout_) {
+        layout_ = layout;
+        pump_->setSource(receiver != nullptr ? std::make_unique<ReceiverSource>(*receiver) : nullptr);
+    }
+    if (state.hasData() && state.link != LinkState::Connecting) {
+        const LaneEntry entry = laneEntry(state, jogLabel_);
+        lane_->add(pump_->plotTime(state.robotTime), entry.kind, entry.label);
+    }
+    if (state.recording.active != recording_ || recording_) {
+        recording_ = state.recording.active;
+        recordingSeconds_ = state.recording.seconds;
+        updateHeader();
+    }
+}
+
+void PlotDock::updateHeader() {
+    const TimeWindow& window = view_->window();
+    QString words = view_->readout();
+    if (!window.follows()) {
+        const QString behind = window.behind() >= 0.05
+                                   ? tr("Paused · %1 s back").arg(format::number(window.behind(), 1))
+                                   : tr("Paused");
+        words = words.isEmpty() ? behind : words + QStringLiteral("   ") + behind;
+    }
+    if (readout_->fullText() != words) {
+        readout_->setFullText(words);
+    }
+    const double span = window.span();
+    QString spanText = span < 10    ? tr("%1 s").arg(format::number(span, span < 1 ? 2 : 1))
+                       : span < 100 ? tr("%1 s").arg(format::number(span, 0))
+                                    : tr("%1 min").arg(format::number(span / 60, 1));
+    for (const SpanChoice& choice : kSpans) {
+        if (std::abs(choice.seconds - span) < 1e-6) {
+            spanText = tr(choice.text);
+        }
+    }
+    setTextIfNew(span_, spanText + QStringLiteral(" ▾"));
+    setTextIfNew(pause_, window.follows() ? tr("Pause") : tr("Resume"));
+    pause_->setToolTip(window.follows() ? tr("Hold the plots still; data and recording go on")
+                                        : tr("Back to the newest samples"));
+    const QString record =
+        recording_ ? tr("● REC %1").arg(format::duration(recordingSeconds_)) : tr("● Record");
+    setTextIfNew(record_, record);
+    record_->setAccessibleName(recording_ ? tr("Stop recording") : tr("Record to a CSV file"));
+    if (record_->property("recording").toBool() != recording_) {
+        record_->setProperty("recording", recording_);
+        styleHeader();
+    }
+}
+
+void PlotDock::styleHeader() {
+    const Theme& theme = Theme::current();
+    // Quieter than keys: these controls stand in a title bar. Red only while it records.
+    const QString sheet =
+        QStringLiteral(
+            "QToolButton { color: %1; font-size: 13px; padding: 0 5px; min-height: 22px; }"
+            "QToolButton#plots\\.record[recording=\"true\"] { color: %2; font-weight: bold; }"
+            "QFrame#plots\\.separator { background: %3; border: none; }")
+            .arg(theme.secondary.name(), theme.recording.name(), theme.secondary.name());
+    for (QWidget* widget :
+         {static_cast<QWidget*>(span_), static_cast<QWidget*>(pause_), static_cast<QWidget*>(export_),
+          static_cast<QWidget*>(record_), findChild<QWidget*>(QStringLiteral("plots.separator"))}) {
+        widget->setStyleSheet(sheet);
+    }
+}
+
+void PlotDock::changeEvent(QEvent* event) {
+    Panel::changeEvent(event);
+    if (event->type() == QEvent::StyleChange && record_ != nullptr) {
+        styleHeader();
+    }
+}
+
+}  // namespace tiller

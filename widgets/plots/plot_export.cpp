@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/plot_export.h"
+
+#include <QCoreApplication>
+#include <QSaveFile>
+#include <array>
+#include <cmath>
+
+#include "widgets/plots/plot_signals.h"
+#include "widgets/plots/series_buffer.h"
+
+namespace tiller {
+
+namespace {
+
+Error writeError(const QSaveFile& file, const QString& path) {
+    const bool full = file.error() == QFileDevice::ResourceError;
+    return Error{full ? ErrorCode::DiskFull : ErrorCode::FileNotWritable,
+                 QCoreApplication::translate("tiller::PlotDock", "export to %1").arg(path),
+                 file.errorString()};
+}
+
+}  // namespace
+
+Result<std::int64_t> exportCsv(const SeriesBuffer& history, double t0, double t1, const QString& path) {
+    const std::int64_t begin = history.lowerBound(t0);
+    std::int64_t end = history.lowerBound(t1);
+    while (end < history.end() && history.time(end) <= t1) {
+        ++end;
+    }
+    if (begin == end) {
+        return Error{
+            ErrorCode::InvalidArgument,
+            QCoreApplication::translate("tiller::PlotDock", "export: there are no samples in this range"),
+            {}};
+    }
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly)) {
+        return writeError(file, path);
+    }
+    QByteArray line = "timestamp";
+    for (int i = 0; i < history.signalCount() && i < kPlotSignalCount; ++i) {
+        line += ',';
+        line += plot_signals::column(static_cast<PlotSignal>(i));
+    }
+    line += '\n';
+    for (std::int64_t sample = begin; sample <= end; ++sample) {
+        if (file.write(line) != line.size()) {
+            return writeError(file, path);
+        }
+        if (sample == end) {
+            break;
+        }
+        line = QByteArray::number(history.time(sample), 'f', 4);
+        for (int i = 0; i < history.signalCount() && i < kPlotSignalCount; ++i) {
+            const auto value = static_cast<double>(history.value(i, sample));
+            line += ',';
+            if (!std::isnan(value)) {
+                line += QByteArray::number(value, 'g', 7);
+            }
+        }
+        line += '\n';
+    }
+    if (!file.commit()) {
+        return writeError(file, path);
+    }
+    return end - begin;
+}
+
+}  // namespace tiller

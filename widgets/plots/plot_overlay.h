@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What lies over and under the curves: the two time cursors and the lane of states.
+
+#include <QGraphicsItem>
+#include <QString>
+#include <vector>
+
+#include "widgets/plots/state_lane.h"
+
+namespace tiller {
+
+/// A dashed line across all plots, with its letter on top.
+class CursorItem : public QGraphicsItem {
+public:
+    explicit CursorItem(const QString& letter);
+
+    /// x in the scene; the line goes from top to bottom.
+    void setLine(double x, double top, double bottom);
+    void setActive(bool active);
+
+    QRectF boundingRect() const override;
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
+
+    static constexpr int kLetterHeight = 16;  ///< above the line [px]
+
+private:
+    QString letter_;
+    double height_ = 0;
+    bool active_ = false;
+};
+
+/// The states as a strip: blue where the arm moved, a word in each stretch that has room for it.
+class LaneItem : public QGraphicsItem {
+public:
+    LaneItem();
+
+    void setView(const QRectF& area, double t0, double t1);
+    void setSegments(std::vector<LaneSegment> segments);
+    const std::vector<LaneSegment>& segments() const { return segments_; }
+    const QRectF& area() const { return area_; }
+
+    QRectF boundingRect() const override { return area_; }
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
+
+private:
+    QRectF area_;
+    double t0_ = 0;
+    double t1_ = 1;
+    std::vector<LaneSegment> segments_;
+};
+
+}  // namespace tiller

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/plot_pane.h"
+
+#include <QCategoryAxis>
+#include <QChart>
+#include <QGraphicsLayout>
+#include <QGraphicsScene>
+#include <QLegend>
+#include <QLegendMarker>
+#include <QLineSeries>
+#include <QValueAxis>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/common/format.h"
+#include "widgets/common/theme.h"
+#include "widgets/plots/curve_item.h"
+
+namespace tiller {
+
+namespace {
+
+constexpr int kLabelPixels = 13;
+constexpr int kLegendPixels = 12;
+constexpr double kPixelsPerLine = 28;
+
+QCategoryAxis* makeAxis(QChart& chart, Qt::Alignment side) {
+    auto* axis = new QCategoryAxis(&chart);
+    axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
+    axis->setLineVisible(false);
+    axis->setTruncateLabels(false);
+    chart.addAxis(axis, side);
+    return axis;
+}
+
+void setTicks(QCategoryAxis& axis, double from, double to, const std::vector<AxisTick>& ticks) {
+    for (const QString& label : axis.categoriesLabels()) {
+        axis.remove(label);
+    }
+    axis.setRange(from, to);
+    axis.setStartValue(from);
+    for (const AxisTick& tick : ticks) {
+        axis.append(tick.label, tick.value);
+    }
+}
+
+}  // namespace
+
+PlotPane::PlotPane(QGraphicsScene& scene, const QString& name, std::span<const PlotSignal> shown,
+                   double smallestStep)
+    : shown_(shown)
+    , chart_(std::make_unique<QChart>())
+    , grid_(new QValueAxis(chart_.get()))
+    , values_(makeAxis(*chart_, Qt::AlignLeft))
+    , times_(makeAxis(*chart_, Qt::AlignBottom))
+    , range_(smallestStep)
+    , emphasis_(shown.back()) {
+    chart_->setObjectName(QStringLiteral("plots.") + name);
+    chart_->setBackgroundVisible(false);
+    chart_->setMargins({});
+    chart_->layout()->setContentsMargins(0, 0, 0, 0);
+    chart_->setAcceptedMouseButtons(Qt::NoButton);
+    chart_->setAcceptHoverEvents(false);
+    grid_->setTickType(QValueAxis::TicksDynamic);
+    grid_->setTickAnchor(0);
+    grid_->setLabelsVisible(false);
+    grid_->setLineVisible(false);
+    chart_->addAxis(grid_, Qt::AlignLeft);
+    values_->setGridLineVisible(false);
+    times_->setGridLineVisible(false);
+    for (const PlotSignal signal : shown_) {
+        auto* series = new QLineSeries(chart_.get());
+        series->setName(plot_signals::label(signal));
+        chart_->addSeries(series);
+        series->attachAxis(grid_);
+        series->attachAxis(times_);
+        legend_.push_back(series);
+        curves_.push_back(new CurveItem(static_cast<int>(signal), chart_.get()));
+        curves_.back()->setZValue(10);
+    }
+    chart_->legend()->setMarkerShape(QLegend::MarkerShapeFromSeries);
+    chart_->legend()->detachFromChart();
+    chart_->legend()->setBackgroundVisible(false);
+    const auto markers = chart_->legend()->markers();
+    for (std::size_t i = 0; i < shown_.size() && i < static_cast<std::size_t>(markers.size()); ++i) {
+        QObject::connect(markers[static_cast<qsizetype>(i)], &QLegendMarker::clicked, chart_.get(),
+                         [this, i] {
+                             if (legendChosen_) {
+                                 legendChosen_(shown_[i]);
+                             }
+                         });
+    }
+    scene.addItem(chart_.get());
+    applyTheme();
+    updateValueAxis();
+}
+
+PlotPane::~PlotPane() = default;
+
+void PlotPane::applyTheme() {
+    const Theme& theme = Theme::current();
+    for (QCategoryAxis* axis : {values_, times_}) {
+        axis->setLabelsFont(textFont(axis == values_ ? kLabelPixels : kLegendPixels));
+        axis->setLabelsColor(theme.secondary);
+    }
+    // Half way between surface and border: there when looked for, silent otherwise.
+    grid_->setGridLineColor(QColor((theme.panel.red() + theme.border.red()) / 2,
+                                   (theme.panel.green() + theme.border.green()) / 2,
+                                   (theme.panel.blue() + theme.border.blue()) / 2));
+    chart_->legend()->setFont(textFont(kLegendPixels));
+    chart_->legend()->setLabelColor(theme.secondary);
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+        QPen pen = plot_signals::pen(shown_[i], theme);
+        legend_[i]->setPen(pen);
+        if (shown_[i] == emphasis_) {
+            pen.setWidthF(2.2);
+        }
+        curves_[i]->setPen(pen);
+    }
+    placeLegend();
+}
+
+void PlotPane::setEmphasis(PlotSignal signal) {
+    emphasis_ = signal;
+    applyTheme();
+}
+
+void PlotPane::setArea(const QRectF& area) {
+    if (area == area_) {
+        return;
+    }
+    area_ = area;
+    // The chart takes the whole scene: what it draws outside the plot area are its labels.
+    chart_->setGeometry(QRectF(QPointF(0, 0), QSizeF(area.right() + 12, area.bottom() + 40)));
+    chart_->setPlotArea(area);
+    range_.setMostLines(std::clamp(static_cast<int>(area.height() / kPixelsPerLine), 2, 4));
+    placeLegend();
+}
+
+void PlotPane::placeLegend() {
+    const double width = std::max(0.0, area_.width());
+    chart_->legend()->setGeometry(
+        QRectF(area_.left() - 12, area_.top() - kLegendHeight, width, kLegendHeight));
+}
+
+void PlotPane::setTimeTicks(double from, double to, const std::vector<AxisTick>& ticks) {
+    setTicks(*times_, from, to, ticks);
+    times_->setLabelsVisible(!ticks.empty());
+}
+
+void PlotPane::updateValueAxis() {
+    std::vector<AxisTick> ticks;
+    const double step = range_.step();
+    const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
+    const auto first = std::llround(std::ceil(range_.min() / step));
+    const auto last = std::llround(std::floor(range_.max() / step));
+    for (auto i = first; i <= last; ++i) {
+        QString label = format::number(static_cast<double>(i) * step, digits);
+        if (i == last) {
+            label += QLatin1Char(' ') + plot_signals::unit(shown_.front());
+        }
+        ticks.push_back({static_cast<double>(i) * step, label});
+    }
+    grid_->setTickInterval(step);
+    grid_->setRange(range_.min(), range_.max());
+    setTicks(*values_, range_.min(), range_.max(), ticks);
+}
+
+void PlotPane::show(const SeriesBuffer& history, const ColumnGrid& grid, double t0, double t1,
+                    double seconds) {
+    MinMax all;
+    for (CurveItem* curve : curves_) {
+        curve->sample(history, grid);
+        all.add(curve->range());
+    }
+    const double low = static_cast<double>(all.min);
+    const double high = static_cast<double>(all.max);
+    if (seconds < 0 ? range_.reset(low, high) : range_.fit(low, high, seconds)) {
+        updateValueAxis();
+    }
+    for (CurveItem* curve : curves_) {
+        curve->setView(area_, t0, t1, range_.min(), range_.max());
+    }
+}
+
+}  // namespace tiller

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// One of the stacked plots: a chart that draws axes, legend and frame, and our own curves inside it.
+
+#include <QRectF>
+#include <QString>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "widgets/plots/axis_range.h"
+#include "widgets/plots/plot_signals.h"
+#include "widgets/plots/series_buffer.h"
+
+class QGraphicsScene;
+
+QT_BEGIN_NAMESPACE
+class QCategoryAxis;
+class QChart;
+class QLineSeries;
+class QValueAxis;
+QT_END_NAMESPACE
+
+namespace tiller {
+
+class CurveItem;
+
+/// A tick of an axis.
+struct AxisTick {
+    double value;
+    QString label;
+};
+
+class PlotPane {
+public:
+    /// smallestStep  finest grid of the vertical axis, in the signals' unit
+    PlotPane(QGraphicsScene& scene, const QString& name, std::span<const PlotSignal> shown,
+             double smallestStep);
+    ~PlotPane();
+
+    /// area  where the curves are, in scene coordinates; labels are drawn around it
+    void setArea(const QRectF& area);
+    const QRectF& area() const { return area_; }
+    void applyTheme();
+
+    /// Labels under the plot; empty for the upper ones of a stack.
+    void setTimeTicks(double from, double to, const std::vector<AxisTick>& ticks);
+    /// Shows t0 ... t1, cut into columns by the grid.
+    /// seconds  since the last call, for the calm of the scale; negative: take the best scale at once
+    void show(const SeriesBuffer& history, const ColumnGrid& grid, double t0, double t1, double seconds);
+
+    const AxisRange& range() const { return range_; }
+    const std::vector<CurveItem*>& curves() const { return curves_; }
+    std::span<const PlotSignal> shown() const { return shown_; }
+    /// The signal whose values the cursors read is drawn stronger.
+    void setEmphasis(PlotSignal signal);
+    /// Called when the operator clicks an entry of the legend.
+    void onLegend(std::function<void(PlotSignal)> chosen) { legendChosen_ = std::move(chosen); }
+
+    static constexpr int kLegendHeight = 20;  ///< above the area [px]
+
+private:
+    void updateValueAxis();
+    void placeLegend();
+
+    std::span<const PlotSignal> shown_;
+    std::unique_ptr<QChart> chart_;
+    QValueAxis* grid_;       // the lines
+    QCategoryAxis* values_;  // their labels: only this axis takes texts, but it draws lines at its ends too
+    QCategoryAxis* times_;
+    std::vector<QLineSeries*> legend_;  // without points: the chart's legend wants a series for each entry
+    std::vector<CurveItem*> curves_;
+    AxisRange range_;
+    QRectF area_;
+    PlotSignal emphasis_;
+    std::function<void(PlotSignal)> legendChosen_;
+};
+
+}  // namespace tiller

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/plot_view.h"
+
+#include <QGraphicsScene>
+#include <QResizeEvent>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/common/format.h"
+#include "widgets/common/theme.h"
+#include "widgets/plots/plot_overlay.h"
+#include "widgets/plots/plot_pane.h"
+#include "widgets/plots/state_lane.h"
+
+namespace tiller {
+
+namespace {
+
+constexpr double kLeft = 56;  // room for the labels of the vertical axes [px]
+constexpr double kRight = 10;
+constexpr double kTop = 22;         // the cursors' letters, the legend
+constexpr double kBetween = 24;     // two plots: the lower one's legend
+constexpr double kTimeLabels = 20;  // under the lowest plot
+constexpr double kLaneHeight = 14;
+constexpr double kBottom = 10;
+constexpr double kUpperShare = 0.54;
+
+double niceTickStep(double span, double width) {
+    const double least = span / std::max(1.0, width / 110.0);  // labels want this many pixels each
+    static constexpr double kSteps[] = {0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1,   2,   5,
+                                        10,    20,   30,   60,   120, 300, 600, 900, 1800};
+    for (const double step : kSteps) {
+        if (step >= least) {
+            return step;
+        }
+    }
+    return 1800;
+}
+
+}  // namespace
+
+PlotView::PlotView(const SeriesBuffer& history, const StateLane& lane, QWidget* parent)
+    : QGraphicsView(parent)
+    , history_(history)
+    , lane_(lane)
+    , scene_(std::make_unique<QGraphicsScene>())
+    , laneItem_(new LaneItem) {
+    setObjectName(QStringLiteral("plots.view"));
+    setAccessibleName(tr("Plots of TCP force and joint current over time"));
+    setAccessibleDescription(
+        tr("A and B place the cursors, the arrow keys move them, up and down choose the signal they read; "
+           "plus and minus change the time window; End goes back to the newest samples"));
+    setScene(scene_.get());
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setBackgroundBrush(Qt::NoBrush);
+    setStyleSheet(QStringLiteral("background: transparent;"));
+    scene_->setItemIndexMethod(QGraphicsScene::NoIndex);
+    panes_.push_back(
+        std::make_unique<PlotPane>(*scene_, QStringLiteral("force"), plot_signals::tcpForce(), 5));
+    panes_.push_back(
+        std::make_unique<PlotPane>(*scene_, QStringLiteral("current"), plot_signals::jointCurrent(), 0.5));
+    for (const auto& pane : panes_) {
+        pane->onLegend([this](PlotSignal signal) { setReadoutSignal(signal); });
+    }
+    scene_->addItem(laneItem_);
+    for (const Cursor which : {Cursor::A, Cursor::B}) {
+        auto*& item = cursorItems_[index(which)];
+        item = new CursorItem(which == Cursor::A ? QStringLiteral("A") : QStringLiteral("B"));
+        item->hide();
+        scene_->addItem(item);
+    }
+    setReadoutSignal(readoutSignal_);
+    layOut();
+}
+
+PlotView::~PlotView() {
+    // The charts are items of the scene and belong to the panes: they must go before it.
+    panes_.clear();
+    setScene(nullptr);
+}
+
+void PlotView::layOut() {
+    const QSizeF size = viewport()->size();
+    scene_->setSceneRect(QRectF(QPointF(0, 0), size));
+    const double width = std::max(40.0, size.width() - kLeft - kRight);
+    const double plots =
+        std::max(60.0, size.height() - kTop - kBetween - kTimeLabels - kLaneHeight - kBottom);
+    const double upper = std::round(plots * kUpperShare);
+    panes_[0]->setArea({kLeft, kTop, width, upper});
+    panes_[1]->setArea({kLeft, kTop + upper + kBetween, width, plots - upper});
+    laneItem_->setView({kLeft, kTop + plots + kBetween + kTimeLabels, width, kLaneHeight}, window_.start(),
+                       window_.end());
+    tickSpan_ = -1;
+}
+
+double PlotView::timeAt(double x) const {
+    const QRectF& area = panes_[0]->area();
+    return window_.start() + (x - area.left()) / area.width() * window_.span();
+}
+
+double PlotView::xAt(double time) const {
+    const QRectF& area = panes_[0]->area();
+    return area.left() + (time - window_.start()) / window_.span() * area.width();
+}
+
+void PlotView::refresh(double seconds) {
+    window_.setHistory(history_.firstTime(), history_.lastTime());
+    // What is frozen stays as it is on the screen; only its oldest samples may fall out of the history.
+    if (window_.follows() && shownEnd_ != history_.end()) {
+        show(seconds);
+    }
+}
+
+void PlotView::rewind() {
+    show(-1);
+    Q_EMIT windowChanged();
+}
+
+void PlotView::show(double seconds) {
+    shownEnd_ = history_.end();
+    if (window_.follows()) {
+        reference_ = window_.newest();
+    }
+    const double t0 = window_.start();
+    const double t1 = window_.end();
+    // Columns lie on a fixed raster of time, so that a moving curve moves as a whole and does not shimmer.
+    const QRectF& area = panes_[0]->area();
+    const int columns = std::max(1, static_cast<int>(std::ceil(area.width() * devicePixelRatioF())));
+    const double width = window_.span() / columns;
+    history_.cut(std::floor(t0 / width) * width, width, columns + 1, grid_);
+    for (const auto& pane : panes_) {
+        pane->show(history_, grid_, t0, t1, seconds);
+    }
+    laneItem_->setView(laneItem_->area(), t0, t1);
+    laneItem_->setSegments(lane_.visible(t0, t1, width * 2));
+    placeTicks();
+    placeCursors();
+}
+
+void PlotView::placeTicks() {
+    const double end = window_.end() - reference_;
+    if (tickSpan_ == window_.span() && std::abs(tickEnd_ - end) < 1e-9) {
+        return;
+    }
+    tickSpan_ = window_.span();
+    tickEnd_ = end;
+    const double start = end - tickSpan_;
+    const double step = niceTickStep(tickSpan_, panes_[0]->area().width());
+    const bool minutes = step >= 60;
+    const double unit = minutes ? 60 : 1;
+    const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step / unit) - 1e-9)));
+    std::vector<AxisTick> ticks;
+    for (auto i = std::llround(std::ceil(start / step)); i <= std::llround(std::floor(end / step)); ++i) {
+        const double value = static_cast<double>(i) * step;
+        // A label at the very edge would be cut off.
+        const double room = (value - start) / tickSpan_ * panes_[0]->area().width();
+        if (i == 0 || room < 24 || (end - value) / tickSpan_ * panes_[0]->area().width() < 24) {
+            continue;
+        }
+        ticks.push_back({value, format::number(value / unit, digits) + (minutes ? tr(" min") : tr(" s"))});
+    }
+    panes_[0]->setTimeTicks(start, end, {});
+    panes_[1]->setTimeTicks(start, end, ticks);
+}
+
+void PlotView::placeCursors() {
+    const QRectF top = panes_.front()->area();
+    const QRectF bottom = panes_.back()->area();
+    for (const Cursor which : {Cursor::A, Cursor::B}) {
+        CursorItem* item = cursorItems_[index(which)];
+        const auto& time = cursors_[index(which)];
+        const bool inside = time && *time >= window_.start() && *time <= window_.end();
+        item->setVisible(inside);
+        if (inside) {
+            item->setLine(xAt(*time), top.top() - 2, bottom.bottom());
+            item->setActive(hasFocus() && which == active_);
+        }
+    }
+}
+
+void PlotView::setSpan(double seconds) {
+    window_.setSpan(seconds);
+    rewind();
+}
+
+void PlotView::pause() {
+    if (window_.follows()) {
+        window_.pause();
+        rewind();
+    }
+}
+
+void PlotView::follow() {
+    window_.setHistory(history_.firstTime(), history_.lastTime());
+    window_.follow();
+    rewind();
+}
+
+void PlotView::scrollBy(double seconds) {
+    window_.setHistory(history_.firstTime(), history_.lastTime());
+    window_.scrollBy(seconds);
+    rewind();
+}
+
+void PlotView::setCursor(Cursor which, std::optional<double> time) {
+    cursors_[index(which)] = time;
+    if (time) {
+        active_ = which;
+    }
+    placeCursors();
+    Q_EMIT readoutChanged();
+}
+
+void PlotView::setReadoutSignal(PlotSignal signal) {
+    readoutSignal_ = signal;
+    for (const auto& pane : panes_) {
+        pane->setEmphasis(signal);
+    }
+    Q_EMIT readoutChanged();
+}
+
+std::optional<double> PlotView::valueAt(PlotSignal signal, double time) const {
+    // A sample is near enough if the neighbours of this moment are its neighbours: across a gap there is
+    // none.
+    const std::int64_t after = history_.lowerBound(time);
+    const std::int64_t nearest = history_.nearest(time, 0.25);
+    if (nearest < 0) {
+        return std::nullopt;
+    }
+    const bool insideGap = after < history_.end() && after > history_.first() && history_.gapBefore(after) &&
+                           history_.time(after) != time;
+    const bool outside = after == history_.first() && history_.time(after) != time;
+    const bool beyond = after == history_.end() && time > history_.lastTime() + 0.05;
+    if (insideGap || outside || beyond) {
+        return std::nullopt;
+    }
+    const float value = history_.value(static_cast<int>(signal), nearest);
+    return std::isnan(value) ? std::nullopt : std::optional<double>(static_cast<double>(value));
+}
+
+QString PlotView::readout() const {
+    const auto& a = cursors_[0];
+    const auto& b = cursors_[1];
+    if (!a && !b) {
+        return {};
+    }
+    const QString name = plot_signals::label(readoutSignal_);
+    const int digits = plot_signals::digits(readoutSignal_);
+    const auto valueText = [&](std::optional<double> value) {
+        return (value ? format::signedNumber(*value, digits) : QStringLiteral("–")) + QLatin1Char(' ') +
+               plot_signals::unit(readoutSignal_);
+    };
+    if (a && b) {
+        const auto va = valueAt(readoutSignal_, *a);
+        const auto vb = valueAt(readoutSignal_, *b);
+        const auto difference = va && vb ? std::optional<double>(*vb - *va) : std::nullopt;
+        return tr("A–B Δt %1 s · Δ%2 %3").arg(format::number(*b - *a, 3), name, valueText(difference));
+    }
+    const double time = a ? *a : *b;
+    return tr("%1 %2 s · %3 %4")
+        .arg(a ? QStringLiteral("A") : QStringLiteral("B"), format::number(time - reference_, 3), name,
+             valueText(valueAt(readoutSignal_, time)));
+}
+
+std::vector<PlotSignal> PlotView::signalsShown() const {
+    std::vector<PlotSignal> out;
+    for (const auto& pane : panes_) {
+        out.insert(out.end(), pane->shown().begin(), pane->shown().end());
+    }
+    return out;
+}
+
+void PlotView::cycleReadout(int by) {
+    const std::vector<PlotSignal> shown = signalsShown();
+    const auto at = std::find(shown.begin(), shown.end(), readoutSignal_) - shown.begin();
+    const auto count = static_cast<std::ptrdiff_t>(shown.size());
+    setReadoutSignal(shown[static_cast<std::size_t>((at + by + count) % count)]);
+}
+
+void PlotView::resizeEvent(QResizeEvent* event) {
+    QGraphicsView::resizeEvent(event);
+    layOut();
+    show(0);
+}
+
+void PlotView::changeEvent(QEvent* event) {
+    QGraphicsView::changeEvent(event);
+    if (event->type() == QEvent::StyleChange || event->type() == QEvent::PaletteChange) {
+        for (const auto& pane : panes_) {
+            pane->applyTheme();
+        }
+        viewport()->update();
+    }
+}
+
+void PlotView::drawForeground(QPainter* painter, const QRectF&) {
+    if (!history_.isEmpty()) {
+        return;
+    }
+    painter->setPen(Theme::current().secondary);
+    painter->setFont(textFont(15));
+    painter->drawText(panes_[0]->area(), Qt::AlignCenter, tr("No samples yet: connect to a robot"));
+}
+
+}  // namespace tiller

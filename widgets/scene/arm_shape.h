@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The arm as a handful of thick rounded rods, placed by its Denavit-Hartenberg frames and pushed out of line
+// at shoulder and elbow as the real one is.
+
+#include <Eigen/Core>
+#include <array>
+
+#include "robot/core/robot_model.h"
+
+namespace tiller {
+
+enum class ArmPartKind { Housing, Link, Joint };
+
+/// A rod with round ends; a ball when both ends are the same. Base frame [m].
+struct ArmPart {
+    ArmPartKind kind = ArmPartKind::Link;
+    Eigen::Vector3d from = Eigen::Vector3d::Zero();
+    Eigen::Vector3d to = Eigen::Vector3d::Zero();
+    double radius = 0;
+};
+
+inline constexpr int kArmPartCount = 12;
+
+/// Threads  any
+std::array<ArmPart, kArmPartCount> armParts(const RobotModel& model, const JointPositions& q);
+
+}  // namespace tiller
