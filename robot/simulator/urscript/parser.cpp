@@ -76,6 +76,13 @@ private:
         }
         return take();
     }
+    // Members may be called like keywords: time() gives `sec`.
+    const Token& memberName() {
+        if (peek().kind < TokenKind::KwDef && peek().kind != TokenKind::Identifier) {
+            fail(peek());
+        }
+        return take();
+    }
     [[noreturn]] void fail(const Token& token) const {
         throw Failure{syntaxError(source_, token.line, token.column)};
     }
@@ -519,7 +526,7 @@ private:
         std::vector<std::string_view> names;
         if (!accept(TokenKind::RightParen)) {
             do {
-                const Token& name = expect(TokenKind::Identifier);
+                const Token& name = memberName();
                 if (std::find(names.begin(), names.end(), name.text) != names.end()) {
                     fail(name);
                 }
@@ -572,7 +579,7 @@ private:
                 e = newExpr(ExprKind::Index, token, std::move(parts));
             } else if (token.kind == TokenKind::Dot) {
                 take();
-                const Token& name = expect(TokenKind::Identifier);
+                const Token& name = memberName();
                 if (accept(TokenKind::LeftParen)) {
                     std::vector<Expr*> parts = items(TokenKind::RightParen);
                     parts.insert(parts.begin(), e);
