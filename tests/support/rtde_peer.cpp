@@ -193,8 +193,8 @@ struct RtdePeer::Conversation {
 };
 
 void RtdePeer::serve(ScriptedPeer::Link& link) {
-    Conversation conversation{*this, link, {}, {}, {}, {}, {}};
-    conversation.protocol = ProtocolVersion::V1;
+    Conversation conversation{*this, link, ProtocolVersion::V1, {}, {}, {}, {}};
+    closeWanted_ = false;
     while (!link.isOver() && !closeWanted_.exchange(false)) {
         if (const auto package = link.nextPackage(std::chrono::milliseconds(1))) {
             conversation.handle(*package);

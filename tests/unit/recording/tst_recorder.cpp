@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: MIT
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+
+#ifdef __linux__
+#include <sys/mount.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
+
+#include "robot/recording/csv_reader.h"
+#include "robot/recording/recorder.h"
+#include "tests/support/rtde_peer.h"
+
+using namespace tiller;
+using namespace tiller::recording;
+using namespace std::chrono_literals;
+using test::RtdePeer;
+
+namespace {
+
+constexpr int kPatienceMs = 30000;
+#define TRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, kPatienceMs)
+#define TRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, kPatienceMs)
+
+receive::ReceiverOptions to(std::uint16_t port) {
+    receive::ReceiverOptions options;
+    options.host = QStringLiteral("127.0.0.1");
+    options.port = port;
+    options.priority = 0;
+    options.reconnectDelays = {1ms};
+    return options;
+}
+
+/// A receiver on a peer, and a folder to record into.
+struct Bench {
+    Bench() : receiver(to(peer.port())) { receiver.start(); }
+
+    QString path(const char* name = "recording.csv") const {
+        return folder.filePath(QString::fromLatin1(name));
+    }
+    void send(int from, int to) {
+        for (int i = from; i <= to; ++i) {
+            peer.send(i * 0.002);
+        }
+    }
+
+    QTemporaryDir folder;
+    RtdePeer peer;
+    receive::Receiver receiver;
+};
+
+/// What the program does when it is started as the one to be killed: records until it is.
+int recordUntilKilled(const QString& path) {
+    Bench bench;
+    Recorder recorder;
+    RecorderOptions options;
+    options.path = path;
+    if (!recorder.start(options, bench.receiver).ok()) {
+        return 1;
+    }
+    for (int i = 1;; ++i) {
+        bench.peer.send(i * 0.002);
+        while (bench.receiver.counters().packets < static_cast<std::uint64_t>(i)) {
+            std::this_thread::yield();
+        }
+        std::printf("%d %llu\n", i, static_cast<unsigned long long>(recorder.progress().rows));
+        std::fflush(stdout);
+    }
+}
+
+}  // namespace
+
+class TestRecorder : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void writesOneRowPerPackage();
+    void gapsStandInTheLastColumn();
+    void ringOverrunIsAGapToo();
+    void rowsReachTheFileWhileRecording();
+    void replacesAnOldFile();
+    void recordsOnlyWhatIsAskedFor();
+    void oneRecordingAtATime();
+    void recordsAgainAfterStop();
+    void unwritablePlacesAreErrors_data();
+    void unwritablePlacesAreErrors();
+    void fullDiskAtTheStartIsAnError();
+    void fullDiskKeepsWhatWasWritten();
+    void killedWriterLeavesAReadableFile();
+};
+
+void TestRecorder::writesOneRowPerPackage() {
+    Bench bench;
+    bench.peer.set("actual_q", {0.1, 0.2, 0.3, 0.4, 0.5, 0.6});
+    bench.peer.set("actual_digital_output_bits", {3});
+    Recorder recorder;
+    QCOMPARE(recorder.progress().state, RecorderState::Idle);
+    QVERIFY(recorder.start({bench.path(), defaultRecordedFields()}, bench.receiver).ok());
+    bench.send(1, 2500);
+    TRY_COMPARE(bench.receiver.counters().packets, std::uint64_t(2500));
+    recorder.stop();
+    QCOMPARE(recorder.progress().state, RecorderState::Finished);
+    QCOMPARE(recorder.progress().rows, std::uint64_t(2500));
+    QCOMPARE(recorder.progress().lost, std::uint64_t(0));
+    QCOMPARE(recorder.progress().bytes, QFileInfo(bench.path()).size());
+    QVERIFY(recorder.progress().freeBytes > 0);
+    QCOMPARE(recorder.error().code, ErrorCode::None);
+
+    const auto table = readCsv(bench.path());
+    QVERIFY2(table.ok(), qPrintable(table.error().toString()));
+    QVERIFY(!table->truncated);
+    QCOMPARE(table->rows(), std::size_t(2500));
+    QCOMPARE(table->columns.front(), std::string("timestamp"));
+    QCOMPARE(table->columns.back(), std::string("packages_lost"));
+    for (int i = 1; i <= 2500; ++i) {
+        QCOMPARE(table->values[0][static_cast<std::size_t>(i) - 1], i * 0.002);
+    }
+    // The columns listing 4 of the paper picks.
+    for (const char* column :
+         {"actual_q_0", "actual_q_1", "actual_q_2", "actual_q_3", "actual_q_4", "actual_q_5"}) {
+        QVERIFY2(table->column(column) != nullptr, column);
+    }
+    QCOMPARE(table->column("actual_q_5")->at(0), 0.6);
+    QCOMPARE(table->column("actual_digital_output_bits")->at(2499), 3.0);
+}
+
+void TestRecorder::gapsStandInTheLastColumn() {
+    Bench bench;
+    Recorder recorder;
+    QVERIFY(recorder.start({bench.path(), {"actual_q"}}, bench.receiver).ok());
+    bench.send(1, 2);
+    bench.send(6, 7);
+    TRY_COMPARE(bench.receiver.counters().packets, std::uint64_t(4));
+    bench.peer.closeConnection();
+    TRY_COMPARE(bench.peer.connections(), 2);
+    TRY_VERIFY(bench.peer.isStarted());
+    bench.send(100, 100);
+    TRY_COMPARE(bench.receiver.counters().packets, std::uint64_t(5));
+    recorder.stop();
+    const auto table = readCsv(bench.path());
+    QCOMPARE(*table->column("packages_lost"), (std::vector<double>{0, 0, 3, 0, 92}));
+    QCOMPARE(recorder.progress().lost, std::uint64_t(95));
+}
+
+void TestRecorder::ringOverrunIsAGapToo() {
+    RtdePeer peer;
+    auto options = to(peer.port());
+    options.ringCapacity = 16;
+    receive::Receiver receiver(options);
+    receiver.start();
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.csv"));
+    Recorder recorder;
+    QVERIFY(recorder.start({path, {}}, receiver).ok());
+    peer.send(0.002);
+    TRY_COMPARE(recorder.progress().rows, std::uint64_t(1));
+    // Far more than the ring holds; how many the recorder catches depends on the machine, the sum does not.
+    for (int i = 2; i <= 2000; ++i) {
+        peer.send(i * 0.002);
+    }
+    TRY_COMPARE(receiver.counters().packets, std::uint64_t(2000));
+    recorder.stop();
+    QCOMPARE(recorder.progress().rows + recorder.progress().lost, std::uint64_t(2000));
+    const auto table = readCsv(path);
+    QCOMPARE(table->rows(), std::size_t(recorder.progress().rows));
+    double lost = 0;
+    for (const double gap : *table->column("packages_lost")) {
+        lost += gap;
+    }
+    QCOMPARE(static_cast<std::uint64_t>(lost), recorder.progress().lost);
+}
+
+void TestRecorder::rowsReachTheFileWhileRecording() {
+    Bench bench;
+    Recorder recorder;
+    QVERIFY(recorder.start({bench.path(), defaultRecordedFields()}, bench.receiver).ok());
+    bench.send(1, 10);
+    // Without stop(): the recorder comes round by itself.
+    TRY_COMPARE(recorder.progress().rows, std::uint64_t(10));
+    const auto table = readCsv(bench.path());
+    QVERIFY(!table->truncated);
+    QCOMPARE(table->rows(), std::size_t(10));
+}
+
+void TestRecorder::replacesAnOldFile() {
+    Bench bench;
+    QFile old(bench.path());
+    QVERIFY(old.open(QIODevice::WriteOnly));
+    old.write(QByteArray(100000, 'x'));
+    old.close();
+    Recorder recorder;
+    QVERIFY(recorder.start({bench.path(), {}}, bench.receiver).ok());
+    recorder.stop();
+    const auto table = readCsv(bench.path());
+    QVERIFY2(table.ok(), qPrintable(table.error().toString()));
+    QCOMPARE(table->columns, (std::vector<std::string>{"timestamp", "packages_lost"}));
+    QCOMPARE(table->rows(), std::size_t(0));
+}
+
+void TestRecorder::recordsOnlyWhatIsAskedFor() {
+    Bench bench;
+    Recorder recorder;
+    QVERIFY(recorder.start({bench.path(), {"robot_mode", "no such field"}}, bench.receiver).ok());
+    bench.send(1, 1);
+    TRY_COMPARE(recorder.progress().rows, std::uint64_t(1));
+    recorder.stop();
+    QCOMPARE(readCsv(bench.path())->columns,
+             (std::vector<std::string>{"timestamp", "robot_mode", "packages_lost"}));
+}
+
+void TestRecorder::oneRecordingAtATime() {
+    Bench bench;
+    Recorder recorder;
+    QVERIFY(recorder.start({bench.path(), {}}, bench.receiver).ok());
+    QCOMPARE(recorder.start({bench.path("other.csv"), {}}, bench.receiver).error().code,
+             ErrorCode::InvalidArgument);
+    QVERIFY(!QFile::exists(bench.path("other.csv")));
+    QCOMPARE(recorder.path(), bench.path());
+    QCOMPARE(recorder.progress().state, RecorderState::Recording);
+}
+
+void TestRecorder::recordsAgainAfterStop() {
+    Bench bench;
+    Recorder recorder;
+    for (int i = 1; i <= 3; ++i) {
+        const QString path = bench.path(qPrintable(QStringLiteral("%1.csv").arg(i)));
+        QVERIFY(recorder.start({path, {}}, bench.receiver).ok());
+        bench.send(i, i);
+        TRY_COMPARE(recorder.progress().rows, std::uint64_t(1));
+        recorder.stop();
+        recorder.stop();
+        QCOMPARE(readCsv(path)->rows(), std::size_t(1));
+    }
+}
+
+void TestRecorder::unwritablePlacesAreErrors_data() {
+    QTest::addColumn<QString>("name");
+    QTest::newRow("no such folder") << QStringLiteral("none/recording.csv");
+    QTest::newRow("a folder") << QString();
+    QTest::newRow("below a file") << QStringLiteral("file/recording.csv");
+}
+
+void TestRecorder::unwritablePlacesAreErrors() {
+    QFETCH(QString, name);
+    Bench bench;
+    QFile file(bench.folder.filePath(QStringLiteral("file")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    Recorder recorder;
+    const auto started = recorder.start({bench.folder.filePath(name), {}}, bench.receiver);
+    QCOMPARE(started.error().code, ErrorCode::FileNotWritable);
+    QVERIFY(!started.error().controllerMessage.isEmpty());
+    // And everything goes on.
+    QVERIFY(recorder.start({bench.path(), {}}, bench.receiver).ok());
+}
+
+void TestRecorder::fullDiskAtTheStartIsAnError() {
+    if (!QFile::exists(QStringLiteral("/dev/full"))) {
+        QSKIP("no /dev/full here");
+    }
+    Bench bench;
+    Recorder recorder;
+    const auto started = recorder.start({QStringLiteral("/dev/full"), {}}, bench.receiver);
+    QCOMPARE(started.error().code, ErrorCode::DiskFull);
+    QCOMPARE(recorder.progress().state, RecorderState::Idle);
+}
+
+void TestRecorder::fullDiskKeepsWhatWasWritten() {
+#ifdef __linux__
+    // A real file system of 64 kB, which only root can make.
+    const QTemporaryDir folder;
+    const QByteArray where = folder.path().toLocal8Bit();
+    if (::mount("tmpfs", where.constData(), "tmpfs", 0, "size=64k") != 0) {
+        QSKIP("needs the right to mount a small file system");
+    }
+    const auto unmount = qScopeGuard([&] { ::umount2(where.constData(), MNT_DETACH); });
+    Bench bench;
+    Recorder recorder;
+    const QString path = folder.filePath(QStringLiteral("recording.csv"));
+    QVERIFY(recorder.start({path, defaultRecordedFields()}, bench.receiver).ok());
+    std::uint64_t sent = 0;
+    while (recorder.progress().state == RecorderState::Recording && sent < 100000) {
+        for (int i = 0; i < 50; ++i) {
+            bench.peer.send(static_cast<double>(++sent) * 0.002);
+        }
+        TRY_COMPARE(bench.receiver.counters().packets, sent);
+    }
+    TRY_COMPARE(recorder.progress().state, RecorderState::Failed);
+    QCOMPARE(recorder.error().code, ErrorCode::DiskFull);
+    QVERIFY2(recorder.error().context.contains(path), qPrintable(recorder.error().context));
+
+    const auto table = readCsv(path);
+    QVERIFY2(table.ok(), qPrintable(table.error().toString()));
+    QVERIFY(!table->truncated);
+    QVERIFY(table->rows() > 10);
+    QCOMPARE(table->rows(), std::size_t(recorder.progress().rows));
+    QVERIFY(sent >= recorder.progress().rows);
+    QCOMPARE(table->values[0].back(), static_cast<double>(table->rows()) * 0.002);
+    // The receiver has noticed nothing, and there is a life after it.
+    QCOMPARE(bench.receiver.state(), receive::ReceiverState::Receiving);
+    QVERIFY(recorder.start({bench.path(), {}}, bench.receiver).ok());
+    QCOMPARE(recorder.error().code, ErrorCode::None);
+#else
+    QSKIP("needs a small file system");
+#endif
+}
+
+void TestRecorder::killedWriterLeavesAReadableFile() {
+#ifdef __linux__
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("recording.csv"));
+    QProcess victim;
+    victim.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--record-until-killed"), path});
+    QVERIFY(victim.waitForStarted(kPatienceMs));
+    // It says how far it is after every package.
+    qulonglong rows = 0;
+    QByteArray line;
+    while (rows < 200) {
+        if (!victim.canReadLine()) {
+            QVERIFY(victim.waitForReadyRead(kPatienceMs));
+            continue;
+        }
+        line = victim.readLine();
+        rows = line.split(' ').at(1).trimmed().toULongLong();
+    }
+    ::kill(static_cast<pid_t>(victim.processId()), SIGKILL);
+    QVERIFY(victim.waitForFinished(kPatienceMs));
+    QCOMPARE(victim.exitStatus(), QProcess::CrashExit);
+
+    const auto table = readCsv(path);
+    QVERIFY2(table.ok(), qPrintable(table.error().toString()));
+    QVERIFY(!table->truncated);
+    // All it had said were written are there.
+    QVERIFY(table->rows() >= rows);
+    for (std::size_t i = 0; i < table->rows(); ++i) {
+        QCOMPARE(table->values[0][i], static_cast<double>(i + 1) * 0.002);
+    }
+#else
+    QSKIP("needs a signal that kills");
+#endif
+}
+
+int main(int argc, char** argv) {
+    QCoreApplication app(argc, argv);
+    if (argc == 3 && qstrcmp(argv[1], "--record-until-killed") == 0) {
+        return recordUntilKilled(QString::fromLocal8Bit(argv[2]));
+    }
+    TestRecorder test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "tst_recorder.moc"
