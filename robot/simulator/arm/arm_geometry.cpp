@@ -109,7 +109,7 @@ double ArmGeometry::singularityMargin(const Vector6& q, const Posture& posture) 
     // axis 1.
     const double d4 = model_.dh.d[3];
     const double shoulder = std::sqrt(std::max(0.0, centre.head<2>().squaredNorm() - d4 * d4));
-    return std::min({wrist / 0.15, elbow / 0.15, shoulder / 0.05});
+    return std::min({wrist / 0.3, elbow / 0.4, shoulder / 0.15});
 }
 
 Vector6 ArmGeometry::maxSpeed() const {

@@ -22,8 +22,8 @@ const Vector6 kJointInertia = (Vector6() << 2.0, 2.0, 1.2, 0.3, 0.3, 0.3).finish
 constexpr double kJointDampingRate = 4;                                                // 1/s
 constexpr double kHandForce = 3;                                                       // N not felt
 constexpr double kHandTorque = 0.3;                                                    // Nm not felt
-constexpr double kNearSingular = 1.0;
-constexpr double kTooCloseToSingular = 0.3;
+constexpr double kNearSingular = 0.4;
+constexpr double kTooCloseToSingular = 0.15;
 
 Vector6 withoutDeadband(const Wrench& w) {
     const double f = w.force.norm();

@@ -237,14 +237,15 @@ void MotionGenerator::stepScale() {
 }
 
 // Finds a pace for this step at which every joint stays within speed and acceleration.
-bool MotionGenerator::chooseStep(double target, double& scale, PathCandidate& candidate) {
+std::optional<StopReason> MotionGenerator::chooseStep(double target, double& scale, PathCandidate& candidate,
+                                                      int& joint) {
     const double possible = limits_.acceleration * period_;
     double next = target;
     for (int attempt = 0; attempt < 4; ++attempt) {
         const double dtProgram = 0.5 * (pathScale_ + next) * period_;
         path_.evaluate(period_, dtProgram, candidate);
         if (!candidate.reached) {
-            return false;
+            return StopReason::Singularity;
         }
         double low = 0;
         double high = target;
@@ -268,14 +269,24 @@ bool MotionGenerator::chooseStep(double target, double& scale, PathCandidate& ca
     scale = next;
     const Vector6 qd = candidate.rateProgram * scale + candidate.rateReal;
     const double slack = 1 + kAccelerationTolerance;
+    // Joints stop together: the fastest decides how long it takes.
+    const double stopTime = period_ + qd.cwiseAbs().maxCoeff() / (2 * limits_.acceleration);
     for (int j = 0; j < kJointCount; ++j) {
         if (std::abs(qd[j] - state_.qd[j]) > possible * slack + 1e-9 ||
-            std::abs(qd[j]) > limits_.speed[j] * slack + 1e-9 ||
-            std::abs(candidate.q[j]) > limits_.position + 1e-6) {
-            return false;
+            std::abs(qd[j]) > limits_.speed[j] * slack + 1e-9) {
+            joint = j;
+            return StopReason::JointSpeedLimit;
+        }
+        // A joint must always be able to stop within its range. A move between two joint positions is, as
+        // both are in it.
+        const double outward = candidate.q[j] > 0 ? qd[j] : -qd[j];
+        const double stopping = outward > 0 ? outward * stopTime : 0.0;
+        if (!path_.withinItsEnds() && std::abs(candidate.q[j]) + stopping > limits_.position) {
+            joint = j;
+            return StopReason::JointPositionLimit;
         }
     }
-    return true;
+    return std::nullopt;
 }
 
 void MotionGenerator::pathFailed(StopReason reason, int joint) {
@@ -304,9 +315,9 @@ void MotionGenerator::stepPath() {
     path_.prepare(programScale_ * period_);
     double scale = pathScale_;
     const double target = std::min(programScale_, pathScale_ + 0.5 * kFastestRamp * period_);
-    if (!chooseStep(target, scale, candidate_)) {
-        const bool unreachable = !candidate_.reached;
-        pathFailed(unreachable ? StopReason::Singularity : StopReason::JointSpeedLimit, -1);
+    int limited = -1;
+    if (const auto failure = chooseStep(target, scale, candidate_, limited)) {
+        pathFailed(*failure, limited);
         stepStop();
         return;
     }

@@ -99,7 +99,7 @@ private:
     void stepStop();
     void stepVelocity();
     void stepTorque();
-    bool chooseStep(double target, double& scale, PathCandidate& candidate);
+    std::optional<StopReason> chooseStep(double target, double& scale, PathCandidate& candidate, int& joint);
     void pathFailed(StopReason reason, int joint);
     void startVelocity(MotionId id, std::optional<double> t);
 

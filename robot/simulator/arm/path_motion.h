@@ -49,6 +49,8 @@ public:
     /// The command that ordered `current` may go on: its blend zone begins within the coming period or two.
     bool currentReturned(double timeScale) const;
     bool finished() const;
+    /// A joint move or joint stop by itself: every joint stays between where it was and where it goes.
+    bool withinItsEnds() const { return !tailActive_ && !current_.inToolSpace; }
 
     /// To be called before a step: lets the next move set in when its time has come.
     void prepare(double dtProgramMax);

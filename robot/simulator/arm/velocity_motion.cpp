@@ -216,7 +216,9 @@ std::optional<StopReason> VelocityMotion::stepCartesian(double timeScale, JointT
             return StopReason::Singularity;
         }
     }
-    if (limits_.cutToAcceleration(state.qd, qd, period_)) {
+    const double excess = limits_.speedFactor(qd);
+    qd *= excess;
+    if (limits_.cutToAcceleration(state.qd, qd, period_) || excess < 1) {
         // Off the wanted path for this step: go on from where the joints really are.
         state.q += 0.5 * (state.qd + qd) * period_;
         geometry_.evaluate(state.q, posture);

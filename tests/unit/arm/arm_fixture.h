@@ -75,7 +75,7 @@ public:
     }
     bool withinBounds() const {
         return worstAcceleration <= 40.1 && worstSpeed <= 1.001 &&
-               worstPosition <= kJointPositionLimit + 1e-6 && worstMismatch < 0.02;
+               worstPosition <= kJointPositionLimit + 1e-6 && worstMismatch < 2 * 40 * 0.002;
     }
 
     Arm arm;
