@@ -73,6 +73,36 @@ void drawShape(QPainter& painter, StateChip::Shape shape, const QRectF& box, con
             painter.setBrush(Qt::NoBrush);
             painter.drawEllipse(box.adjusted(1.7, 1.7, -1.7, -1.7));
             break;
+        case Shape::Dot:
+            painter.drawEllipse(box.adjusted(2, 2, -2, -2));
+            break;
+        case Shape::Bolt:
+            painter.drawPolygon(
+                QPolygonF({box.topLeft() + QPointF(8.5, 0.5), box.topLeft() + QPointF(2.5, 8),
+                           box.topLeft() + QPointF(6.5, 8), box.topLeft() + QPointF(5.5, 13.5),
+                           box.topLeft() + QPointF(11.5, 5.8), box.topLeft() + QPointF(7.5, 5.8)}));
+            break;
+        case Shape::DownArrow:
+            painter.setPen(line);
+            painter.drawLine(QPointF(box.center().x(), box.top() + 2),
+                             QPointF(box.center().x(), box.bottom() - 2));
+            painter.setBrush(Qt::NoBrush);
+            painter.drawPolyline(QPolygonF({QPointF(box.center().x() - 4, box.bottom() - 6),
+                                            QPointF(box.center().x(), box.bottom() - 2),
+                                            QPointF(box.center().x() + 4, box.bottom() - 6)}));
+            break;
+        case Shape::DoubleArrow:
+            painter.setPen(line);
+            painter.setBrush(Qt::NoBrush);
+            painter.drawLine(QPointF(box.left() + 1, box.center().y()),
+                             QPointF(box.right() - 1, box.center().y()));
+            for (const double side : {1.0, -1.0}) {
+                const double tip = box.center().x() + side * (box.width() / 2 - 1);
+                painter.drawPolyline(QPolygonF({QPointF(tip - side * 3.5, box.center().y() - 3.5),
+                                                QPointF(tip, box.center().y()),
+                                                QPointF(tip - side * 3.5, box.center().y() + 3.5)}));
+            }
+            break;
         case Shape::Triangle:
             painter.drawPolygon(
                 QPolygonF({box.topLeft() + QPointF(1.5, 1), box.bottomLeft() + QPointF(1.5, -1),

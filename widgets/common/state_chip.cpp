@@ -74,8 +74,10 @@ void StateChip::setFigures(bool figures) {
 }
 
 void StateChip::setLeastCharacters(int characters) {
-    leastCharacters_ = characters;
-    updateGeometry();
+    if (characters != leastCharacters_) {
+        leastCharacters_ = characters;
+        updateGeometry();
+    }
 }
 
 void StateChip::setMenuArrow(bool arrow) {

@@ -16,7 +16,22 @@ public:
     enum class Emphasis { Normal, Moving, Warning, Alarm, OperatorNeeded, Muted };
     Q_ENUM(Emphasis)
     /// Drawn in front of the words, so that no state is told by colour alone.
-    enum class Shape { None, Circle, Triangle, WarningTriangle, Octagon, Hand, Square, Power, Bars, Cross };
+    enum class Shape {
+        None,
+        Circle,
+        Dot,
+        Triangle,
+        WarningTriangle,
+        Octagon,
+        Hand,
+        Square,
+        Power,
+        Bolt,
+        Bars,
+        Cross,
+        DownArrow,
+        DoubleArrow
+    };
     Q_ENUM(Shape)
 
     explicit StateChip(const QString& caption, QWidget* parent = nullptr);

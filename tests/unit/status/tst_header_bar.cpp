@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QApplication>
+#include <QDir>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QWheelEvent>
+
+#include "widgets/common/state_chip.h"
+#include "widgets/common/theme.h"
+#include "widgets/status/header_bar.h"
+#include "widgets/status/simulation_chip.h"
+#include "widgets/status/speed_chip.h"
+#include "widgets/status/status_line.h"
+#include "widgets/status/stop_button.h"
+
+using namespace tiller;
+using control::StopCause;
+
+namespace {
+
+struct FakeSession {
+    QStringList asked;
+    QList<StopCause> stops;
+    QList<double> speeds;
+
+    HeaderPort port() {
+        return {.powerOn = [this] { asked << QStringLiteral("power on"); },
+                .releaseBrakes = [this] { asked << QStringLiteral("release brakes"); },
+                .unlockProtectiveStop = [this] { asked << QStringLiteral("unlock"); },
+                .takeControl = [this] { asked << QStringLiteral("take control"); },
+                .setSpeedSlider = [this](double fraction) { speeds << fraction; },
+                .stop = [this](StopCause cause) { stops << cause; }};
+    }
+};
+
+SessionState movingState() {
+    SessionState state;
+    state.link = LinkState::Live;
+    state.robotName = QStringLiteral("Lab UR5e");
+    state.address = QStringLiteral("192.168.0.10");
+    state.simulated = true;
+    state.robotMode = RobotMode::Running;
+    state.safetyMode = SafetyMode::Normal;
+    state.remoteControl = true;
+    state.control = ControlState::InControl;
+    state.moving = true;
+    state.jogActive = true;
+    state.speedFraction = 0.35;
+    state.quality.rateHz = 500;
+    state.quality.roundTripMs = 4.0;
+    state.lastStop = {StopCause::Released, 62, 3.1, 1};
+    state.sequence = 1;
+    return state;
+}
+
+SessionState longestState() {
+    SessionState state = movingState();
+    state.moving = false;
+    state.jogActive = false;
+    state.control = ControlState::None;
+    state.quality.late = 12345;
+    state.quality.lost = 678;
+    state.quality.roundTripMs = 104.2;
+    state.lastStop = {StopCause::Released, 1062, 103.1, 1};
+    state.robotName = QStringLiteral("UR10e at the far end of hall 12");
+    return state;
+}
+
+void keepPicture(QWidget& widget, const QString& name) {
+    const QString folder = qEnvironmentVariable("TILLER_SCREENSHOTS");
+    if (!folder.isEmpty()) {
+        QDir().mkpath(folder);
+        widget.grab().save(folder + QLatin1Char('/') + name + QStringLiteral(".png"));
+    }
+}
+
+}  // namespace
+
+class TestHeaderBar : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { applyTheme(*qApp, Theme::light()); }
+
+    void showsWhatTheRobotConfirms() {
+        FakeSession session;
+        HeaderBar header(session.port());
+        header.applyState(movingState());
+        const auto text = [&header](const char* name) {
+            return header.findChild<StateChip*>(QLatin1String(name))->text();
+        };
+        QCOMPARE(text("robotChip"), QStringLiteral("Lab UR5e"));
+        QCOMPARE(text("robotModeChip"), QStringLiteral("MOVING"));
+        QCOMPARE(text("safetyChip"), QStringLiteral("Normal"));
+        QCOMPARE(text("controlChip"), QStringLiteral("Remote · Jog"));
+        QCOMPARE(text("linkChip"), QStringLiteral("500 Hz · 0 late · 4.0 ms"));
+        QCOMPARE(text("lastStopChip"), QStringLiteral("62 ms · 3.1 mm"));
+        QCOMPARE(header.findChild<SpeedChip*>()->value(), 35);
+    }
+
+    void everyModeReachesItsChip() {
+        FakeSession session;
+        HeaderBar header(session.port());
+        SessionState state = movingState();
+        state.moving = false;
+        for (int mode = -1; mode <= 8; ++mode) {
+            state.robotMode = static_cast<RobotMode>(mode);
+            header.applyState(state);
+            const auto* chip = header.findChild<StateChip*>(QStringLiteral("robotModeChip"));
+            QCOMPARE(chip->text(), robotModeLook(state.robotMode, false).text);
+            QCOMPARE(chip->shape(), robotModeLook(state.robotMode, false).shape);
+        }
+        for (int mode = 1; mode <= 22; ++mode) {
+            state.safetyMode = static_cast<SafetyMode>(mode);
+            header.applyState(state);
+            const auto* chip = header.findChild<StateChip*>(QStringLiteral("safetyChip"));
+            QCOMPARE(chip->text(), safetyModeLook(state.safetyMode).text);
+            QCOMPARE(chip->emphasis(), safetyModeLook(state.safetyMode).emphasis);
+        }
+    }
+
+    void withoutDataNoModeIsClaimed() {
+        FakeSession session;
+        HeaderBar header(session.port());
+        SessionState state = movingState();
+        state.link = LinkState::Lost;
+        header.applyState(state);
+        QCOMPARE(header.findChild<StateChip*>(QStringLiteral("robotModeChip"))->text(),
+                 QStringLiteral("NO DATA"));
+        QCOMPARE(header.findChild<StateChip*>(QStringLiteral("safetyChip"))->text(),
+                 QStringLiteral("NO DATA"));
+        QCOMPARE(header.findChild<StateChip*>(QStringLiteral("linkChip"))->emphasis(),
+                 StateChip::Emphasis::Alarm);
+    }
+
+    void simulationSignIsThereExactlyWhenSimulated() {
+        FakeSession session;
+        HeaderBar header(session.port());
+        header.show();
+        SessionState state = movingState();
+        header.applyState(state);
+        QVERIFY(header.findChild<SimulationChip*>()->isVisible());
+        state.link = LinkState::Lost;
+        header.applyState(state);
+        QVERIFY(header.findChild<SimulationChip*>()->isVisible());
+        state.simulated = false;
+        header.applyState(state);
+        QVERIFY(!header.findChild<SimulationChip*>()->isVisible());
+    }
+
+    void oneButtonTakesTheNextStep_data() {
+        QTest::addColumn<RobotMode>("mode");
+        QTest::addColumn<SafetyMode>("safety");
+        QTest::addColumn<QString>("asked");
+        QTest::newRow("power") << RobotMode::PowerOff << SafetyMode::Normal << QStringLiteral("power on");
+        QTest::newRow("brakes") << RobotMode::Idle << SafetyMode::Normal << QStringLiteral("release brakes");
+        QTest::newRow("control") << RobotMode::Running << SafetyMode::Normal
+                                 << QStringLiteral("take control");
+        QTest::newRow("unlock") << RobotMode::Running << SafetyMode::ProtectiveStop
+                                << QStringLiteral("unlock");
+    }
+    void oneButtonTakesTheNextStep() {
+        QFETCH(RobotMode, mode);
+        QFETCH(SafetyMode, safety);
+        QFETCH(QString, asked);
+        FakeSession session;
+        HeaderBar header(session.port());
+        header.show();
+        SessionState state = movingState();
+        state.control = ControlState::None;
+        state.robotMode = mode;
+        state.safetyMode = safety;
+        header.applyState(state);
+        QVERIFY(session.asked.isEmpty());  // nothing happens by itself
+        auto* button = header.findChild<QPushButton*>(QStringLiteral("nextStepButton"));
+        QVERIFY(button->isVisible());
+        QTest::mouseClick(button, Qt::LeftButton);
+        QCOMPARE(session.asked, QStringList{asked});
+    }
+
+    void inControlThereIsNoButton() {
+        FakeSession session;
+        HeaderBar header(session.port());
+        header.show();
+        header.applyState(movingState());
+        QVERIFY(!header.findChild<QPushButton*>(QStringLiteral("nextStepButton"))->isVisible());
+    }
+
+    void stopActsOnThePress() {
+        FakeSession session;
+        HeaderBar header(session.port());
+        header.show();
+        auto* stop = header.findChild<StopButton*>();
+        QTest::mousePress(stop, Qt::LeftButton);
+        QCOMPARE(session.stops, QList<StopCause>{StopCause::StopButton});
+        QTest::mouseRelease(stop, Qt::LeftButton);
+        QCOMPARE(session.stops.size(), 1);
+        QTest::mousePress(stop, Qt::RightButton);
+        QCOMPARE(session.stops.size(), 2);
+        QCOMPARE(stop->toolTip(), QStringLiteral("Software stop. Not an emergency stop. Power stays on."));
+    }
+
+    void stopCanBeTouched() {
+        FakeSession session;
+        HeaderBar header(session.port());
+        header.resize(1920, HeaderBar::kHeight);
+        header.show();
+        const std::unique_ptr<QPointingDevice> screen(QTest::createTouchDevice());
+        auto* stop = header.findChild<StopButton*>();
+        QTest::touchEvent(&header, screen.get()).press(0, QPoint(20, 20), stop);
+        QCOMPARE(session.stops, QList<StopCause>{StopCause::StopButton});
+        QTest::touchEvent(&header, screen.get()).release(0, QPoint(20, 20), stop);
+        QCOMPARE(session.stops.size(), 1);
+    }
+
+    void sliderKeepsAboveTwoPercentAndIgnoresTheWheel() {
+        FakeSession session;
+        HeaderBar header(session.port());
+        header.resize(1920, HeaderBar::kHeight);
+        header.show();
+        header.applyState(movingState());
+        auto* slider = header.findChild<SpeedChip*>();
+        QVERIFY(session.speeds.isEmpty());  // what the robot reports is not sent back
+        QTest::mousePress(slider, Qt::LeftButton, {}, QPoint(0, 30));
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, QPoint(0, 30));
+        QCOMPARE(session.speeds, QList<double>{0.02});
+        QTest::mousePress(slider, Qt::LeftButton, {}, QPoint(slider->width() - 2, 30));
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, QPoint(slider->width() - 2, 30));
+        QCOMPARE(session.speeds.last(), 1.0);
+        QWheelEvent wheel(QPointF(40, 30), slider->mapToGlobal(QPointF(40, 30)), QPoint(), QPoint(0, -120),
+                          Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(slider, &wheel);
+        QCOMPARE(session.speeds.size(), 2);
+    }
+
+    void handOnTheSliderGoesBeforeTheReport() {
+        SpeedChip slider;
+        slider.resize(230, 47);
+        slider.setReported(0.35, true);
+        QTest::mousePress(&slider, Qt::LeftButton, {}, QPoint(115, 30));
+        QCOMPARE(slider.value(), 50);
+        slider.setReported(0.35, true);
+        QCOMPARE(slider.value(), 50);
+        QTest::mouseRelease(&slider, Qt::LeftButton, {}, QPoint(115, 30));
+        slider.setReported(0.50, true);  // the robot followed
+        slider.setReported(0.20, true);  // the pendant changed it
+        QCOMPARE(slider.value(), 20);
+    }
+
+    void robotChipOpensTheConnection() {
+        FakeSession session;
+        HeaderBar header(session.port());
+        header.show();
+        QSignalSpy asked(&header, &HeaderBar::connectRequested);
+        QTest::mouseClick(header.robotChip(), Qt::LeftButton);
+        QCOMPARE(asked.count(), 1);
+    }
+
+    void everythingFitsAtEveryWidth_data() {
+        QTest::addColumn<int>("width");
+        for (const int width : {1280, 1366, 1440, 1600, 1920, 2560}) {
+            QTest::newRow(QByteArray::number(width).constData()) << width;
+        }
+    }
+    void everythingFitsAtEveryWidth() {
+        QFETCH(int, width);
+        FakeSession session;
+        HeaderBar header(session.port());
+        header.resize(width, HeaderBar::kHeight);
+        header.show();
+        for (const SafetyMode safety :
+             {SafetyMode::Normal, SafetyMode::SystemThreePositionEnablingStop, SafetyMode::ProtectiveStop}) {
+            SessionState state = longestState();
+            state.safetyMode = safety;
+            header.applyState(state);
+            QCoreApplication::processEvents();
+            QCOMPARE(header.width(), width);
+            QRect before;
+            for (QWidget* child : header.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+                if (!child->isVisible()) {
+                    continue;
+                }
+                QVERIFY2(header.rect().contains(child->geometry()), qPrintable(child->objectName()));
+                QVERIFY2(child->width() >= child->minimumSizeHint().width(), qPrintable(child->objectName()));
+                QVERIFY2(!before.intersects(child->geometry()), qPrintable(child->objectName()));
+                before = child->geometry();
+            }
+        }
+    }
+
+    void looksAsDesigned() {
+        for (const Theme* theme : {&Theme::light(), &Theme::dark()}) {
+            applyTheme(*qApp, *theme);
+            const QString scheme = theme->isDark() ? QStringLiteral("dark") : QStringLiteral("light");
+            FakeSession session;
+            HeaderBar header(session.port());
+            StatusLine line;
+            header.show();
+            line.show();
+            line.setSessionFile(QStringLiteral("cell-7.tiller"), true);
+            SessionState state = movingState();
+            state.recording = {true, QStringLiteral("/home/x/pick-and-place.csv"), 96000, 192, 80'000'000'000,
+                               {}};
+            line.applyState(state);
+            line.showMessage(Severity::Info, QStringLiteral("Jog stopped: released (62 ms, 3.1 mm)"));
+            for (const int width : {1920, 1280}) {
+                header.resize(width, HeaderBar::kHeight);
+                line.resize(width, StatusLine::kHeight);
+                const QString tail = QStringLiteral("-%1-%2").arg(scheme).arg(width);
+                header.applyState(state);
+                QCoreApplication::processEvents();
+                QVERIFY(!header.grab().isNull());
+                keepPicture(header, QStringLiteral("header") + tail);
+                keepPicture(line, QStringLiteral("line") + tail);
+                SessionState next = longestState();
+                next.robotMode = RobotMode::Idle;
+                header.applyState(next);
+                QCoreApplication::processEvents();
+                keepPicture(header, QStringLiteral("header-next") + tail);
+                next.safetyMode = SafetyMode::ProtectiveStop;
+                header.applyState(next);
+                QCoreApplication::processEvents();
+                keepPicture(header, QStringLiteral("header-stop") + tail);
+            }
+        }
+        applyTheme(*qApp, Theme::light());
+    }
+};
+
+QTEST_MAIN(TestHeaderBar)
+#include "tst_header_bar.moc"

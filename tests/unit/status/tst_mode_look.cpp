@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QSet>
+#include <QTest>
+
+#include "widgets/status/mode_look.h"
+
+using namespace tiller;
+using Emphasis = StateChip::Emphasis;
+using Shape = StateChip::Shape;
+
+class TestModeLook : public QObject {
+    Q_OBJECT
+
+    static QList<RobotMode> robotModes() {
+        QList<RobotMode> modes;
+        for (int number = -1; number <= 8; ++number) {
+            modes.append(static_cast<RobotMode>(number));
+        }
+        return modes;
+    }
+    static QList<SafetyMode> safetyModes() {
+        QList<SafetyMode> modes;
+        for (int number = 1; number <= 22; ++number) {
+            if (number != 21) {
+                modes.append(static_cast<SafetyMode>(number));
+            }
+        }
+        return modes;
+    }
+
+private Q_SLOTS:
+    void everyRobotModeHasItsOwnWordsAndShape() {
+        QSet<QString> texts;
+        QSet<int> shapes;
+        for (const RobotMode mode : robotModes()) {
+            const ModeLook look = robotModeLook(mode, false);
+            const QString name = robotModeName(mode);
+            QVERIFY2(!look.text.isEmpty() && look.text != name, qPrintable(name));
+            QVERIFY2(!look.advice.isEmpty(), qPrintable(name));
+            QVERIFY2(look.shape != Shape::None, qPrintable(name));
+            texts.insert(look.text);
+            shapes.insert(static_cast<int>(look.shape));
+        }
+        QCOMPARE(texts.size(), robotModes().size());
+        QCOMPARE(shapes.size(), robotModes().size());
+    }
+
+    void onlyAConfirmedMotionIsBlue() {
+        for (const RobotMode mode : robotModes()) {
+            const ModeLook look = robotModeLook(mode, true);
+            QCOMPARE(look.emphasis == Emphasis::Moving, mode == RobotMode::Running);
+            QVERIFY(robotModeLook(mode, false).emphasis != Emphasis::Moving);
+        }
+        QCOMPARE(robotModeLook(RobotMode::Running, true).text, QStringLiteral("MOVING"));
+        QCOMPARE(robotModeLook(RobotMode::Running, true).shape, Shape::Triangle);
+    }
+
+    void everySafetyModeHasItsOwnWordsAndAdvice() {
+        QSet<QString> texts;
+        for (const SafetyMode mode : safetyModes()) {
+            const ModeLook look = safetyModeLook(mode);
+            const QString name = safetyModeName(mode);
+            QVERIFY2(!look.text.isEmpty() && look.text != name, qPrintable(name));
+            QVERIFY2(!look.advice.isEmpty(), qPrintable(name));
+            QVERIFY2(look.shape != Shape::None, qPrintable(name));
+            texts.insert(look.text);
+        }
+        QCOMPARE(texts.size(), safetyModes().size());
+    }
+
+    void stopsAreOctagonsInAlarmAndNormalIsGrey() {
+        for (const SafetyMode mode : safetyModes()) {
+            const ModeLook look = safetyModeLook(mode);
+            const QString name = safetyModeName(mode);
+            const bool stop = name.contains(QStringLiteral("STOP")) || mode == SafetyMode::Violation ||
+                              mode == SafetyMode::Fault;
+            QVERIFY2((look.emphasis == Emphasis::Alarm) == stop, qPrintable(name));
+            QVERIFY2((look.shape == Shape::Octagon) == stop, qPrintable(name));
+        }
+        QCOMPARE(safetyModeLook(SafetyMode::Normal).emphasis, Emphasis::Normal);
+        QCOMPARE(safetyModeLook(SafetyMode::Reduced).emphasis, Emphasis::Normal);
+    }
+
+    void numberFromNewerSoftwareIsNeverTakenForNormal() {
+        const ModeLook look = safetyModeLook(static_cast<SafetyMode>(77));
+        QCOMPARE(look.emphasis, Emphasis::Alarm);
+        QVERIFY(look.text.contains(QStringLiteral("77")));
+        QVERIFY(robotModeLook(static_cast<RobotMode>(99), true).emphasis != Emphasis::Moving);
+    }
+
+    void nextStepLeadsFromNothingToControl() {
+        SessionState state;
+        QCOMPARE(nextStep(state), NextStep::Connect);
+        state.link = LinkState::Connecting;
+        QCOMPARE(nextStep(state), NextStep::None);
+        state.link = LinkState::Live;
+        state.safetyMode = SafetyMode::Normal;
+        state.robotMode = RobotMode::PowerOff;
+        QCOMPARE(nextStep(state), NextStep::PowerOn);
+        state.robotMode = RobotMode::Booting;
+        QCOMPARE(nextStep(state), NextStep::None);
+        state.robotMode = RobotMode::Idle;
+        QCOMPARE(nextStep(state), NextStep::ReleaseBrakes);
+        state.robotMode = RobotMode::Running;
+        QCOMPARE(nextStep(state), NextStep::TakeControl);
+        state.control = ControlState::Taking;
+        QCOMPARE(nextStep(state), NextStep::None);
+        state.control = ControlState::Refused;
+        QCOMPARE(nextStep(state), NextStep::TakeControl);
+        state.control = ControlState::InControl;
+        QCOMPARE(nextStep(state), NextStep::None);
+        state.safetyMode = SafetyMode::ProtectiveStop;
+        QCOMPARE(nextStep(state), NextStep::UnlockProtectiveStop);
+        state.safetyMode = SafetyMode::RobotEmergencyStop;
+        QCOMPARE(nextStep(state), NextStep::None);
+    }
+
+    void everyStepHasWordsAndAdvice() {
+        for (const auto step : {NextStep::Connect, NextStep::PowerOn, NextStep::ReleaseBrakes,
+                                NextStep::UnlockProtectiveStop, NextStep::TakeControl}) {
+            QVERIFY(!nextStepText(step).isEmpty());
+            QVERIFY(!nextStepAdvice(step).isEmpty());
+        }
+        QVERIFY(nextStepText(NextStep::None).isEmpty());
+    }
+
+    void linkSaysRateAndWhatIsWrong() {
+        SessionState state;
+        state.link = LinkState::Live;
+        state.quality.rateHz = 499.7;
+        state.quality.roundTripMs = 4.0;
+        QCOMPARE(linkLook(state).text, QStringLiteral("500 Hz · 0 late · 4.0 ms"));
+        QCOMPARE(linkLook(state).emphasis, Emphasis::Normal);
+        state.quality.lost = 3;
+        QVERIFY(linkLook(state).text.contains(QStringLiteral("3 lost")));
+        state.link = LinkState::Stale;
+        QCOMPARE(linkLook(state).emphasis, Emphasis::Warning);
+        state.link = LinkState::Lost;
+        QCOMPARE(linkLook(state).text, QStringLiteral("NO DATA"));
+        QCOMPARE(linkLook(state).emphasis, Emphasis::Alarm);
+    }
+
+    void controlSaysWhoAndWhatFor() {
+        SessionState state;
+        state.link = LinkState::Live;
+        state.remoteControl = true;
+        state.control = ControlState::InControl;
+        QCOMPARE(controlLook(state).text, QStringLiteral("Remote · Ready"));
+        state.jogActive = true;
+        QCOMPARE(controlLook(state).text, QStringLiteral("Remote · Jog"));
+        state.control = ControlState::None;
+        QCOMPARE(controlLook(state).text, QStringLiteral("Not in control"));
+        state.remoteControl = false;
+        QVERIFY(controlLook(state).text.contains(QStringLiteral("Local")));
+        state.control = ControlState::Refused;
+        state.controlReason = QStringLiteral("Registers in use");
+        QCOMPARE(controlLook(state).emphasis, Emphasis::OperatorNeeded);
+        QCOMPARE(controlLook(state).advice, state.controlReason);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestModeLook)
+#include "tst_mode_look.moc"

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QApplication>
+#include <QLabel>
+#include <QRegularExpression>
+#include <QTest>
+
+#include "widgets/common/elided_label.h"
+#include "widgets/common/theme.h"
+#include "widgets/status/status_line.h"
+
+using namespace tiller;
+
+class TestStatusLine : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { applyTheme(*qApp, Theme::light()); }
+
+    void recordingShowsTimeRowsFileAndSpace() {
+        StatusLine line;
+        line.show();
+        QCOMPARE(line.recordingText(), QStringLiteral("Not recording"));
+        SessionState state;
+        state.recording = {true, QStringLiteral("/data/pick-and-place.csv"), 96000, 192, 80'000'000'000, {}};
+        line.applyState(state);
+        QCOMPARE(line.recordingText(), QStringLiteral("REC 00:03:12"));
+        const QString details = line.findChild<ElidedLabel*>(QStringLiteral("recordingDetails"))->fullText();
+        QVERIFY(details.contains(QStringLiteral("pick-and-place.csv")));
+        QVERIFY(details.contains(QStringLiteral("80 GB free")));
+        QVERIFY(details.startsWith(QStringLiteral("96")));
+        auto* label = line.findChild<QLabel*>(QStringLiteral("recordingState"));
+        QCOMPARE(label->palette().color(QPalette::WindowText), Theme::light().recording);
+    }
+    void failedRecordingSaysWhy() {
+        StatusLine line;
+        line.show();
+        SessionState state;
+        state.recording.error = QStringLiteral("Disk full: 96 000 samples are kept");
+        line.applyState(state);
+        QCOMPARE(line.recordingText(), QStringLiteral("Recording ended"));
+        QCOMPARE(line.findChild<ElidedLabel*>(QStringLiteral("recordingDetails"))->fullText(),
+                 state.recording.error);
+    }
+    void messageHasItsTimeAndItsColour() {
+        StatusLine line;
+        line.show();
+        line.showMessage(Severity::Error, QStringLiteral("Link lost"));
+        QVERIFY(QRegularExpression(QStringLiteral("^\\d\\d:\\d\\d:\\d\\d Link lost$"))
+                    .match(line.messageText())
+                    .hasMatch());
+        const auto* label = line.findChild<QLabel*>(QStringLiteral("lastMessage"));
+        QCOMPARE(label->palette().color(QPalette::WindowText), Theme::light().alarm);
+        line.showMessage(Severity::Info, QStringLiteral("Connected"));
+        QCOMPARE(label->palette().color(QPalette::WindowText), Theme::light().secondary);
+    }
+    void coloursFollowTheTheme() {
+        StatusLine line;
+        line.show();
+        line.showMessage(Severity::Warning, QStringLiteral("late"));
+        applyTheme(*qApp, Theme::dark());
+        const auto* label = line.findChild<QLabel*>(QStringLiteral("lastMessage"));
+        QCOMPARE(label->palette().color(QPalette::WindowText), Theme::dark().warning);
+        applyTheme(*qApp, Theme::light());
+        QCOMPARE(label->palette().color(QPalette::WindowText), Theme::light().warning);
+    }
+    void sessionFileSaysWhetherItIsSaved() {
+        StatusLine line;
+        line.show();
+        line.setSessionFile(QStringLiteral("cell-7.tiller"), true);
+        QCOMPARE(line.findChild<ElidedLabel*>(QStringLiteral("sessionFile"))->fullText(),
+                 QStringLiteral("cell-7.tiller — saved"));
+        line.setSessionFile(QStringLiteral("cell-7.tiller"), false);
+        QVERIFY(line.findChild<ElidedLabel*>(QStringLiteral("sessionFile"))
+                    ->fullText()
+                    .contains(QStringLiteral("not saved")));
+    }
+};
+
+QTEST_MAIN(TestStatusLine)
+#include "tst_status_line.moc"

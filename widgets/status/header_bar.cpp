@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/status/header_bar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+
+#include "widgets/common/state_chip.h"
+#include "widgets/common/theme.h"
+#include "widgets/session/texts.h"
+#include "widgets/status/simulation_chip.h"
+#include "widgets/status/speed_chip.h"
+#include "widgets/status/stop_button.h"
+
+namespace tiller {
+
+namespace {
+
+constexpr int kLinkPeriodMs = 500;  // figures that change with every packet, slow enough to read
+constexpr int kNarrowBelow = 1700;
+constexpr int kTightBelow = 1500;
+
+StateChip* chip(const QString& caption, const char* name, QWidget* parent) {
+    auto* made = new StateChip(caption, parent);
+    made->setObjectName(QLatin1String(name));
+    return made;
+}
+
+void showOn(StateChip& chip, const ModeLook& look) {
+    chip.setState(look.text, look.shape, look.emphasis, look.advice);
+}
+
+}  // namespace
+
+HeaderBar::HeaderBar(HeaderPort port, QWidget* parent)
+    : QWidget(parent)
+    , port_(std::move(port))
+    , layout_(new QHBoxLayout(this))
+    , name_(new QLabel(QStringLiteral("Tiller"), this))
+    , robot_(chip(tr("ROBOT"), "robotChip", this))
+    , simulation_(new SimulationChip(this))
+    , mode_(chip(tr("ROBOT MODE"), "robotModeChip", this))
+    , safety_(chip(tr("SAFETY"), "safetyChip", this))
+    , control_(chip(tr("CONTROL"), "controlChip", this))
+    , stepButton_(new QPushButton(this))
+    , speed_(new SpeedChip(this))
+    , link_(chip(tr("LINK"), "linkChip", this))
+    , lastStop_(chip(tr("LAST STOP"), "lastStopChip", this))
+    , stop_(new StopButton(this)) {
+    setObjectName(QStringLiteral("headerBar"));
+    setAccessibleName(tr("State of the robot"));
+    setFixedHeight(kHeight);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+
+    name_->setFont(textFont(20, QFont::Bold));
+    robot_->setMenuArrow(true);
+    link_->setFigures(true);
+    lastStop_->setFigures(true);
+    // The bar arranges itself by its width; see arrange().
+    layout_->setSizeConstraint(QLayout::SetNoConstraint);
+    stepButton_->setObjectName(QStringLiteral("nextStepButton"));
+    stepButton_->setProperty("primary", true);
+    stepButton_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
+
+    layout_->addWidget(name_);
+    for (QWidget* widget :
+         {static_cast<QWidget*>(robot_), static_cast<QWidget*>(simulation_), static_cast<QWidget*>(mode_),
+          static_cast<QWidget*>(safety_), static_cast<QWidget*>(control_), static_cast<QWidget*>(stepButton_),
+          static_cast<QWidget*>(speed_), static_cast<QWidget*>(link_), static_cast<QWidget*>(lastStop_)}) {
+        layout_->addWidget(widget, 0, Qt::AlignVCenter);
+    }
+    layout_->addStretch(1);
+    layout_->addWidget(stop_, 0, Qt::AlignVCenter);
+
+    connect(robot_, &StateChip::clicked, this, &HeaderBar::connectRequested);
+    connect(stepButton_, &QPushButton::clicked, this, &HeaderBar::takeStep);
+    connect(stop_, &StopButton::stopRequested, this, [this] { port_.stop(control::StopCause::StopButton); });
+    connect(speed_, &SpeedChip::fractionChosen, this,
+            [this](double fraction) { port_.setSpeedSlider(fraction); });
+    linkPace_.setSingleShot(true);
+    linkPace_.setInterval(kLinkPeriodMs);
+    connect(&linkPace_, &QTimer::timeout, this, &HeaderBar::showLink);
+    arrange();
+    applyState(SessionState());
+}
+
+HeaderBar::HeaderBar(RobotSession& session, QWidget* parent)
+    : HeaderBar(HeaderPort{
+                    .powerOn = [&session] { session.powerOn(); },
+                    .releaseBrakes = [&session] { session.releaseBrakes(); },
+                    .unlockProtectiveStop = [&session] { session.unlockProtectiveStop(); },
+                    .takeControl = [&session] { session.takeControl(); },
+                    .setSpeedSlider = [&session](double fraction) { session.setSpeedSlider(fraction); },
+                    .stop = [&session](control::StopCause cause) { session.stop(cause); },
+                },
+                parent) {
+    applyState(session.state());
+    connect(&session, &RobotSession::stateChanged, this, &HeaderBar::applyState);
+}
+
+QWidget* HeaderBar::robotChip() const {
+    return robot_;
+}
+
+void HeaderBar::applyState(const SessionState& state) {
+    const bool linkChanged = state.link != state_.link;
+    state_ = state;
+    const bool connected = state.link != LinkState::Disconnected;
+    const bool hasData = state.hasData();
+
+    QString robotAdvice = state.address;
+    if (connected && !state.robotName.isEmpty()) {
+        robotAdvice = state.robotName + QStringLiteral(" · ") + state.address;
+    }
+    robot_->setState(connected ? state.robotName : tr("None"), StateChip::Shape::None,
+                     StateChip::Emphasis::Normal, robotAdvice);
+    simulation_->setVisible(connected && state.simulated);
+    if (hasData) {
+        showOn(*mode_, robotModeLook(state.robotMode, state.moving));
+        showOn(*safety_, safetyModeLook(state.safetyMode));
+    } else {
+        const QString text = connected ? tr("NO DATA") : QStringLiteral("–");
+        mode_->setState(text, StateChip::Shape::None, StateChip::Emphasis::Muted, state.linkReason);
+        safety_->setState(text, StateChip::Shape::None, StateChip::Emphasis::Muted, state.linkReason);
+    }
+    showOn(*control_, controlLook(state));
+    speed_->setReported(state.speedFraction, hasData);
+
+    step_ = nextStep(state);
+    stepButton_->setVisible(step_ != NextStep::None);
+    stepButton_->setText(nextStepText(step_));
+    stepButton_->setAccessibleName(nextStepText(step_));
+    stepButton_->setToolTip(nextStepAdvice(step_));
+
+    const control::StopMeasurement& last = state.lastStop;
+    if (last.count > 0) {
+        lastStop_->setState(
+            tr("%1 ms · %2 mm").arg(last.durationMs, 0, 'f', 0).arg(last.distanceMm, 0, 'f', 1),
+            StateChip::Shape::None, StateChip::Emphasis::Normal,
+            tr("From the stop to standstill, measured. Cause: %1").arg(texts::stopCauseText(last.cause)));
+    } else {
+        lastStop_->setState(QStringLiteral("–"), StateChip::Shape::None, StateChip::Emphasis::Muted,
+                            tr("No stop measured yet"));
+    }
+    if (linkChanged || !linkPace_.isActive()) {
+        showLink();
+    }
+}
+
+void HeaderBar::showLink() {
+    showOn(*link_, linkLook(state_));
+    if (state_.link != LinkState::Disconnected) {
+        linkPace_.start();
+    }
+}
+
+void HeaderBar::takeStep() {
+    switch (step_) {
+        case NextStep::None:
+            break;
+        case NextStep::Connect:
+            Q_EMIT connectRequested();
+            break;
+        case NextStep::PowerOn:
+            port_.powerOn();
+            break;
+        case NextStep::ReleaseBrakes:
+            port_.releaseBrakes();
+            break;
+        case NextStep::UnlockProtectiveStop:
+            port_.unlockProtectiveStop();
+            break;
+        case NextStep::TakeControl:
+            port_.takeControl();
+            break;
+    }
+}
+
+void HeaderBar::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+void HeaderBar::arrange() {
+    const bool narrow = width() < kNarrowBelow;
+    const bool tight = width() < kTightBelow;
+    layout_->setContentsMargins(tight ? 10 : 16, 0, tight ? 10 : 16, 1);
+    layout_->setSpacing(tight ? 6 : narrow ? 8 : 12);
+    name_->setVisible(!tight);
+    stop_->setFixedWidth(tight ? 132 : narrow ? 160 : 230);
+    speed_->setMaximumWidth(tight ? 120 : narrow ? 170 : 230);
+    // What gives way when words are long: figures first, then names, a state's words last.
+    simulation_->setFixedWidth(tight ? 112 : 145);
+    robot_->setMaximumWidth(tight ? 124 : narrow ? 170 : 250);
+    robot_->setLeastCharacters(tight ? 5 : 8);
+    mode_->setLeastCharacters(tight ? 14 : 20);
+    safety_->setLeastCharacters(tight ? 16 : 26);
+    control_->setLeastCharacters(tight ? 14 : 20);
+    link_->setLeastCharacters(tight ? 6 : 15);
+    lastStop_->setLeastCharacters(tight ? 6 : 14);
+}
+
+void HeaderBar::paintEvent(QPaintEvent*) {
+    const Theme& theme = Theme::current();
+    QPainter painter(this);
+    painter.fillRect(rect(), theme.raised);
+    painter.setPen(theme.border);
+    painter.drawLine(0, height() - 1, width(), height() - 1);
+}
+
+}  // namespace tiller

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The header, never hidden: which robot, in which modes, who is in control and what the next step is, how
+// fast, how good the link, how the last stop went, and STOP in its own corner.
+
+#include <QTimer>
+#include <QWidget>
+#include <functional>
+
+#include "widgets/session/robot_session.h"
+#include "widgets/status/mode_look.h"
+
+class QHBoxLayout;
+class QLabel;
+class QPushButton;
+
+namespace tiller {
+
+class SimulationChip;
+class SpeedChip;
+class StateChip;
+class StopButton;
+
+/// What the header asks a session to do.
+struct HeaderPort {
+    std::function<void()> powerOn;
+    std::function<void()> releaseBrakes;
+    std::function<void()> unlockProtectiveStop;
+    std::function<void()> takeControl;
+    std::function<void(double fraction)> setSpeedSlider;
+    std::function<void(control::StopCause)> stop;
+};
+
+class HeaderBar : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit HeaderBar(HeaderPort port, QWidget* parent = nullptr);
+    /// Follows this session and asks it.
+    explicit HeaderBar(RobotSession& session, QWidget* parent = nullptr);
+
+    /// The chip a robot menu opens below.
+    QWidget* robotChip() const;
+    NextStep shownStep() const { return step_; }
+
+    static constexpr int kHeight = 76;
+    QSize sizeHint() const override { return {1920, kHeight}; }
+    QSize minimumSizeHint() const override { return {1200, kHeight}; }
+
+public Q_SLOTS:
+    void applyState(const tiller::SessionState& state);
+
+Q_SIGNALS:
+    /// The robot selector was clicked, or "Connect…".
+    void connectRequested();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void takeStep();
+    void showLink();
+    void arrange();
+
+    HeaderPort port_;
+    SessionState state_;
+    NextStep step_ = NextStep::None;
+    QTimer linkPace_;
+
+    QHBoxLayout* layout_;
+    QLabel* name_;
+    StateChip* robot_;
+    SimulationChip* simulation_;
+    StateChip* mode_;
+    StateChip* safety_;
+    StateChip* control_;
+    QPushButton* stepButton_;
+    SpeedChip* speed_;
+    StateChip* link_;
+    StateChip* lastStop_;
+    StopButton* stop_;
+};
+
+}  // namespace tiller

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// How each mode of the controller looks in the header: its own words, its own shape, a colour only where a
+// person must look or act, and a sentence of advice. Also the one next step towards a robot that can be
+// moved.
+
+#include <QString>
+
+#include "widgets/common/state_chip.h"
+#include "widgets/session/session_state.h"
+
+namespace tiller {
+
+struct ModeLook {
+    QString text;
+    StateChip::Shape shape = StateChip::Shape::None;
+    StateChip::Emphasis emphasis = StateChip::Emphasis::Normal;
+    QString advice;
+};
+
+/// moving  the robot confirms motion; counts only in Running
+ModeLook robotModeLook(RobotMode mode, bool moving);
+ModeLook safetyModeLook(SafetyMode mode);
+/// Who is in control, and what for.
+ModeLook controlLook(const SessionState& state);
+/// The link's rate, late and lost packets and round trip, or what is wrong with it.
+ModeLook linkLook(const SessionState& state);
+
+/// What the operator does next on the way to a robot that can be moved; one at a time.
+enum class NextStep { None, Connect, PowerOn, ReleaseBrakes, UnlockProtectiveStop, TakeControl };
+
+NextStep nextStep(const SessionState& state);
+/// "Power on"; empty for None.
+QString nextStepText(NextStep step);
+QString nextStepAdvice(NextStep step);
+
+}  // namespace tiller

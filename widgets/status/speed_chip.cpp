@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/status/speed_chip.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <QScopedValueRollback>
+#include <QWheelEvent>
+#include <cmath>
+
+#include "widgets/common/theme.h"
+
+namespace tiller {
+
+namespace {
+constexpr int kPadding = 13;
+constexpr int kSettleMs = 800;
+constexpr int kLeastPercent = 2;  // a slider at 0 has caused protective stops
+}  // namespace
+
+SpeedChip::SpeedChip(QWidget* parent) : QAbstractSlider(parent) {
+    setObjectName(QStringLiteral("speedSlider"));
+    setAccessibleName(tr("Speed slider"));
+    setToolTip(tr("Speed slider of the robot, 2 to 100 %"));
+    setOrientation(Qt::Horizontal);
+    setRange(kLeastPercent, 100);
+    setSingleStep(1);
+    setPageStep(10);
+    setFocusPolicy(Qt::StrongFocus);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    settle_.setSingleShot(true);
+    settle_.setInterval(kSettleMs);
+    connect(this, &QAbstractSlider::valueChanged, this, [this](int percent) {
+        update();
+        if (!showing_) {
+            settle_.start();
+            Q_EMIT fractionChosen(percent / 100.0);
+        }
+    });
+}
+
+void SpeedChip::setReported(double fraction, bool valid) {
+    if (valid != valid_) {
+        valid_ = valid;
+        setEnabled(valid);
+        update();
+    }
+    const int percent = static_cast<int>(std::lround(fraction * 100));
+    if (percent == value()) {
+        settle_.stop();
+        return;
+    }
+    if (!valid || isSliderDown() || settle_.isActive()) {
+        return;
+    }
+    const QScopedValueRollback<bool> quietly(showing_, true);
+    setValue(percent);
+}
+
+QRectF SpeedChip::groove() const {
+    return {static_cast<double>(kPadding), 29, width() - 2.0 * kPadding, 8};
+}
+
+int SpeedChip::valueAt(int x) const {
+    const QRectF bar = groove();
+    return std::clamp(static_cast<int>(std::lround((x - bar.left()) / bar.width() * 100)), kLeastPercent,
+                      100);
+}
+
+void SpeedChip::paintEvent(QPaintEvent*) {
+    const Theme& theme = Theme::current();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(hasFocus() ? QPen(theme.moving, 1.5) : QPen(theme.border, 1));
+    painter.setBrush(theme.panel);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), kCornerRadius, kCornerRadius);
+
+    QFont caption = textFont(11);
+    caption.setLetterSpacing(QFont::AbsoluteSpacing, 0.4);
+    const QRect words(kPadding, 6, width() - 2 * kPadding, 18);
+    painter.setFont(caption);
+    painter.setPen(theme.secondary);
+    painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, tr("SPEED"));
+    painter.setFont(figureFont(13));
+    painter.setPen(valid_ ? theme.text : theme.secondary);
+    painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter,
+                     valid_ ? QStringLiteral("%1 %").arg(value()) : QStringLiteral("–"));
+
+    const QRectF bar = groove();
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme.border);
+    painter.drawRoundedRect(bar, 4, 4);
+    if (!valid_) {
+        return;
+    }
+    const double x = bar.left() + bar.width() * value() / 100.0;
+    painter.setBrush(theme.secondary);
+    painter.drawRoundedRect(QRectF(bar.left(), bar.top(), x - bar.left(), bar.height()), 4, 4);
+    painter.setBrush(theme.text);
+    painter.drawRoundedRect(QRectF(x - 2, bar.top() - 3, 4, bar.height() + 6), 2, 2);
+}
+
+void SpeedChip::mousePressEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton) {
+        event->ignore();
+        return;
+    }
+    setSliderDown(true);
+    setValue(valueAt(event->position().toPoint().x()));
+}
+
+void SpeedChip::mouseMoveEvent(QMouseEvent* event) {
+    if (isSliderDown()) {
+        setValue(valueAt(event->position().toPoint().x()));
+    }
+}
+
+void SpeedChip::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) {
+        setSliderDown(false);
+    }
+}
+
+void SpeedChip::wheelEvent(QWheelEvent* event) {
+    event->ignore();
+}
+
+}  // namespace tiller

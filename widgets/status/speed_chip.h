@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The speed slider of the header, 2 to 100 %. It shows what the robot reports; a hand on it goes first. The
+// wheel never changes it.
+
+#include <QAbstractSlider>
+#include <QTimer>
+
+namespace tiller {
+
+class SpeedChip : public QAbstractSlider {
+    Q_OBJECT
+
+public:
+    explicit SpeedChip(QWidget* parent = nullptr);
+
+    /// What the robot reports, 0..1; valid false greys the chip.
+    void setReported(double fraction, bool valid);
+
+    QSize sizeHint() const override { return {230, 47}; }
+    QSize minimumSizeHint() const override { return {118, 47}; }
+
+Q_SIGNALS:
+    /// A hand asks for this fraction, 0.02 ... 1.
+    void fractionChosen(double fraction);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+
+private:
+    int valueAt(int x) const;
+    QRectF groove() const;
+
+    QTimer settle_;  // how long a reported value waits for the robot to follow the hand
+    bool showing_ = false;
+    bool valid_ = false;
+};
+
+}  // namespace tiller

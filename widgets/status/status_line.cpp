@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/status/status_line.h"
+
+#include <QEvent>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QStyle>
+#include <QTime>
+
+#include "widgets/common/elided_label.h"
+#include "widgets/common/format.h"
+#include "widgets/common/shapes.h"
+#include "widgets/common/theme.h"
+
+namespace tiller {
+
+/// A small shape in front of words: the red dot of a recording, the triangle of a warning.
+class StatusLine::Sign : public QWidget {
+public:
+    explicit Sign(QWidget* parent) : QWidget(parent) {
+        setFixedSize(16, 16);
+        hide();
+    }
+    void setShape(StateChip::Shape shape, const QColor& colour) {
+        shape_ = shape;
+        colour_ = colour;
+        setVisible(shape != StateChip::Shape::None);
+        update();
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        drawShape(painter, shape_, QRectF(1, 1, 14, 14), colour_, Theme::current().raised);
+    }
+
+private:
+    StateChip::Shape shape_ = StateChip::Shape::None;
+    QColor colour_;
+};
+
+StatusLine::StatusLine(QWidget* parent)
+    : QWidget(parent)
+    , sign_(new Sign(this))
+    , recording_(new QLabel(this))
+    , details_(new ElidedLabel({}, this))
+    , file_(new ElidedLabel({}, this))
+    , messageSign_(new Sign(this))
+    , message_(new ElidedLabel({}, this)) {
+    setObjectName(QStringLiteral("statusLine"));
+    setAccessibleName(tr("Recording, session and last message"));
+    setFixedHeight(kHeight);
+    recording_->setObjectName(QStringLiteral("recordingState"));
+    details_->setObjectName(QStringLiteral("recordingDetails"));
+    file_->setObjectName(QStringLiteral("sessionFile"));
+    message_->setObjectName(QStringLiteral("lastMessage"));
+
+    recording_->setFont(textFont(13, QFont::Bold));
+    details_->setFont(figureFont(13));
+    file_->setFont(textFont(13));
+    message_->setFont(textFont(13));
+    message_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(16, 1, 16, 0);
+    layout->setSpacing(0);
+    layout->addWidget(sign_);
+    layout->addSpacing(4);
+    layout->addWidget(recording_);
+    layout->addSpacing(24);
+    layout->addWidget(details_);
+    layout->addSpacing(24);
+    layout->addWidget(file_);
+    layout->addStretch(1);
+    layout->addSpacing(24);
+    layout->addWidget(messageSign_);
+    layout->addSpacing(4);
+    layout->addWidget(message_, 2);
+    applyState(SessionState());
+    paintWords();
+}
+
+StatusLine::StatusLine(RobotSession& session, QWidget* parent) : StatusLine(parent) {
+    applyState(session.state());
+    connect(&session, &RobotSession::stateChanged, this, &StatusLine::applyState);
+    connect(&session, &RobotSession::message, this, &StatusLine::showMessage);
+}
+
+QString StatusLine::recordingText() const {
+    return recording_->text();
+}
+
+QString StatusLine::messageText() const {
+    return message_->fullText();
+}
+
+void StatusLine::setSessionFile(const QString& name, bool saved) {
+    file_->setFullText(name.isEmpty() ? QString()
+                                      : tr("%1 — %2").arg(name, saved ? tr("saved") : tr("not saved")));
+}
+
+void StatusLine::applyState(const SessionState& state) {
+    const bool turned = state.recording.active != state_.active || state.recording.error != state_.error;
+    state_ = state.recording;
+    if (state_.active) {
+        recording_->setText(tr("REC %1").arg(format::duration(state_.seconds)));
+        details_->setFullText(tr("%1 samples · %2 · %3 free")
+                                  .arg(format::grouped(state_.rows), QFileInfo(state_.path).fileName(),
+                                       format::bytes(state_.freeBytes)));
+        details_->setToolTip(state_.path);
+    } else if (!state_.error.isEmpty()) {
+        recording_->setText(tr("Recording ended"));
+        details_->setFullText(state_.error);
+    } else {
+        recording_->setText(tr("Not recording"));
+        details_->setFullText({});
+    }
+    if (turned) {
+        paintWords();
+    }
+}
+
+void StatusLine::showMessage(Severity severity, const QString& text) {
+    severity_ = severity;
+    const QString time = QTime::currentTime().toString(QStringLiteral("HH:mm:ss"));
+    message_->setFullText(text.isEmpty() ? QString() : time + QLatin1Char(' ') + text);
+    paintWords();
+}
+
+void StatusLine::paintWords() {
+    const Theme& theme = Theme::current();
+    // By role, so that the style sheet of either scheme colours the words.
+    const auto give = [](QWidget* widget, const char* role) {
+        if (widget->property("role").toByteArray() != role) {
+            widget->setProperty("role", QLatin1String(role));
+            widget->style()->unpolish(widget);
+            widget->style()->polish(widget);
+        }
+    };
+    const bool failed = !state_.active && !state_.error.isEmpty();
+    give(recording_, state_.active || failed ? "alarm" : "secondary");
+    sign_->setShape(state_.active ? StateChip::Shape::Dot
+                    : failed      ? StateChip::Shape::Octagon
+                                  : StateChip::Shape::None,
+                    failed ? theme.alarm : theme.recording);
+    give(details_, failed ? "alarm" : "secondary");
+    give(file_, "secondary");
+    const bool quiet = severity_ == Severity::Info || message_->fullText().isEmpty();
+    const QColor colour = quiet                            ? theme.secondary
+                          : severity_ == Severity::Warning ? theme.warning
+                                                           : theme.alarm;
+    give(message_, quiet ? "secondary" : severity_ == Severity::Warning ? "warning" : "alarm");
+    messageSign_->setShape(quiet                            ? StateChip::Shape::None
+                           : severity_ == Severity::Warning ? StateChip::Shape::WarningTriangle
+                                                            : StateChip::Shape::Octagon,
+                           colour);
+}
+
+void StatusLine::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::StyleChange) {
+        paintWords();
+    }
+}
+
+void StatusLine::paintEvent(QPaintEvent*) {
+    const Theme& theme = Theme::current();
+    QPainter painter(this);
+    painter.fillRect(rect(), theme.raised);
+    painter.setPen(theme.border);
+    painter.drawLine(0, 0, width(), 0);
+}
+
+}  // namespace tiller

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The line at the bottom: is it recording and into what, which session file, and the last message with its
+// time.
+
+#include <QWidget>
+
+#include "widgets/session/robot_session.h"
+
+class QLabel;
+
+namespace tiller {
+
+class ElidedLabel;
+
+class StatusLine : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit StatusLine(QWidget* parent = nullptr);
+    /// Follows this session's state and messages.
+    explicit StatusLine(RobotSession& session, QWidget* parent = nullptr);
+
+    /// name  of the file, without its folder; empty for none
+    void setSessionFile(const QString& name, bool saved);
+    QString recordingText() const;
+    QString messageText() const;
+
+    static constexpr int kHeight = 36;
+
+public Q_SLOTS:
+    void applyState(const tiller::SessionState& state);
+    void showMessage(tiller::Severity severity, const QString& text);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    class Sign;
+    void paintWords();
+
+    Sign* sign_;
+    QLabel* recording_;
+    ElidedLabel* details_;
+    ElidedLabel* file_;
+    Sign* messageSign_;
+    ElidedLabel* message_;
+    RecordingState state_;
+    Severity severity_ = Severity::Info;
+};
+
+}  // namespace tiller

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// STOP. It acts the moment it is touched, with any button or finger, and takes the focus from nobody.
+
+#include <QAbstractButton>
+
+namespace tiller {
+
+class StopButton : public QAbstractButton {
+    Q_OBJECT
+
+public:
+    explicit StopButton(QWidget* parent = nullptr);
+
+    QSize sizeHint() const override { return {230, 60}; }
+    QSize minimumSizeHint() const override { return {128, 60}; }
+
+Q_SIGNALS:
+    void stopRequested();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    bool event(QEvent* event) override;
+};
+
+}  // namespace tiller
