@@ -173,11 +173,15 @@ void ComplianceController::stepForceMode(const Wrench& measured) {
     Vector6 wanted;  // in the force frame
     wanted << R.transpose() * programTwist.head<3>(), R.transpose() * programTwist.tail<3>();
     if (onPath) {
-        const Eigen::Vector3d way = program_.T_base_tcp.translation() - posture_.T_base_tcp.translation();
+        // What this step covers anyway is no deviation.
+        const Vector6 covered = 0.5 * (posture_.jacobian * command_.qd + programTwist) * period_;
+        const Eigen::Vector3d way =
+            program_.T_base_tcp.translation() - posture_.T_base_tcp.translation() - covered.head<3>();
         const Eigen::Quaterniond turn(program_.T_base_tcp.linear() *
                                       posture_.T_base_tcp.linear().transpose());
+        const Eigen::Vector3d rotation = vectorFromQuaternion(turn) - covered.tail<3>();
         wanted.head<3>() += kPathStiffness * (R.transpose() * way);
-        wanted.tail<3>() += kPathStiffness * (R.transpose() * vectorFromQuaternion(turn));
+        wanted.tail<3>() += kPathStiffness * (R.transpose() * rotation);
     }
     Vector6 felt;
     felt << R.transpose() * measured.force, R.transpose() * measured.torque;
@@ -267,9 +271,12 @@ bool ComplianceController::takeTwist(const Vector6& twist) {
         const Vector6 mean = 0.5 * (posture_.jacobian * command_.qd + twist) * period_;
         const ToolPoint next(now.p + mean.head<3>(), quaternionFromVector(mean.tail<3>()) * now.R);
         Vector6 q = command_.q;
-        if (geometry_.follow(next.transform(), q, posture_)) {
+        Vector6 there = Vector6::Zero();
+        if (geometry_.follow(next.transform(), q, posture_) &&
+            geometry_.jointRates(posture_, twist, there) && limits.speedFactor(there) >= 1 &&
+            !limits.cutToAcceleration(command_.qd, there, period_)) {
             command_.q = q;
-            command_.qd = qd;
+            command_.qd = there;
             return true;
         }
     }
