@@ -3,7 +3,7 @@
 
 #include <QAbstractEventDispatcher>
 #include <QThread>
-#include <atomic>
+#include <algorithm>
 #include <condition_variable>
 #include <functional>
 #include <future>
@@ -128,9 +128,6 @@ public:
 
     ControllerOptions options;
     std::unique_ptr<QThread> thread;
-    std::atomic<std::uint64_t> inputPackages{0};
-    std::atomic<int> rtdeClients{0};
-
     mutable std::mutex mutex;  // guards everything below
     std::condition_variable wake;
     std::vector<Work> queue;
@@ -138,6 +135,7 @@ public:
     bool stopping = false;
     Ports ports{0, 0, 0, 0, 0, 0, 0, 0};
     Truth truth;
+    const RtdeServer* rtde = nullptr;  ///< of the running thread; its counters may be read by any
 
     void publishTruth(Machine& machine) {
         const Telemetry& t = machine.plant.telemetry();
@@ -153,14 +151,8 @@ public:
         now.tcpSpeed = t.arm->actualTcpSpeed;
         now.speedSlider = t.speedSlider;
         now.digitalOutputs = t.pins->digitalOutputs;
-        publishCounts(machine);
         const std::lock_guard lock(mutex);
         truth = now;
-    }
-
-    void publishCounts(Machine& machine) {
-        inputPackages.store(machine.services.rtde().inputPackages(), std::memory_order_release);
-        rtdeClients.store(machine.services.rtde().clients(), std::memory_order_release);
     }
 
 private:
@@ -176,6 +168,7 @@ private:
             publishTruth(machine);
             const std::lock_guard lock(mutex);
             ports = machine.services.ports();
+            rtde = &machine.services.rtde();
             accepting = true;
         }
         opened.set_value(std::move(outcome));  // from here on `opened` may be gone
@@ -190,6 +183,7 @@ private:
         {
             const std::lock_guard lock(mutex);
             accepting = false;
+            rtde = nullptr;
         }
         work(machine);  // nobody shall wait for what came last
         machine.services.close();
@@ -228,7 +222,6 @@ private:
         while (!mustStop()) {
             work(machine);
             machine.service();
-            publishCounts(machine);
             std::unique_lock lock(mutex);
             wake.wait_for(lock, kVirtualPoll, [this] { return stopping || !queue.empty(); });
         }
@@ -284,14 +277,12 @@ void Controller::stepSeconds(double seconds) {
 }
 
 void Controller::drainSockets() {
-    d_->call([this](Machine& machine) {
-        machine.service();
-        d_->publishCounts(machine);
-    });
+    d_->call([](Machine& machine) { machine.service(); });
 }
 
 std::uint64_t Controller::inputPackages() const {
-    return d_->inputPackages.load(std::memory_order_acquire);
+    const std::lock_guard lock(d_->mutex);
+    return d_->rtde == nullptr ? 0 : d_->rtde->inputPackages();
 }
 
 bool Controller::waitForInputPackages(std::uint64_t total, const Deadline& deadline) {
@@ -308,7 +299,8 @@ bool Controller::waitForInputPackages(std::uint64_t total, const Deadline& deadl
 }
 
 int Controller::rtdeClients() const {
-    return d_->rtdeClients.load(std::memory_order_acquire);
+    const std::lock_guard lock(d_->mutex);
+    return d_->rtde == nullptr ? 0 : d_->rtde->clients();
 }
 
 Truth Controller::truth() const {

@@ -81,7 +81,7 @@ Plant::Plant(const ControllerOptions& options)
 }
 
 Plant::~Plant() {
-    programs_.reset();  // its interpreters still speak to the host
+    programs_->endAll();  // they still speak to the host, which asks this object
 }
 
 double Plant::timestamp() const {

@@ -15,7 +15,7 @@ using urscript::ProgramKind;
 
 ProgramRunner::ProgramRunner(Plant& plant, ScriptHost& host) : plant_(plant), host_(host) {}
 
-ProgramRunner::~ProgramRunner() {
+void ProgramRunner::endAll() {
     runningSecondary_ = true;  // secondaries end without touching the arm
     secondaries_.clear();
     runningSecondary_ = false;

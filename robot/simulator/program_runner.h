@@ -28,7 +28,9 @@ public:
     static constexpr double kStopTime = 0.02;
 
     ProgramRunner(Plant& plant, ScriptHost& host);
-    ~ProgramRunner();
+    ~ProgramRunner() { endAll(); }
+    ProgramRunner(const ProgramRunner&) = delete;
+    ProgramRunner& operator=(const ProgramRunner&) = delete;
 
     /// Takes a unit from a script port: compiles it now, runs it from the next period on. What does not
     /// compile is reported to primary clients.
@@ -39,6 +41,8 @@ public:
     void requestStop();
     /// Ends the main program within this call.
     void stopNow();
+    /// Ends every program without a word: the controller goes away.
+    void endAll();
     void pause();
     void resume();
 

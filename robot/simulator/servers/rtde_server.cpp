@@ -19,12 +19,20 @@ RtdeServer::RtdeServer(Plant& plant) : plant_(plant), inputs_(plant, plant.optio
 void RtdeServer::service() {
     for (const native_socket::Descriptor descriptor : takeAccepted()) {
         clients_.push_back(std::make_unique<Client>(descriptor, ++lastId_));
+        ++connected_;
     }
     for (const auto& client : clients_) {
         read(*client);
         client->peer.flush();
     }
-    removeClosed(clients_, [this](const Client& client) { inputs_.release(client.id); });
+    removeGone();
+}
+
+void RtdeServer::removeGone() {
+    removeClosed(clients_, [this](const Client& client) {
+        inputs_.release(client.id);
+        --connected_;
+    });
 }
 
 void RtdeServer::read(Client& client) {
@@ -136,6 +144,7 @@ void RtdeServer::onData(Client& client, rtde::ByteView payload) {
     const auto data = rtde::readInputData(payload);
     if (data && data->recipeId >= 1 && data->recipeId <= client.inputs.size()) {
         inputs_.apply(client.inputs[data->recipeId - 1U], data->values);
+        packages_.store(inputs_.packages(), std::memory_order_release);
     }
 }
 
@@ -153,7 +162,7 @@ void RtdeServer::publish() {
             client->peer.close();  // as the guide says of a client that does not read
         }
     }
-    removeClosed(clients_, [this](const Client& client) { inputs_.release(client.id); });
+    removeGone();
 }
 
 void RtdeServer::closeClients() {
@@ -161,6 +170,7 @@ void RtdeServer::closeClients() {
         inputs_.release(client->id);
     }
     clients_.clear();
+    connected_ = 0;
 }
 
 }  // namespace tiller::simulator

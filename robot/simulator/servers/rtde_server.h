@@ -12,6 +12,8 @@
 // - A setup while started replaces the recipe from the next package on; an invalid one stops the stream.
 // - START without a valid output recipe is refused, PAUSE always accepted.
 
+#include <atomic>
+
 #include "robot/rtde/codec.h"
 #include "robot/simulator/servers/rtde_inputs.h"
 #include "robot/simulator/servers/rtde_values.h"
@@ -29,8 +31,10 @@ public:
     void publish() override;
     void closeClients() override;
 
-    std::uint64_t inputPackages() const { return inputs_.packages(); }
-    int clients() const { return static_cast<int>(clients_.size()); }
+    /// Of all clients since the start. Threads  any
+    std::uint64_t inputPackages() const { return packages_.load(std::memory_order_acquire); }
+    /// Threads  any
+    int clients() const { return connected_.load(std::memory_order_acquire); }
 
 private:
     struct Client {
@@ -59,12 +63,15 @@ private:
     void onData(Client& client, rtde::ByteView payload);
     unsigned dividerFor(double frequency) const;
     void reply(Client& client);
+    void removeGone();
 
     Plant& plant_;
     RtdeInputs inputs_;
     std::vector<std::unique_ptr<Client>> clients_;
     RtdeInputs::ClientId lastId_ = 0;
     rtde::Bytes reply_;
+    std::atomic<std::uint64_t> packages_{0};
+    std::atomic<int> connected_{0};
 };
 
 }  // namespace tiller::simulator
