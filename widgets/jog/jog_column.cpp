@@ -263,7 +263,7 @@ void JogColumn::chooseFrame(int segment) {
 void JogColumn::showFrames() {
     frame_->setSegmentEnabled(
         static_cast<int>(FrameChoice::View), hasView_,
-        hasView_ ? tr("Axes of the picture: X right, Y up, Z towards you") : tr("Needs the 3D view"));
+        hasView_ ? tr("Axes of the picture: X right, Y away from you, Z up") : tr("Needs the 3D view"));
     const bool any = !frames_.isEmpty();
     QString name = any ? (selection_.taught ? selection_.taught->name : frames_.first().name) : tr("Frame");
     if (frames_.size() > 1) {

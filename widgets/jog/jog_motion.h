@@ -48,7 +48,7 @@ struct JogSelection {
     FrameChoice frame = FrameChoice::Base;
     MotionChoice motion = MotionChoice::Hold;
     int speedClass = kStartSpeedClass;
-    /// Axes of the view in the base frame: X to the right, Y up, Z towards the eye.
+    /// Axes of the view in the base frame: X to the right, Y away from the eye, Z up.
     Eigen::Matrix3d R_base_view = Eigen::Matrix3d::Identity();
     std::optional<TaughtFrame> taught;
 };
