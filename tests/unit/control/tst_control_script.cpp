@@ -1,0 +1,424 @@
+// SPDX-License-Identifier: MIT
+// control.script in our own interpreter, frame by frame, on a robot made of memory.
+#include <QTest>
+
+#include "robot/control/control_script.h"
+#include "robot/control/registers.h"
+#include "robot/simulator/urscript/interpreter.h"
+#include "tests/unit/urscript/fake_host.h"
+
+using namespace tiller;
+using namespace tiller::control;
+namespace urscript = tiller::simulator::urscript;
+
+namespace {
+
+constexpr std::int32_t kSession = 99;
+
+struct Bench {
+    urscript::FakeHost host;
+    std::unique_ptr<urscript::Interpreter> program;
+    int first;
+    std::int32_t sequence = 1000;
+
+    explicit Bench(RegisterRange range = RegisterRange::Upper, SoftwareVersion version = {5, 22, 0, 0})
+        : first(firstRegister(range)) {
+        host.step = version.controlPeriod();
+        host.moveFrames = 20;
+        urscript::CompileOptions options;
+        options.version = version;
+        const auto compiled = urscript::compile(
+            controlScript(version, range, kSession, MotionLimits{}).text.toStdString(), options);
+        if (!compiled) {
+            qFatal("control.script line %d, column %d: %s", compiled.error.line, compiled.error.column,
+                   compiled.error.text.c_str());
+        }
+        program = std::make_unique<urscript::Interpreter>(compiled.program, host);
+    }
+
+    // What a package of the controller does to the registers.
+    void send(ScriptCommand kind, std::int32_t epoch, std::array<double, 6> values = {}) {
+        Command command;
+        command.kind = kind;
+        command.epoch = epoch;
+        command.values = values;
+        command.speed = 0.5;
+        command.acceleration = 1.4;
+        command.rotationAcceleration = 2;
+        send(command);
+    }
+    void send(Command command) {
+        command.session = command.session == 0 ? kSession : command.session;
+        command.sequence = ++sequence;
+        const auto values = encode(command);
+        for (std::size_t i = 0; i < 5; ++i) {
+            host.intIn[static_cast<std::size_t>(first) + i] = static_cast<std::int32_t>(values[i]);
+        }
+        for (std::size_t i = 0; i < 12; ++i) {
+            host.floatIn[static_cast<std::size_t>(first) + i] = values[5 + i];
+        }
+    }
+    void frame(int times = 1) {
+        for (int i = 0; i < times; ++i) {
+            program->runFrame();
+            if (program->error()) {
+                qFatal("line %d: %s", program->error()->line, program->error()->text.c_str());
+            }
+        }
+    }
+    // Frames with a heartbeat in each.
+    void hold(ScriptCommand kind, std::int32_t epoch, int times, std::array<double, 6> values = {}) {
+        for (int i = 0; i < times; ++i) {
+            send(kind, epoch, values);
+            frame();
+        }
+    }
+    int out(int index) const { return host.intOut[static_cast<std::size_t>(first + index)]; }
+    ScriptState state() const { return static_cast<ScriptState>(out(2)); }
+    bool running() const { return !program->ended(); }
+    int silentFrames() const { return static_cast<int>(0.1 / host.step + 0.5); }
+
+    template <class T>
+    int count() const {
+        int n = 0;
+        for (const auto& motion : host.motions) {
+            n += std::holds_alternative<T>(motion.command);
+        }
+        return n;
+    }
+    template <class T>
+    const T* last() const {
+        return host.motions.empty() ? nullptr : std::get_if<T>(&host.motions.back().command);
+    }
+};
+
+bool near(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return (a - b).norm() < 1e-9;
+}
+
+}  // namespace
+
+class TestControlScript : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void compilesForEverySoftware_data() {
+        QTest::addColumn<int>("major");
+        QTest::addColumn<int>("minor");
+        QTest::newRow("CB3 3.15") << 3 << 15;
+        QTest::newRow("e-Series 5.3, without get_steptime") << 5 << 3;
+        QTest::newRow("e-Series 5.22") << 5 << 22;
+        QTest::newRow("PolyScope X") << 10 << 11;
+    }
+    void compilesForEverySoftware() {
+        QFETCH(int, major);
+        QFETCH(int, minor);
+        const SoftwareVersion version{static_cast<std::uint32_t>(major), static_cast<std::uint32_t>(minor), 0,
+                                      0};
+        for (const auto range : {RegisterRange::Lower, RegisterRange::Upper}) {
+            Bench bench(range, version);
+            bench.hold(ScriptCommand::Idle, 1, 3);
+            QCOMPARE(bench.out(0), bench.sequence);
+        }
+    }
+
+    void nothingIsLeftUnfilled() {
+        const ControlScript script = controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {});
+        QVERIFY(!script.text.contains(QLatin1String("{{")));
+        QVERIFY(script.text.startsWith(QLatin1String("def ")));
+        const QString source = QString::fromUtf8(controlScriptTemplate());
+        const QString line = source.section(QLatin1Char('\n'), script.firstLine - 1, script.firstLine - 1);
+        QVERIFY(line.startsWith(QLatin1String("def ")));
+    }
+
+    void answersWithSequenceEpochAndSession() {
+        Bench bench;
+        bench.frame();
+        bench.send(ScriptCommand::Idle, 7);
+        bench.frame();
+        QCOMPARE(bench.out(0), bench.sequence);
+        QCOMPARE(bench.out(1), 7);
+        QCOMPARE(bench.state(), ScriptState::Ready);
+        QCOMPARE(bench.out(3), kSession);
+        QVERIFY(bench.host.motions.empty());
+    }
+
+    // What an earlier client left in the registers, a jog and all, moves nothing.
+    void registersFoundAtTheStartMoveNothing() {
+        Bench bench;
+        Command left;
+        left.kind = ScriptCommand::JogCartesian;
+        left.epoch = 5;
+        left.values = {0.1, 0, 0, 0, 0, 0};
+        bench.send(left);
+        bench.program.reset();
+        const auto text = controlScript({5, 22, 0, 0}, RegisterRange::Upper, kSession, {}).text.toStdString();
+        bench.program = std::make_unique<urscript::Interpreter>(urscript::compile(text).program, bench.host);
+        bench.frame(100);
+        QVERIFY(bench.host.motions.empty());
+    }
+
+    void packagesOfAnotherSessionAreNotHeard() {
+        Bench bench;
+        for (int i = 0; i < 20; ++i) {
+            Command other;
+            other.session = kSession + 1;
+            other.kind = ScriptCommand::JogCartesian;
+            other.epoch = 3;
+            bench.send(other);
+            bench.frame();
+        }
+        QVERIFY(bench.host.motions.empty());
+        QVERIFY(bench.out(0) != bench.sequence);
+    }
+
+    void aJogRunsEachFrameWithTheNewestValues() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.send(ScriptCommand::JogCartesian, 2, {0.05, 0, 0, 0, 0, 0});
+        bench.frame();
+        QCOMPARE(bench.count<urscript::SpeedL>(), 1);  // in the very frame
+        QCOMPARE(bench.state(), ScriptState::Executing);
+        const auto* motion = bench.last<urscript::SpeedL>();
+        QVERIFY(motion != nullptr);
+        QVERIFY(near(motion->xd.linear, {0.05, 0, 0}));
+        QCOMPARE(motion->acceleration, 1.4);
+        QCOMPARE(motion->rotationAcceleration, 2.0);
+        QCOMPARE(motion->duration.value(), 0.002);
+        bench.hold(ScriptCommand::JogCartesian, 2, 10, {0, 0.02, 0, 0, 0, 0});
+        QVERIFY(bench.count<urscript::SpeedL>() >= 10);
+        QVERIFY(near(bench.last<urscript::SpeedL>()->xd.linear, {0, 0.02, 0}));
+        QCOMPARE(bench.count<urscript::StopL>(), 0);
+    }
+
+    void toolAndCustomFramesAreTurnedIntoTheBase() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        Command jog;
+        jog.kind = ScriptCommand::JogCartesian;
+        jog.epoch = 2;
+        jog.frame = JogFrame::Tool;
+        jog.values = {0.01, 0.02, 0.03, 0.1, 0.2, 0.3};
+        bench.send(jog);
+        bench.frame();
+        const Eigen::Matrix3d R = rotationMatrix(bench.host.tcpPose(urscript::Source::Target).rotation);
+        QVERIFY(near(bench.last<urscript::SpeedL>()->xd.linear, R * Eigen::Vector3d(0.01, 0.02, 0.03)));
+        QVERIFY(near(bench.last<urscript::SpeedL>()->xd.angular, R * Eigen::Vector3d(0.1, 0.2, 0.3)));
+        jog.epoch = 3;
+        jog.frame = JogFrame::Custom;
+        jog.rotation = {0.3, -0.2, 0.5};
+        bench.send(jog);
+        bench.frame(2);
+        const Eigen::Matrix3d C = rotationMatrix(Eigen::Vector3d(0.3, -0.2, 0.5));
+        QVERIFY(near(bench.last<urscript::SpeedL>()->xd.linear, C * Eigen::Vector3d(0.01, 0.02, 0.03)));
+        QVERIFY(near(bench.last<urscript::SpeedL>()->xd.angular, C * Eigen::Vector3d(0.1, 0.2, 0.3)));
+    }
+
+    void aJointJogRunsSpeedj() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(ScriptCommand::JogJoints, 2, 5, {0, 0, 0.1, 0, 0, 0});
+        QVERIFY(bench.count<urscript::SpeedJ>() >= 5);
+        QCOMPARE(bench.last<urscript::SpeedJ>()->qd[2], 0.1);
+    }
+
+    void aStopBrakesInTheSameFrame_data() {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<bool>("line");
+        QTest::newRow("jog Cartesian") << 1 << true;
+        QTest::newRow("jog joints") << 2 << false;
+        QTest::newRow("movej") << 3 << false;
+        QTest::newRow("movel") << 4 << true;
+    }
+    void aStopBrakesInTheSameFrame() {
+        QFETCH(int, kind);
+        QFETCH(bool, line);
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(static_cast<ScriptCommand>(kind), 2, 5, {0.1, 0, 0, 0, 0, 0});
+        bench.send(ScriptCommand::Idle, 3);
+        bench.frame();
+        QCOMPARE(bench.state(), ScriptState::Braking);
+        if (line) {
+            QVERIFY(bench.last<urscript::StopL>() != nullptr);
+            QCOMPARE(bench.last<urscript::StopL>()->deceleration, 2.0);
+            QCOMPARE(bench.last<urscript::StopL>()->rotationDeceleration, 4.0);
+        } else {
+            QVERIFY(bench.last<urscript::StopJ>() != nullptr);
+            QCOMPARE(bench.last<urscript::StopJ>()->deceleration, 4.0);
+        }
+        const auto before = bench.host.motions.size();
+        bench.hold(ScriptCommand::Idle, 3, 40);
+        QCOMPARE(bench.state(), ScriptState::Ready);
+        QCOMPARE(bench.host.motions.size(), before);
+    }
+
+    void theAnswerGoesOnWhileTheArmBrakes() {
+        Bench bench;
+        bench.host.moveFrames = 200;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(ScriptCommand::JogCartesian, 2, 5);
+        for (int i = 0; i < 100; ++i) {
+            bench.send(ScriptCommand::Idle, 3);
+            bench.frame();
+            QCOMPARE(bench.out(0), bench.sequence);
+        }
+        QCOMPARE(bench.state(), ScriptState::Braking);
+    }
+
+    void silenceEndsEveryMotion_data() { aStopBrakesInTheSameFrame_data(); }
+    void silenceEndsEveryMotion() {
+        QFETCH(int, kind);
+        const auto command = static_cast<ScriptCommand>(kind);
+        Bench bench;
+        bench.host.moveFrames = 1000;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(command, 2, 5, {0.1, 0, 0, 0, 0, 0});
+        bench.frame(bench.silentFrames() - 1);
+        QCOMPARE(bench.state(), ScriptState::Executing);
+        bench.frame();
+        QCOMPARE(bench.state(), ScriptState::Braking);
+        bench.host.moveFrames = 3;
+        // The same epoch, late: it is dead for good.
+        const auto before = bench.host.motions.size();
+        bench.hold(command, 2, 2000, {0.1, 0, 0, 0, 0, 0});
+        QCOMPARE(bench.host.motions.size(), before);
+        QCOMPARE(bench.state(), ScriptState::Expired);
+        // A new press is a new epoch.
+        bench.hold(command, 3, 2, {0.1, 0, 0, 0, 0, 0});
+        QCOMPARE(bench.state(), ScriptState::Executing);
+    }
+
+    void theTimeToLiveIs100MsOnOldControllersToo() {
+        Bench bench(RegisterRange::Lower, {3, 15, 0, 0});
+        bench.host.moveFrames = 1000;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(ScriptCommand::JogCartesian, 2, 3, {0.1, 0, 0, 0, 0, 0});
+        bench.frame(12);  // 96 ms
+        QCOMPARE(bench.state(), ScriptState::Executing);
+        bench.frame();
+        QCOMPARE(bench.state(), ScriptState::Braking);
+    }
+
+    void anOlderEpochIsNeverObeyed() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 10, 2);
+        bench.hold(ScriptCommand::JogCartesian, 9, 20, {0.1, 0, 0, 0, 0, 0});
+        bench.hold(ScriptCommand::JogCartesian, 10, 20, {0.1, 0, 0, 0, 0, 0});
+        QVERIFY(bench.host.motions.empty());
+        bench.hold(ScriptCommand::JogCartesian, 11, 2, {0.1, 0, 0, 0, 0, 0});
+        QVERIFY(!bench.host.motions.empty());
+    }
+
+    void aMoveRunsOnceAndIsReportedDone() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(ScriptCommand::MoveJ, 2, 10, {1, 2, 3, 4, 5, 6});
+        QCOMPARE(bench.state(), ScriptState::Executing);
+        bench.hold(ScriptCommand::MoveJ, 2, 60, {1, 2, 3, 4, 5, 6});
+        QCOMPARE(bench.state(), ScriptState::Done);
+        QCOMPARE(bench.out(1), 2);
+        QCOMPARE(bench.host.motions.size(), 1U);
+        const auto& move = std::get<urscript::Move>(bench.host.motions.front().command);
+        QCOMPARE(move.kind, urscript::Move::Kind::J);
+        QCOMPARE(std::get<JointPositions>(move.target)[4], 5.0);
+        QCOMPARE(move.velocity, 0.5);
+        QCOMPARE(move.acceleration, 1.4);
+    }
+
+    void aLinearMoveGoesToThePose() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(ScriptCommand::MoveL, 2, 3, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6});
+        const auto& move = std::get<urscript::Move>(bench.host.motions.front().command);
+        QCOMPARE(move.kind, urscript::Move::Kind::L);
+        QCOMPARE(std::get<Pose>(move.target).rotation.z(), 0.6);
+    }
+
+    void aMoveKeepsItsTargetWhateverComesUnderItsNumber() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(ScriptCommand::MoveJ, 2, 3, {1, 1, 1, 1, 1, 1});
+        bench.hold(ScriptCommand::MoveJ, 2, 60, {9, 9, 9, 9, 9, 9});
+        QCOMPARE(bench.host.motions.size(), 1U);
+    }
+
+    void aNewMoveStopsTheOldOneFirst() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(ScriptCommand::MoveJ, 2, 5, {1, 1, 1, 1, 1, 1});
+        bench.hold(ScriptCommand::MoveL, 3, 60, {2, 2, 2, 0, 0, 0});
+        QCOMPARE(bench.count<urscript::StopJ>(), 1);
+        QVERIFY(bench.host.motions.size() == 3);
+        const auto& move = std::get<urscript::Move>(bench.host.motions.back().command);
+        QCOMPARE(move.kind, urscript::Move::Kind::L);
+        QCOMPARE(std::get<Pose>(move.target).position.x(), 2.0);
+    }
+
+    void aJogOfTheSameKindTakesOverWithoutAStop() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(ScriptCommand::JogCartesian, 2, 5, {0.1, 0, 0, 0, 0, 0});
+        bench.hold(ScriptCommand::JogCartesian, 3, 5, {0, 0.1, 0, 0, 0, 0});
+        QCOMPARE(bench.count<urscript::StopL>(), 0);
+        QCOMPARE(bench.out(1), 3);
+        QVERIFY(near(bench.last<urscript::SpeedL>()->xd.linear, {0, 0.1, 0}));
+        bench.hold(ScriptCommand::JogJoints, 4, 60, {0.1, 0, 0, 0, 0, 0});
+        QCOMPARE(bench.count<urscript::StopL>(), 1);
+        QVERIFY(bench.last<urscript::SpeedJ>() != nullptr);
+    }
+
+    // Press, release, press while the arm still brakes: the second motion begins after the braking.
+    void aPressDuringBrakingWaitsForStandstill() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(ScriptCommand::JogCartesian, 2, 5, {0.1, 0, 0, 0, 0, 0});
+        bench.hold(ScriptCommand::Idle, 3, 2);
+        const int before = bench.count<urscript::SpeedL>();
+        bench.hold(ScriptCommand::JogCartesian, 4, 5, {-0.1, 0, 0, 0, 0, 0});
+        QCOMPARE(bench.count<urscript::SpeedL>(), before);
+        bench.hold(ScriptCommand::JogCartesian, 4, 40, {-0.1, 0, 0, 0, 0, 0});
+        QVERIFY(bench.count<urscript::SpeedL>() > before);
+        QVERIFY(near(bench.last<urscript::SpeedL>()->xd.linear, {-0.1, 0, 0}));
+    }
+
+    void unknownCommandsMoveNothing() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(static_cast<ScriptCommand>(77), 2, 50);
+        QVERIFY(bench.host.motions.empty());
+        QVERIFY(bench.running());
+    }
+
+    void endStopsAndLeaves() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(ScriptCommand::JogCartesian, 2, 5, {0.1, 0, 0, 0, 0, 0});
+        bench.hold(ScriptCommand::End, 3, 3);
+        QVERIFY(bench.running());
+        QVERIFY(bench.last<urscript::StopL>() != nullptr);
+        bench.hold(ScriptCommand::End, 3, 40);
+        QVERIFY(!bench.running());
+    }
+
+    void aProgramNobodyTalksToEndsByItself() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.frame(2490);
+        QVERIFY(bench.running());
+        bench.frame(20);
+        QVERIFY(!bench.running());
+    }
+
+    // A rotation holds the TCP where it was when it began: what it wanders off is led back.
+    void aRotationLeadsTheTcpBack() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(ScriptCommand::JogCartesian, 2, 2, {0, 0, 0, 0, 0, 0.5});
+        QVERIFY(near(bench.last<urscript::SpeedL>()->xd.linear, {0, 0, 0}));
+        QVERIFY(near(bench.last<urscript::SpeedL>()->xd.angular, {0, 0, 0.5}));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestControlScript)
+#include "tst_control_script.moc"
