@@ -26,19 +26,32 @@ std::array<ArmPart, kArmPartCount> armParts(const RobotModel& model, const Joint
 
     const double s = model.reach / 0.85;
     using Kind = ArmPartKind;
+    const Eigen::Vector3d out = axis(1);
+    const Eigen::Vector3d all = Eigen::Vector3d::Zero();
+    enum : unsigned {
+        ShoulderRod = 1,
+        UpperArm = 2,
+        ElbowRod = 3,
+        Forearm = 4,
+        Wrist1 = 5,
+        Wrist2 = 6,
+        Wrist3 = 7
+    };
+    const auto bits = [](unsigned a, unsigned b) { return 1U << a | 1U << b; };
     return {{
-        {Kind::Housing, origin(0) + Eigen::Vector3d(0, 0, 0.05 * s), shoulder, 0.057 * s},
-        {Kind::Joint, shoulder, upperStart, 0.064 * s},
-        {Kind::Link, upperStart, upperEnd, 0.047 * s},
-        {Kind::Joint, upperEnd, foreStart, 0.053 * s},
-        {Kind::Link, foreStart, foreEnd, 0.040 * s},
-        {Kind::Joint, foreEnd, foreEnd, 0.045 * s},
-        {Kind::Housing, foreEnd, wrist1, 0.034 * s},
-        {Kind::Joint, wrist1, wrist1, 0.041 * s},
-        {Kind::Housing, wrist1, wrist2, 0.032 * s},
-        {Kind::Joint, wrist2, wrist2, 0.038 * s},
-        {Kind::Housing, wrist2, wrist2 + 0.75 * (flange - wrist2), 0.030 * s},
-        {Kind::Housing, wrist2 + 0.6 * (flange - wrist2), wrist2 + 0.72 * (flange - wrist2), 0.033 * s},
+        {Kind::Housing, origin(0) + Eigen::Vector3d(0, 0, 0.05 * s), shoulder, 0.057 * s, 0, all},
+        {Kind::Housing, shoulder, upperStart, 0.059 * s, 0, all},
+        {Kind::Link, upperStart, upperEnd, 0.047 * s, 0, all},
+        {Kind::Housing, upperEnd, foreStart, 0.048 * s, 0, all},
+        {Kind::Link, foreStart, foreEnd, 0.040 * s, 0, all},
+        {Kind::Housing, foreEnd, wrist1, 0.034 * s, 0, all},
+        {Kind::Housing, wrist1, wrist2, 0.032 * s, 0, all},
+        {Kind::Housing, wrist2, wrist2 + 0.8 * (flange - wrist2), 0.030 * s, 0, all},
+        {Kind::Joint, upperStart, upperStart, 0.064 * s, bits(ShoulderRod, UpperArm), out},
+        {Kind::Joint, upperEnd, upperEnd, 0.053 * s, bits(UpperArm, ElbowRod), out},
+        {Kind::Joint, foreEnd, foreEnd, 0.045 * s, bits(Forearm, Wrist1), all},
+        {Kind::Joint, wrist1, wrist1, 0.040 * s, bits(Wrist1, Wrist2), all},
+        {Kind::Joint, wrist2, wrist2, 0.038 * s, bits(Wrist2, Wrist3), all},
     }};
 }
 

@@ -19,9 +19,13 @@ struct ArmPart {
     Eigen::Vector3d from = Eigen::Vector3d::Zero();
     Eigen::Vector3d to = Eigen::Vector3d::Zero();
     double radius = 0;
+    /// For the cap of a joint: the parts that meet there, as bits. It is drawn over all of them when its
+    /// outer side faces the eye, under all of them when not. 0: not a cap.
+    unsigned meets = 0;
+    Eigen::Vector3d outward = Eigen::Vector3d::Zero();  ///< zero: seen from everywhere
 };
 
-inline constexpr int kArmPartCount = 12;
+inline constexpr int kArmPartCount = 13;
 
 /// Threads  any
 std::array<ArmPart, kArmPartCount> armParts(const RobotModel& model, const JointPositions& q);

@@ -26,7 +26,7 @@ void Camera::reset(double reach) {
     azimuth_ = kStartAzimuth;
     elevation_ = kStartElevation;
     distance_ = 3.15 * reach;
-    target_ = Eigen::Vector3d(0, 0, 0.45 * reach);
+    target_ = Eigen::Vector3d(0, 0, 0.55 * reach);
 }
 
 void Camera::setViewport(const QSizeF& size) {

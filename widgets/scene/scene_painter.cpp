@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <utility>
 
 namespace tiller {
 
@@ -66,8 +68,8 @@ ScenePainter::ScenePainter(QPainter& painter, const Camera& camera, const Theme&
 }
 
 void ScenePainter::ground(double reach) {
-    const int cells = 4;
-    const double cell = reach * 0.26;
+    const int cells = 3;
+    const double cell = reach * 0.24;
     QPen pen(mix(theme_.panel, theme_.border, 0.62), 1);
     painter_.setPen(pen);
     for (int i = -cells; i <= cells; ++i) {
@@ -85,39 +87,65 @@ void ScenePainter::ground(double reach) {
     }
 }
 
-void ScenePainter::capsule(const ArmPart& part, const QColor& color) {
+void ScenePainter::capsule(const ArmPart& part, const QColor& color, bool outlined) {
     const auto a = camera_.project(part.from);
     const auto b = camera_.project(part.to);
     if (!a.visible() || !b.visible()) {
         return;
     }
-    painter_.setPen(QPen(color.darker(112), 1));
+    painter_.setPen(QPen(outlined ? color.darker(112) : color, 1));
     painter_.setBrush(color);
     painter_.drawPolygon(
         hull(a.point, part.radius * a.pixelsPerMetre, b.point, part.radius * b.pixelsPerMetre));
 }
 
 void ScenePainter::arm(std::span<const ArmPart> parts, const ArmColors& colors) {
-    // Far parts first. Twelve of them: their middles are order enough.
-    struct Entry {
-        double depth;
-        const ArmPart* part;
+    // Far parts first; so few that their middles are order enough.
+    std::array<std::pair<double, std::size_t>, kArmPartCount> order{};
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < parts.size() && i < order.size(); ++i) {
+        if (parts[i].meets == 0) {
+            order[count++] = {camera_.project((parts[i].from + parts[i].to) / 2).depth, i};
+        }
+    }
+    std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), std::greater<>());
+    const bool outlined = colors.link != colors.joint;
+    const auto draw = [&](const ArmPart& part) {
+        capsule(part,
+                part.kind == ArmPartKind::Joint  ? colors.joint
+                : part.kind == ArmPartKind::Link ? colors.link
+                                                 : colors.housing,
+                outlined);
     };
-    std::array<Entry, kArmPartCount> order{};
-    const std::size_t count = std::min(parts.size(), order.size());
-    for (std::size_t i = 0; i < count; ++i) {
-        const double depth = camera_.project((parts[i].from + parts[i].to) / 2).depth;
-        // A joint shows in front of the links it carries.
-        order[i] = {parts[i].kind == ArmPartKind::Joint ? depth - parts[i].radius : depth, &parts[i]};
+    const Eigen::Vector3d towardsEye = camera_.viewRotation().col(2);
+    unsigned drawn = 0;
+    for (std::size_t n = 0; n < count; ++n) {
+        const unsigned bit = 1U << order[n].second;
+        for (const ArmPart& cap : parts) {
+            // The first of the parts that meet here is about to be drawn: what lies under them all goes
+            // first.
+            if ((cap.meets & bit) != 0 && (cap.meets & drawn) == 0 && cap.outward.dot(towardsEye) < 0) {
+                draw(cap);
+            }
+        }
+        draw(parts[order[n].second]);
+        drawn |= bit;
+        for (const ArmPart& cap : parts) {
+            if ((cap.meets & bit) != 0 && (cap.meets & ~drawn) == 0 && cap.outward.dot(towardsEye) >= 0) {
+                draw(cap);
+            }
+        }
     }
-    std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count),
-              [](const Entry& a, const Entry& b) { return a.depth > b.depth; });
-    for (std::size_t i = 0; i < count; ++i) {
-        const ArmPart& part = *order[i].part;
-        capsule(part, part.kind == ArmPartKind::Joint  ? colors.joint
-                      : part.kind == ArmPartKind::Link ? colors.link
-                                                       : colors.housing);
+}
+
+void ScenePainter::label(const QRectF& box, int flags, const QString& text, const QColor& color) {
+    // Readable also over the arm: a thin rim in the colour of the surface.
+    painter_.setPen(theme_.panel);
+    for (const QPointF& by : {QPointF(-1.5, 0), QPointF(1.5, 0), QPointF(0, -1.5), QPointF(0, 1.5)}) {
+        painter_.drawText(box.translated(by), flags, text);
     }
+    painter_.setPen(color);
+    painter_.drawText(box, flags, text);
 }
 
 void ScenePainter::path(std::span<const Eigen::Vector3d> points, const QColor& color, double width,
@@ -181,14 +209,13 @@ void ScenePainter::marker(const Eigen::Vector3d& position, const QString& name, 
     painter_.setPen(QPen(selected ? theme_.moving : theme_.secondary, selected ? 2 : 1.4));
     painter_.setBrush(theme_.panel);
     painter_.drawEllipse(at.point, selected ? 4.5 : 3.5, selected ? 4.5 : 3.5);
-    painter_.setPen(selected ? theme_.text : theme_.secondary);
     painter_.setFont(textFont(14));
-    painter_.drawText(QRectF(at.point.x() - 110, at.point.y() + 8, 220, 22), Qt::AlignHCenter | Qt::AlignTop,
-                      name);
+    label(QRectF(at.point.x() - 110, at.point.y() + 8, 220, 22), Qt::AlignHCenter | Qt::AlignTop, name,
+          selected ? theme_.text : theme_.secondary);
 }
 
 void ScenePainter::arrow(const Eigen::Vector3d& tcp, const Eigen::Vector3d& direction, double reach,
-                         const QColor& color, const QString& label) {
+                         const QColor& color, const QString& name) {
     if (direction.norm() < 1e-9) {
         return;
     }
@@ -213,8 +240,7 @@ void ScenePainter::arrow(const Eigen::Vector3d& tcp, const Eigen::Vector3d& dire
             painter_.drawLine(at + QPointF(-7, -7), at + QPointF(7, 7));
             painter_.drawLine(at + QPointF(-7, 7), at + QPointF(7, -7));
         }
-        painter_.setPen(theme_.text);
-        painter_.drawText(QRectF(at.x() + 20, at.y() - 12, 200, 24), Qt::AlignLeft | Qt::AlignVCenter, label);
+        label(QRectF(at.x() + 20, at.y() - 12, 200, 24), Qt::AlignLeft | Qt::AlignVCenter, name, theme_.text);
         return;
     }
     const QPointF along = line / length;
@@ -224,13 +250,12 @@ void ScenePainter::arrow(const Eigen::Vector3d& tcp, const Eigen::Vector3d& dire
     const QPointF wings[] = {to.point - along * 18 + across * 10, to.point + along * 2,
                              to.point - along * 18 - across * 10};
     painter_.drawPolyline(wings, 3);
-    painter_.setPen(theme_.text);
     const QPointF middle = (from.point + to.point) / 2;
     // Above a level arrow, beside a steep one.
     const bool steep = std::abs(along.y()) > 0.6;
     const QRectF box = steep ? QRectF(middle.x() + 18, middle.y() - 12, 200, 24)
                              : QRectF(middle.x() - 100, middle.y() - 34, 200, 24);
-    painter_.drawText(box, (steep ? Qt::AlignLeft : Qt::AlignHCenter) | Qt::AlignVCenter, label);
+    label(box, (steep ? Qt::AlignLeft : Qt::AlignHCenter) | Qt::AlignVCenter, name, theme_.text);
 }
 
 }  // namespace tiller

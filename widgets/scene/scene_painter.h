@@ -31,7 +31,7 @@ class ScenePainter {
 public:
     ScenePainter(QPainter& painter, const Camera& camera, const Theme& theme);
 
-    /// Lines every quarter of the reach around the base [m].
+    /// A grid around the base, wide enough for an arm of this reach [m].
     void ground(double reach);
     void arm(std::span<const ArmPart> parts, const ArmColors& colors);
     /// A line through points in the base frame.
@@ -42,10 +42,11 @@ public:
     void marker(const Eigen::Vector3d& position, const QString& name, bool selected);
     /// An arrow beside the tool; end on, a ring with a dot (towards the eye) or a cross (away).
     void arrow(const Eigen::Vector3d& tcp, const Eigen::Vector3d& direction, double reach,
-               const QColor& color, const QString& label);
+               const QColor& color, const QString& name);
 
 private:
-    void capsule(const ArmPart& part, const QColor& color);
+    void capsule(const ArmPart& part, const QColor& color, bool outlined);
+    void label(const QRectF& box, int flags, const QString& text, const QColor& color);
 
     QPainter& painter_;
     const Camera& camera_;

@@ -203,9 +203,6 @@ void SceneView::paintScene(QPainter& painter, const QSizeF& size) {
     if (ghost_ && ghost_->reachable && haveJoints_) {
         scene.arm(armParts(*model_, ghost_->q), ArmColors::ghost(theme));
     }
-    for (const SceneWaypoint& waypoint : waypoints_) {
-        scene.marker(waypoint.position, waypoint.name, waypoint.selected);
-    }
     if (haveJoints_) {
         scene.arm(armParts(*model_, q_), stale_ ? ArmColors::stale(theme) : ArmColors::live(theme));
         if (trace_.size() > 1) {
@@ -223,6 +220,9 @@ void SceneView::paintScene(QPainter& painter, const QSizeF& size) {
                         jog_->label);
         }
     }
+    for (const SceneWaypoint& waypoint : waypoints_) {
+        scene.marker(waypoint.position, waypoint.name, waypoint.selected);
+    }
     if (stale_ && !staleWord_.isEmpty()) {
         painter.setFont(textFont(26, QFont::Bold));
         painter.setPen(theme.secondary);
@@ -234,13 +234,18 @@ void SceneView::paintScene(QPainter& painter, const QSizeF& size) {
 void SceneView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     paintScene(painter, size());
-    if (hasFocus()) {
+    if (hasFocus() && focusByKey_) {
         painter.setRenderHint(QPainter::Antialiasing, false);
         painter.setPen(QPen(Theme::current().moving, 1, Qt::DotLine));
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(rect().adjusted(2, 2, -3, -3));
     }
     lastPaintNs_ = SteadyClock::shared().nowNs();
+}
+
+void SceneView::focusInEvent(QFocusEvent* event) {
+    focusByKey_ = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
+    QWidget::focusInEvent(event);
 }
 
 void SceneView::resizeEvent(QResizeEvent*) {

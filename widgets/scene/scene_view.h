@@ -85,6 +85,7 @@ Q_SIGNALS:
 protected:
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -121,6 +122,7 @@ private:
     Camera camera_;
     QPointF dragFrom_;
     bool dragging_ = false;
+    bool focusByKey_ = false;  // a click needs no frame to show where the focus is
     QTimer frameTimer_;
     std::int64_t lastPaintNs_ = 0;
 };

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What one frame costs the GUI thread: the plots with a short and with a long history, zoomed in and out, and
+// the scene. Prints percentiles and the ratios that must stay below 1.2; times depend on the machine, ratios
+// do not.
+//
+// frame_cost [--frames N]
+
+#include <QApplication>
+#include <QImage>
+#include <QPainter>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <vector>
+
+#include "widgets/common/theme.h"
+#include "widgets/plots/curve_item.h"
+#include "widgets/plots/plot_signals.h"
+#include "widgets/plots/plot_view.h"
+#include "widgets/plots/series_buffer.h"
+#include "widgets/plots/state_lane.h"
+#include "widgets/scene/scene_view.h"
+
+using namespace tiller;
+
+namespace {
+
+constexpr double kPeriod = 0.002;  // [s]
+constexpr int kWidth = 1430;       // of a plot in the default layout [px]
+constexpr int kHeight = 130;
+
+struct Percentiles {
+    double p50 = 0, p90 = 0, p99 = 0, most = 0;
+};
+
+Percentiles percentiles(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const auto at = [&values](double share) {
+        return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+    };
+    return {at(0.5), at(0.9), at(0.99), values.back()};
+}
+
+double seconds(const std::function<void()>& work) {
+    const auto from = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
+}
+
+/// A signal as a robot's are: slow movement with noise on it.
+float signalAt(std::int64_t sample, int signal) {
+    const double t = static_cast<double>(sample) * kPeriod;
+    const auto noise = static_cast<double>((static_cast<std::uint32_t>(sample) * 2654435761U +
+                                            static_cast<std::uint32_t>(signal) * 40503U) >>
+                                           20) /
+                           4096.0 -
+                       0.5;
+    return static_cast<float>(8 * std::sin(t * 0.37 + signal) + 2 * std::sin(t * 2.1 * (signal + 1)) + noise);
+}
+
+void grow(SeriesBuffer& history, double length) {
+    std::array<float, kPlotSignalCount> row{};
+    const auto until = static_cast<std::int64_t>(length / kPeriod);
+    for (std::int64_t i = history.end(); i < until; ++i) {
+        for (int s = 0; s < kPlotSignalCount; ++s) {
+            row[static_cast<std::size_t>(s)] = signalAt(i, s);
+        }
+        history.append(static_cast<double>(i) * kPeriod, row);
+    }
+}
+
+/// One case: twelve curves over the newest `span` seconds of a history.
+struct CurveCase {
+    const char* name;
+    SeriesBuffer& history;
+    double span;
+    std::vector<std::unique_ptr<CurveItem>> curves = {};
+    ColumnGrid grid = {};
+    std::vector<double> times = {};
+    double end = 0;
+
+    void frame(QImage& image) {
+        // The picture moves by a frame's worth of samples each time, as it does live.
+        end = end == 0 ? history.lastTime() - 20 : end + 0.0166;
+        if (end > history.lastTime()) {
+            end = history.lastTime() - 20;
+        }
+        times.push_back(seconds([&] {
+            const double width = span / kWidth;
+            history.cut(std::floor((end - span) / width) * width, width, kWidth + 1, grid);
+            image.fill(Qt::white);
+            QPainter painter(&image);
+            for (const auto& curve : curves) {
+                curve->sample(history, grid);
+                curve->setView(QRectF(0, 0, kWidth, kHeight), end - span, end, -12, 12);
+                curve->paint(&painter, nullptr, nullptr);
+            }
+        }));
+    }
+};
+
+void print(const char* name, const std::vector<double>& times) {
+    const Percentiles p = percentiles(times);
+    std::printf("  %-46s %8.3f %8.3f %8.3f %8.3f\n", name, p.p50 * 1e3, p.p90 * 1e3, p.p99 * 1e3,
+                p.most * 1e3);
+}
+
+double median(const std::vector<double>& times) {
+    return percentiles(times).p50;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    int frames = 200;
+    for (int i = 1; i + 1 < argc; ++i) {
+        if (std::strcmp(argv[i], "--frames") == 0) {
+            frames = std::max(10, std::atoi(argv[i + 1]));
+        }
+    }
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    }
+    QApplication application(argc, argv);
+    applyTheme(application, Theme::light());
+
+    SeriesBuffer shortHistory(kPlotSignalCount);
+    SeriesBuffer longHistory(kPlotSignalCount);
+    grow(shortHistory, 60);  // 30 s shown, and some to move through
+    grow(longHistory, 30 * 60 + 30);
+
+    std::vector<CurveCase> cases;
+    cases.push_back({"30 s shown of 30 s", shortHistory, 30});
+    cases.push_back({"30 s shown of 30 min", longHistory, 30});
+    cases.push_back({"30 min shown of 30 min", longHistory, 1790});
+    cases.push_back({"2 s shown of 30 min", longHistory, 2});
+    for (CurveCase& c : cases) {
+        for (int s = 0; s < kPlotSignalCount; ++s) {
+            c.curves.push_back(std::make_unique<CurveItem>(s, nullptr));
+            c.curves.back()->setPen(plot_signals::pen(static_cast<PlotSignal>(s), Theme::light()));
+        }
+    }
+    QImage image(kWidth, kHeight, QImage::Format_ARGB32_Premultiplied);
+    // Case by case in turn, so that whatever else the machine does falls on all of them alike.
+    for (int i = 0; i < frames; ++i) {
+        for (CurveCase& c : cases) {
+            c.frame(image);
+        }
+    }
+
+    StateLane lane;
+    PlotView view(longHistory, lane);
+    view.resize(1500, 342);
+    view.refresh(0);
+    QImage panel(1500, 342, QImage::Format_ARGB32_Premultiplied);
+    std::vector<double> viewTimes;
+    for (int i = 0; i < frames; ++i) {
+        viewTimes.push_back(seconds([&] {
+            view.scrollBy(i % 2 == 0 ? -0.0166 : 0.0083);
+            panel.fill(Qt::white);
+            QPainter painter(&panel);
+            view.render(&painter);
+        }));
+    }
+
+    SceneView scene;
+    scene.setStale(false);
+    JointPositions q(-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310);
+    SceneGhost ghost;
+    ghost.q = q;
+    ghost.q[0] += 0.4;
+    scene.setJoints(q);
+    scene.setGhost(ghost);
+    scene.setJogDirection(SceneJog{{1, 0, 0}, QStringLiteral("X+ Base"), 0});
+    QImage arm(930, 520, QImage::Format_ARGB32_Premultiplied);
+    std::vector<double> sceneTimes;
+    for (int i = 0; i < frames; ++i) {
+        q[0] += 0.002;
+        sceneTimes.push_back(seconds([&] {
+            scene.setJoints(q);
+            arm.fill(Qt::white);
+            QPainter painter(&arm);
+            scene.paintScene(painter, arm.size());
+        }));
+    }
+
+    std::printf("Frame cost, %d frames each [ms]%33s %8s %8s %8s\n", frames, "median", "90 %", "99 %",
+                "most");
+    std::printf("12 curves, %d x %d px, 500 Hz\n", kWidth, kHeight);
+    for (const CurveCase& c : cases) {
+        print(c.name, c.times);
+    }
+    print("whole plot panel, 9 curves, 1500 x 342 px", viewTimes);
+    print("scene with ghost, 930 x 520 px", sceneTimes);
+    const double base = median(cases[0].times);
+    const double history = median(cases[1].times) / base;
+    const double zoomedOut = median(cases[2].times) / base;
+    const double zoomedIn = median(cases[3].times) / median(cases[2].times);
+    std::printf("ratio, 30 s shown: 30 min of history to 30 s     %.3f  (must be below 1.2)\n", history);
+    std::printf("ratio, all shown:  30 min of history to 30 s     %.3f  (must be below 1.2)\n", zoomedOut);
+    std::printf("ratio, zoomed in to zoomed out                   %.3f  (must be below 1.2)\n", zoomedIn);
+    std::printf("memory of the history, 12 signals, 35 min        %.1f MB\n",
+                static_cast<double>(longHistory.memoryBytes()) / 1e6);
+    const bool ok = history < 1.2 && zoomedOut < 1.2 && zoomedIn < 1.2;
+    std::printf("%s\n", ok ? "PASS" : "FAIL");
+    return ok ? 0 : 1;
+}
