@@ -30,7 +30,9 @@ Status writeBool(Call& c) {
     return Status::Done;
 }
 Status writeInt(Call& c) {
-    c.host.setIntOutput(c.integerIn(0, 0, kNumbers), c.integer(1));
+    // Scripts write the outcome of a question as 1 or 0.
+    const bool question = c.args[1].is(Value::Type::Bool);
+    c.host.setIntOutput(c.integerIn(0, 0, kNumbers), question ? std::int32_t{c.boolean(1)} : c.integer(1));
     return Status::Done;
 }
 Status writeFloat(Call& c) {

@@ -159,9 +159,6 @@ Eigen::Vector3d Call::three(std::size_t i) const {
 }
 
 JointPositions Call::joints(std::size_t i) const {
-    if (!args[i].is(Value::Type::List)) {
-        badArgument(i, "a list of six joint positions");
-    }
     const JointPositions q(six(i));
     if (!q.allFinite()) {
         badArgument(i, "a list of six finite numbers");
