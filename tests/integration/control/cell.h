@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A simulated robot and a controller on one virtual clock: real sockets and real threads, no real time. Each
+// step is one control period; the controller's answer has arrived before the next one begins.
+
+#include <QTest>
+#include <functional>
+#include <thread>
+
+#include "robot/control/controller.h"
+#include "robot/core/clock.h"
+#include "robot/simulator/controller.h"
+
+namespace tiller::test {
+
+inline constexpr double kDeg = 3.14159265358979323846 / 180;
+
+class Cell {
+public:
+    explicit Cell(std::function<void(simulator::ControllerOptions&)> adjust = {},
+                  control::RegisterRange range = control::RegisterRange::Upper)
+        : robot(robotOptions(adjust)) {
+        if (const auto started = robot.start(); !started) {
+            qFatal("%s", qPrintable(started.error().toString()));
+        }
+        control::ControllerOptions options;
+        options.host = robot.listenAddress();
+        options.primaryPort = robot.ports().primary;
+        options.rtdePort = robot.ports().rtde;
+        options.clock = &clock;
+        options.registers = range;
+        options.priority = 0;
+        controller = std::make_unique<control::Controller>(options);
+    }
+
+    /// Takes control while time goes on.
+    Result<void> takeControl() {
+        Result<void> result;
+        std::atomic<bool> done{false};
+        const std::uint64_t before = robot.inputPackages();
+        std::thread taking([&] {
+            result = controller->takeControl(Deadline::after(std::chrono::seconds(20)));
+            done = true;
+        });
+        while (!done) {
+            const std::uint64_t inputs = robot.inputPackages();
+            tick();
+            if (inputs > before) {
+                robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::milliseconds(20)));
+            }
+        }
+        taking.join();
+        settle();
+        return result;
+    }
+
+    /// Releases while time goes on.
+    void release() {
+        std::atomic<bool> done{false};
+        std::thread releasing([&] {
+            controller->release();
+            done = true;
+        });
+        while (!done) {
+            const std::uint64_t inputs = robot.inputPackages();
+            tick();
+            robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::milliseconds(5)));
+        }
+        releasing.join();
+    }
+
+    /// Time goes on by so many control periods of 2 ms; false when the controller stopped answering.
+    bool step(int ticks = 1) {
+        for (int i = 0; i < ticks; ++i) {
+            const std::uint64_t inputs = robot.inputPackages();
+            tick();
+            if (everyTick) {
+                everyTick();
+            }
+            if (!robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::seconds(20)))) {
+                return false;
+            }
+        }
+        return true;
+    }
+    bool stepMs(int ms) { return step(ms / 2); }
+    /// Time goes on for the robot and by the clock, whatever the controller does.
+    void stepAlone(int ticks = 1) {
+        for (int i = 0; i < ticks; ++i) {
+            tick();
+            if (everyTick) {
+                everyTick();
+            }
+        }
+    }
+    /// Holds a jog for some time, refreshing it every 20 ms.
+    bool hold(control::JogId jog, int ms) {
+        for (int t = 0; t < ms; t += 2) {
+            if (t % 20 == 0 && !controller->refreshJog(jog)) {
+                return false;
+            }
+            if (!step()) {
+                return false;
+            }
+        }
+        return true;
+    }
+    bool holdMove(control::MoveId move, int atMostMs) {
+        for (int t = 0; t < atMostMs; t += 2) {
+            if (t % 20 == 0 && !controller->refreshMove(move)) {
+                return true;
+            }
+            if (!step()) {
+                return false;
+            }
+        }
+        return false;
+    }
+    /// Ticks until the arm stands, at most so many ms; -1 when it does not.
+    int ticksToStandstill(int atMostMs) {
+        for (int ticks = 0; ticks * 2 <= atMostMs; ++ticks) {
+            if (isStanding()) {
+                return ticks;
+            }
+            step();
+        }
+        return -1;
+    }
+    bool isStanding() const {
+        const auto truth = robot.truth();
+        return truth.tcpSpeed.linear.norm() < 0.001 && truth.qd.values.cwiseAbs().maxCoeff() < 0.001;
+    }
+    Pose tcp() const { return robot.truth().tcpPose; }
+
+    VirtualClock clock;
+    simulator::Controller robot;
+    std::unique_ptr<control::Controller> controller;
+    std::function<void()> everyTick;
+
+private:
+    static simulator::ControllerOptions robotOptions(
+        const std::function<void(simulator::ControllerOptions&)>& adjust) {
+        simulator::ControllerOptions options;
+        options.anyFreePorts = true;
+        options.time = simulator::Time::Virtual;
+        options.poweredOn = true;
+        if (adjust) {
+            adjust(options);
+        }
+        return options;
+    }
+    void tick() {
+        clock.advanceNs(static_cast<std::int64_t>(robot.stepTime() * 1e9 + 0.5));
+        robot.step();
+    }
+    // Until the answers to all that was sent before have come in.
+    void settle() {
+        for (int calm = 0; calm < 5; ++calm) {
+            const std::uint64_t inputs = robot.inputPackages();
+            if (robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::milliseconds(10)))) {
+                calm = -1;
+            }
+        }
+    }
+};
+
+inline control::JogTarget linearJog(double x, double y, double z,
+                                    control::JogFrame frame = control::JogFrame::Base) {
+    control::JogTarget target;
+    target.frame = frame;
+    target.twist.linear = {x, y, z};
+    return target;
+}
+
+inline control::JogTarget rotationJog(double x, double y, double z,
+                                      control::JogFrame frame = control::JogFrame::Base) {
+    control::JogTarget target;
+    target.frame = frame;
+    target.twist.angular = {x, y, z};
+    return target;
+}
+
+inline control::JogTarget jointJog(int joint, double speed) {
+    control::JogTarget target;
+    target.kind = control::JogTarget::Kind::Joint;
+    target.qd[joint] = speed;
+    return target;
+}
+
+}  // namespace tiller::test

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+// The jog contract over real sockets, in virtual time.
+#include "tests/integration/control/cell.h"
+
+using namespace tiller;
+using namespace tiller::control;
+using namespace tiller::test;
+
+namespace {
+
+constexpr double kMm = 0.001;
+
+double mm(const Pose& a, const Pose& b) {
+    return (a.position - b.position).norm() / kMm;
+}
+
+}  // namespace
+
+class TestJog : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void holdingXMovesTheToolAlongX() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        const Pose before = cell.tcp();
+        const auto jog = cell.controller->startJog(linearJog(0.05, 0, 0));
+        QVERIFY(jog.ok());
+        QVERIFY(cell.hold(*jog, 1050));
+        QVERIFY(cell.controller->status().moving);
+        QVERIFY(cell.controller->status().executing);
+        QVERIFY(cell.controller->end(*jog, StopCause::Released));
+        QVERIFY(cell.stepMs(200));
+        const Pose after = cell.tcp();
+        const Eigen::Vector3d way = after.position - before.position;
+        QVERIFY2(std::abs(way.x() - 0.05) < 0.003, qPrintable(QString::number(way.x())));
+        QVERIFY(std::abs(way.y()) < 0.0002);
+        QVERIFY(std::abs(way.z()) < 0.0002);
+        QVERIFY((after.rotation - before.rotation).norm() < 0.001);
+        QVERIFY(!cell.controller->status().moving);
+    }
+
+    void motionBeginsWithin20MsOfThePress() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        const auto jog = cell.controller->startJog(linearJog(0, 0, 0.1));
+        QVERIFY(jog.ok());
+        int ticks = 0;
+        while (cell.robot.truth().tcpSpeed.linear.norm() < 0.002) {
+            QVERIFY(cell.step());
+            QVERIFY(++ticks <= 10);
+        }
+        qInfo("press to motion: %d ms", 2 * ticks);
+    }
+
+    void releaseAt100MmPerSecondIsStandstillWithin100Ms() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        const auto jog = cell.controller->startJog(linearJog(0, 0, 0.1));
+        QVERIFY(cell.hold(*jog, 600));
+        QVERIFY(cell.robot.truth().tcpSpeed.linear.norm() > 0.098);
+        const Pose released = cell.tcp();
+        QVERIFY(cell.controller->end(*jog, StopCause::Released));
+        const int ticks = cell.ticksToStandstill(1000);
+        QVERIFY(ticks >= 0);
+        QVERIFY2(ticks * 2 <= 100, qPrintable(QString::number(ticks * 2)));
+        const double distance = mm(released, cell.tcp());
+        QVERIFY(cell.stepMs(20));
+        const StopMeasurement stop = cell.controller->status().lastStop;
+        qInfo("release to standstill: true %d ms %.2f mm, measured %.1f ms %.2f mm", 2 * ticks, distance,
+              stop.durationMs, stop.distanceMm);
+        QCOMPARE(stop.count, 1U);
+        QCOMPARE(stop.cause, StopCause::Released);
+        QVERIFY(std::abs(stop.durationMs - 2 * ticks) <= 8);
+        QVERIFY(std::abs(stop.distanceMm - distance) < 0.3);
+    }
+
+    void aSilentHolderEndsTheJogAndItStaysEnded() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        const auto jog = cell.controller->startJog(linearJog(0, 0, 0.05));
+        QVERIFY(cell.hold(*jog, 300));
+        const Pose silentSince = cell.tcp();
+        QVERIFY(cell.stepMs(100));
+        QVERIFY(!cell.isStanding());
+        const int ticks = cell.ticksToStandstill(1000);
+        QVERIFY(ticks >= 0 && ticks * 2 <= 100);
+        QCOMPARE(cell.controller->motionState(*jog).cause, StopCause::EventLoopStalled);
+        QVERIFY(mm(silentSince, cell.tcp()) < 0.05 / kMm * 0.2);
+        const Pose standing = cell.tcp();
+        for (int i = 0; i < 100; ++i) {
+            QVERIFY(!cell.controller->refreshJog(*jog));
+            QVERIFY(!cell.controller->refreshJog(*jog, linearJog(0, 0, 0.2)));
+            QVERIFY(cell.step());
+        }
+        QVERIFY(mm(standing, cell.tcp()) < 0.01);
+        const auto next = cell.controller->startJog(linearJog(0, 0, 0.05));
+        QVERIFY(next.ok());
+        QVERIFY(cell.hold(*next, 200));
+        QVERIFY(mm(standing, cell.tcp()) > 1);
+    }
+
+    void aSilentLinkEndsInStandstillByTheRobotAlone() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        for (const JogTarget& target : {linearJog(0, 0, 0.25), jointJog(0, 30 * kDeg)}) {
+            const auto jog = cell.controller->startJog(target);
+            QVERIFY(jog.ok());
+            QVERIFY(cell.hold(*jog, 900));
+            QVERIFY(!cell.isStanding());
+            cell.robot.silence(true);
+            int ticks = 0;
+            while (!cell.isStanding()) {
+                cell.stepAlone();
+                cell.controller->refreshJog(*jog);  // the hand still holds the key
+                QVERIFY(++ticks < 500);
+            }
+            qInfo("link silent to standstill at 250 mm/s or 30 deg/s: %d ms", 2 * ticks);
+            QVERIFY(ticks * 2 <= 250);
+            QTRY_COMPARE(cell.controller->motionState(*jog).phase, MotionPhase::Ended);
+            QCOMPARE(cell.controller->motionState(*jog).cause, StopCause::DataStale);
+            QCOMPARE(cell.controller->startJog(target).error().code, ErrorCode::LinkLost);
+            // The link comes back: nothing resumes.
+            const Pose standing = cell.tcp();
+            cell.robot.silence(false);
+            for (int i = 0; i < 100; ++i) {
+                cell.stepAlone();
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            }
+            QVERIFY(mm(standing, cell.tcp()) < 0.01);
+            QVERIFY(!cell.controller->refreshJog(*jog));
+            cell.controller->release();
+            QVERIFY(cell.takeControl().ok());
+        }
+    }
+
+    void aProtectiveStopEndsTheJogAndTheControl() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        const auto jog = cell.controller->startJog(linearJog(0, 0, 0.05));
+        QVERIFY(cell.hold(*jog, 300));
+        cell.robot.protectiveStop();
+        QVERIFY(cell.stepMs(300));
+        QVERIFY(cell.isStanding());
+        QCOMPARE(cell.controller->motionState(*jog).cause, StopCause::UnsafeMode);
+        QVERIFY(!cell.controller->status().inControl);
+        QCOMPARE(cell.controller->startJog(linearJog(0.05, 0, 0)).error().code, ErrorCode::NotInControl);
+        QCOMPARE(cell.takeControl().error().code, ErrorCode::UnsafeState);
+    }
+
+    void rotatingBy90DegreesLeavesTheTcpInPlace_data() {
+        QTest::addColumn<int>("axis");
+        QTest::addColumn<double>("speed");
+        QTest::newRow("about base Z") << 2 << 45 * kDeg;
+        QTest::newRow("about base X, slowly") << 0 << -30 * kDeg;
+        QTest::newRow("about base Y") << 1 << 45 * kDeg;
+    }
+    void rotatingBy90DegreesLeavesTheTcpInPlace() {
+        QFETCH(int, axis);
+        QFETCH(double, speed);
+        Cell cell([](simulator::ControllerOptions& options) {
+            options.startJoints =
+                JointPositions(-90 * kDeg, -80 * kDeg, -120 * kDeg, -20 * kDeg, 60 * kDeg, 0);
+        });
+        QVERIFY(cell.takeControl().ok());
+        const Pose before = cell.tcp();
+        JogTarget target;
+        target.twist.angular[axis] = speed;
+        const auto jog = cell.controller->startJog(target);
+        QVERIFY(jog.ok());
+        double turned = 0;
+        double drift = 0;
+        while (turned < 90 * kDeg) {
+            if (!cell.hold(*jog, 20)) {
+                const auto status = cell.controller->status();
+                QFAIL(qPrintable(QStringLiteral("ended by %1, limiter %2 at joint %3 after %4 deg")
+                                     .arg(static_cast<int>(cell.controller->motionState(*jog).cause))
+                                     .arg(static_cast<int>(status.limiter.kind))
+                                     .arg(status.limiter.joint)
+                                     .arg(turned / kDeg)));
+            }
+            const Pose now = cell.tcp();
+            drift = std::max(drift, mm(before, now));
+            turned =
+                Eigen::AngleAxisd(rotationMatrix(now.rotation) * rotationMatrix(before.rotation).transpose())
+                    .angle();
+        }
+        cell.controller->end(*jog, StopCause::Released);
+        QVERIFY(cell.stepMs(400));
+        drift = std::max(drift, mm(before, cell.tcp()));
+        qInfo("TCP drift over 90 deg: %.4f mm", drift);
+        QVERIFY(drift < 0.1);
+    }
+
+    void toolDirectionsFollowTheTool() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        for (int round = 0; round < 2; ++round) {
+            const Pose before = cell.tcp();
+            const auto jog = cell.controller->startJog(linearJog(0, 0, 0.04, JogFrame::Tool));
+            QVERIFY(jog.ok());
+            QVERIFY(cell.hold(*jog, 500));
+            cell.controller->end(*jog, StopCause::Released);
+            QVERIFY(cell.stepMs(200));
+            const Eigen::Vector3d went = (cell.tcp().position - before.position).normalized();
+            const Eigen::Vector3d toolZ = rotationMatrix(before.rotation).col(2);
+            QVERIFY(went.dot(toolZ) > 0.9999);
+            // Turn the tool by some 25 deg: the same key must then move it another way.
+            const auto turn = cell.controller->startJog(rotationJog(0.4, 0, 0));
+            QVERIFY(turn.ok());
+            QVERIFY(cell.hold(*turn, 1200));
+            cell.controller->end(*turn, StopCause::Released);
+            QVERIFY(cell.stepMs(300));
+            QVERIFY(rotationMatrix(cell.tcp().rotation).col(2).dot(toolZ) < 0.95);
+        }
+    }
+
+    // Moving and turning in the tool's frame at once is an arc: the direction follows while it turns.
+    void aToolFrameArcFollowsTheToolContinuously() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        JogTarget target = linearJog(0, 0.05, 0, JogFrame::Tool);
+        target.twist.angular = {0, 0, 0.5};
+        const auto jog = cell.controller->startJog(target);
+        QVERIFY(cell.hold(*jog, 500));
+        for (int i = 0; i < 20; ++i) {
+            QVERIFY(cell.hold(*jog, 40));
+            const auto truth = cell.robot.truth();
+            const Eigen::Vector3d toolY = rotationMatrix(truth.tcpPose.rotation).col(1);
+            QVERIFY(truth.tcpSpeed.linear.normalized().dot(toolY) > 0.9995);
+        }
+    }
+
+    void aJointJogStopsBeforeTheLimitAndNamesIt() {
+        Cell cell([](simulator::ControllerOptions& options) {
+            options.startJoints[5] = kJointPositionLimit - 0.5;
+        });
+        QVERIFY(cell.takeControl().ok());
+        const auto jog = cell.controller->startJog(jointJog(5, 30 * kDeg));
+        QVERIFY(jog.ok());
+        int ms = 0;
+        while (cell.hold(*jog, 20) && ms < 10000) {
+            ms += 20;
+        }
+        QCOMPARE(cell.controller->motionState(*jog).cause, StopCause::LimitReached);
+        QVERIFY(cell.stepMs(200));
+        QVERIFY(cell.isStanding());
+        const double left = kJointPositionLimit - cell.robot.truth().q[5];
+        QVERIFY(left > 0 && left < 1.5 * kDeg);
+        QCOMPARE(cell.robot.truth().safetyMode, SafetyMode::Normal);
+        const Limiter limiter = cell.controller->status().limiter;
+        QCOMPARE(limiter.kind, LimiterKind::JointLimit);
+        QCOMPARE(limiter.joint, 5);
+        const auto back = cell.controller->startJog(jointJog(5, -30 * kDeg));
+        QVERIFY(cell.hold(*back, 300));
+        QVERIFY(kJointPositionLimit - cell.robot.truth().q[5] > left + 3 * kDeg);
+    }
+
+    void theSpeedSliderSlowsTheJogButNotTheStop() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        cell.robot.setSpeedSlider(0.1);
+        const auto jog = cell.controller->startJog(linearJog(0, 0, 0.1));
+        QVERIFY(cell.hold(*jog, 2000));
+        const double speed = cell.robot.truth().tcpSpeed.linear.norm();
+        QVERIFY(speed > 0.005 && speed < 0.012);
+        cell.controller->end(*jog, StopCause::Released);
+        QVERIFY(cell.ticksToStandstill(1000) * 2 <= 100);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestJog)
+#include "tst_jog.moc"
