@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+
+#include <QProcess>
+#include <QTest>
+#include <csignal>
+
+#include "tests/integration/simulator/raw_client.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+namespace {
+
+QString ownAddress() {
+    const auto pid = static_cast<unsigned>(QCoreApplication::applicationPid());
+    return QStringLiteral("127.%1.%2.7").arg(100 + pid % 100).arg((pid / 100) % 250);
+}
+
+struct Cli {
+    explicit Cli(const QStringList& arguments) {
+        process.start(QStringLiteral(TILLER_CLI), arguments);
+        process.waitForStarted(kPatienceMs);
+    }
+    ~Cli() {
+        if (process.state() != QProcess::NotRunning) {
+            process.kill();
+            process.waitForFinished(kPatienceMs);
+        }
+    }
+    QByteArray readyLine() {
+        while (!process.canReadLine() && process.waitForReadyRead(kPatienceMs)) {
+        }
+        return process.readLine();
+    }
+    /// -1: it did not end by itself.
+    int exitCode() {
+        if (process.state() != QProcess::NotRunning && !process.waitForFinished(kPatienceMs)) {
+            return -1;
+        }
+        return process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -2;
+    }
+    QProcess process;
+};
+
+}  // namespace
+
+class TestCliSimulate : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void itSaysWhenItIsReadyAndEndsOnASignal_data() {
+        QTest::addColumn<int>("signal");
+        QTest::newRow("SIGTERM") << SIGTERM;
+        QTest::newRow("SIGINT") << SIGINT;
+    }
+    void itSaysWhenItIsReadyAndEndsOnASignal() {
+        QFETCH(int, signal);
+        Cli cli({"simulate", "--listen", ownAddress()});
+        const QByteArray ready = cli.readyLine();
+        QVERIFY2(ready.startsWith("ready "), cli.process.readAllStandardError());
+        QVERIFY(ready.contains(ownAddress().toUtf8()));
+        QVERIFY(ready.contains("29999"));
+        QVERIFY(ready.contains("30004"));
+        RawDashboard dashboard(ownAddress(), 29999);
+        QCOMPARE(dashboard.ask("robotmode"), QByteArray("Robotmode: POWER_OFF\n"));
+        QVERIFY(RawRtde(ownAddress(), 30004).useVersion());
+        // It listens on its own address and no other.
+        const auto last = ownAddress().section('.', 0, 2) + ".8";
+        QVERIFY(!RawClient(last, 30004).isConnected());
+
+        ::kill(static_cast<pid_t>(cli.process.processId()), signal);
+        QCOMPARE(cli.exitCode(), 0);
+        QVERIFY(dashboard.waitClosed());
+    }
+
+    void headlessIsReadyToMove() {
+        Cli cli({"simulate", "--listen", ownAddress(), "--headless", "--port-offset", "500", "--model",
+                 "ur10e", "--software", "5.20"});
+        QVERIFY(cli.readyLine().contains("30504"));
+        RawDashboard dashboard(ownAddress(), 30499);
+        QCOMPARE(dashboard.ask("robotmode"), QByteArray("Robotmode: RUNNING\n"));
+        QCOMPARE(dashboard.ask("is in remote control"), QByteArray("true\n"));
+        QCOMPARE(dashboard.ask("get robot model"), QByteArray("UR10\n"));
+        QVERIFY(dashboard.ask("PolyscopeVersion").startsWith("URSoftware 5.20."));
+    }
+
+    void aSecondOneOnTheSameAddressSaysWhatToDo() {
+        Cli first({"simulate", "--listen", ownAddress()});
+        QVERIFY(first.readyLine().startsWith("ready"));
+        Cli second({"simulate", "--listen", ownAddress()});
+        QCOMPARE(second.exitCode(), 1);
+        const QByteArray words = second.process.readAllStandardError();
+        QVERIFY(words.contains("29999"));
+        QVERIFY(words.contains("in use"));
+    }
+
+    void wrongArgumentsAreExplained_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QByteArray>("hint");
+        const auto row = [](const char* name, const QStringList& arguments, const char* hint) {
+            QTest::newRow(name) << arguments << QByteArray(hint);
+        };
+        row("none", {}, "command");
+        row("unknown command", {"fly"}, "fly");
+        row("unknown option", {"simulate", "--fly"}, "fly");
+        row("too much", {"simulate", "now"}, "now");
+        row("address", {"simulate", "--listen", "robot"}, "127.0.0.2");
+        row("offset", {"simulate", "--port-offset", "many"}, "number");
+        row("offset out of range", {"simulate", "--port-offset", "50000"}, "35000");
+        row("model", {"simulate", "--model", "ur99"}, "ur5e");
+        row("software", {"simulate", "--software", "new"}, "5.22");
+        row("software of another series", {"simulate", "--software", "3.15"}, "UR5e");
+        row("missing value", {"simulate", "--listen"}, "listen");
+    }
+    void wrongArgumentsAreExplained() {
+        QFETCH(QStringList, arguments);
+        QFETCH(QByteArray, hint);
+        Cli cli(arguments);
+        QCOMPARE(cli.exitCode(), 2);
+        QVERIFY(cli.process.readAllStandardOutput().isEmpty());
+        const QByteArray words = cli.process.readAllStandardError();
+        QVERIFY2(words.contains(hint), words);
+    }
+
+    void helpAndVersionAreAnsweredWithSuccess_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QByteArray>("contains");
+        QTest::newRow("help") << QStringList{"--help"} << QByteArray("simulate");
+        QTest::newRow("simulate help") << QStringList{"simulate", "--help"} << QByteArray("--port-offset");
+        QTest::newRow("version") << QStringList{"--version"} << QByteArray("tiller-cli ");
+    }
+    void helpAndVersionAreAnsweredWithSuccess() {
+        QFETCH(QStringList, arguments);
+        QFETCH(QByteArray, contains);
+        Cli cli(arguments);
+        QCOMPARE(cli.exitCode(), 0);
+        QVERIFY(cli.process.readAllStandardOutput().contains(contains));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCliSimulate)
+#include "tst_cli_simulate.moc"

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/integration/simulator/raw_client.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+namespace {
+
+simulator::ControllerOptions poweredOff() {
+    auto options = VirtualRobot::options();
+    options.poweredOn = false;
+    return options;
+}
+
+}  // namespace
+
+class TestDashboardService : public QObject {
+    Q_OBJECT
+
+    static bool reaches(VirtualRobot& robot, RawDashboard& dashboard, const QByteArray& robotMode) {
+        return robot.stepUntil([&] { return dashboard.ask("robotmode") == "Robotmode: " + robotMode + '\n'; },
+                               5);
+    }
+
+private Q_SLOTS:
+    void repliesAreExact_data() {
+        QTest::addColumn<QByteArray>("command");
+        QTest::addColumn<QByteArray>("reply");
+        const auto row = [](const char* command, const char* reply) {
+            QTest::newRow(command) << QByteArray(command) << QByteArray(reply);
+        };
+        row("robotmode", "Robotmode: RUNNING");
+        row("RobotMode", "Robotmode: RUNNING");
+        row("safetymode", "Safetymode: NORMAL");
+        row("safetystatus", "Safetystatus: NORMAL");
+        row("running", "Program running: false");
+        row("programState", "STOPPED");
+        row("get loaded program", "No program loaded");
+        row("load missing.urp", "File not found: missing.urp");
+        row("load installation x.installation", "File not found: x.installation");
+        row("play", "Failed to execute: play");
+        row("pause", "Failed to execute: pause");
+        row("stop", "Stopped");
+        row("power on", "Powering on");
+        row("brake release", "Brake releasing");
+        row("unlock protective stop", "Protective stop releasing");
+        row("close safety popup", "closing safety popup");
+        row("popup hello there", "showing popup");
+        row("close popup", "closing popup");
+        row("addToLog something", "Added log message");
+        row("addToLog", "No log message to add");
+        row("saveLog", "Log saved to disk");
+        row("PolyscopeVersion", "URSoftware 5.22.1.1214193 (Mar 12 2025)");
+        row("version", "5.22.1.1214193");
+        row("get robot model", "UR5");
+        row("is in remote control", "true");
+        row("set operational mode automatic", "Operational mode AUTOMATIC is set");
+        row("set operational mode x", "Failed setting operational mode: x");
+        row("get operational mode", "NONE");
+        row("setUserRole programmer", "could not understand: 'setUserRole programmer'");
+        row("make coffee", "could not understand: 'make coffee'");
+        row("", "could not understand: ''");
+        row("  robotmode \r", "Robotmode: RUNNING");
+    }
+    void repliesAreExact() {
+        QFETCH(QByteArray, command);
+        QFETCH(QByteArray, reply);
+        VirtualRobot robot;
+        RawDashboard dashboard = robot.dashboard();
+        QCOMPARE(dashboard.greeting, QByteArray("Connected: Universal Robots Dashboard Server\n"));
+        QCOMPARE(dashboard.ask(command), reply + '\n');
+    }
+
+    void cb3KnowsUserRolesAndNoRemoteControl() {
+        auto options = VirtualRobot::options();
+        options.model = RobotModelId::UR5;
+        options.software = {3, 15, 8, 106339};
+        VirtualRobot robot(options);
+        RawDashboard dashboard = robot.dashboard();
+        QCOMPARE(dashboard.ask("setUserRole operator"), QByteArray("Setting user role: operator\n"));
+        QCOMPARE(dashboard.ask("getUserRole"), QByteArray("OPERATOR\n"));
+        QVERIFY(dashboard.ask("is in remote control").startsWith("could not understand"));
+        QCOMPARE(dashboard.ask("PolyscopeVersion"), QByteArray("URSoftware 3.15.8.106339 (Mar 12 2025)\n"));
+    }
+
+    void thePowerCycleOfTheClientLibrarysTests() {
+        VirtualRobot robot(poweredOff());
+        RawDashboard dashboard = robot.dashboard();
+        QCOMPARE(dashboard.ask("power off"), QByteArray("Powering off\n"));
+        QVERIFY(reaches(robot, dashboard, "POWER_OFF"));
+        QCOMPARE(dashboard.ask("power on"), QByteArray("Powering on\n"));
+        QVERIFY(reaches(robot, dashboard, "POWER_ON"));
+        QVERIFY(reaches(robot, dashboard, "BOOTING"));
+        QVERIFY(reaches(robot, dashboard, "IDLE"));
+        QCOMPARE(dashboard.ask("brake release"), QByteArray("Brake releasing\n"));
+        QVERIFY(reaches(robot, dashboard, "RUNNING"));
+        QCOMPARE(dashboard.ask("power on"), QByteArray("Powering on\n"));
+        robot.controller.stepSeconds(1);
+        QVERIFY(reaches(robot, dashboard, "RUNNING"));
+        QCOMPARE(dashboard.ask("power off"), QByteArray("Powering off\n"));
+        QVERIFY(reaches(robot, dashboard, "POWER_OFF"));
+        QCOMPARE(dashboard.ask("brake release"), QByteArray("Brake releasing\n"));
+        QVERIFY(reaches(robot, dashboard, "RUNNING"));
+    }
+
+    void aProtectiveStopIsUnlockedAfterFiveSecondsAndNotBefore() {
+        VirtualRobot robot;
+        RawDashboard dashboard = robot.dashboard();
+        RawPrimary primary = robot.primary();
+        primary.send("def p():\n  protective_stop()\nend\n");
+        robot.controller.drainSockets();
+        QVERIFY(robot.stepUntil(
+            [&] { return dashboard.ask("safetymode") == "Safetymode: PROTECTIVE_STOP\n"; }, 1));
+        QCOMPARE(dashboard.ask("safetystatus"), QByteArray("Safetystatus: PROTECTIVE_STOP\n"));
+        QCOMPARE(dashboard.ask("robotmode"), QByteArray("Robotmode: RUNNING\n"));
+        const QByteArray refusal =
+            "Cannot unlock protective stop until 5s after occurrence. Always inspect cause of protective "
+            "stop "
+            "before unlocking\n";
+        QCOMPARE(dashboard.ask("unlock protective stop"), refusal);
+        robot.controller.stepSeconds(4.9);
+        QCOMPARE(dashboard.ask("unlock protective stop"), refusal);
+        QCOMPARE(dashboard.ask("safetymode"), QByteArray("Safetymode: PROTECTIVE_STOP\n"));
+        robot.controller.stepSeconds(0.1);
+        QCOMPARE(dashboard.ask("unlock protective stop"), QByteArray("Protective stop releasing\n"));
+        QVERIFY(robot.stepUntil([&] { return dashboard.ask("safetymode") == "Safetymode: NORMAL\n"; }, 1));
+        QCOMPARE(dashboard.ask("robotmode"), QByteArray("Robotmode: RUNNING\n"));
+    }
+
+    void aProgramFileIsLoadedPlayedPausedAndStopped() {
+        QTemporaryDir folder;
+        QFile file(folder.filePath("wait_program.urp"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("def wait_program():\n  while True:\n    sleep(1)\n  end\nend\n");
+        file.close();
+        auto options = poweredOff();
+        options.programsFolder = folder.path();
+        VirtualRobot robot(options);
+        RawDashboard dashboard = robot.dashboard();
+        const auto state = [&](const QByteArray& wanted) {
+            return robot.stepUntil([&] { return dashboard.ask("programState") == wanted; }, 2);
+        };
+        QCOMPARE(dashboard.ask("load wait_program.urp"), QByteArray("Loading program: wait_program.urp\n"));
+        QVERIFY(state("STOPPED wait_program.urp\n"));
+        QCOMPARE(dashboard.ask("get loaded program"),
+                 "Loaded program: " + folder.filePath("wait_program.urp").toUtf8() + '\n');
+        QCOMPARE(dashboard.ask("isProgramSaved"), QByteArray("true wait_program.urp\n"));
+        QCOMPARE(dashboard.ask("play"), QByteArray("Failed to execute: play\n"));  // no power yet
+        dashboard.ask("brake release");
+        QVERIFY(reaches(robot, dashboard, "RUNNING"));
+        QCOMPARE(dashboard.ask("play"), QByteArray("Starting program\n"));
+        QVERIFY(state("PLAYING wait_program.urp\n"));
+        QCOMPARE(dashboard.ask("running"), QByteArray("Program running: true\n"));
+        QCOMPARE(dashboard.ask("pause"), QByteArray("Pausing program\n"));
+        QVERIFY(state("PAUSED wait_program.urp\n"));
+        QCOMPARE(dashboard.ask("play"), QByteArray("Starting program\n"));
+        QVERIFY(state("PLAYING wait_program.urp\n"));
+        QCOMPARE(dashboard.ask("stop"), QByteArray("Stopped\n"));
+        QVERIFY(state("STOPPED wait_program.urp\n"));
+        QCOMPARE(dashboard.ask("running"), QByteArray("Program running: false\n"));
+    }
+
+    void stopEndsAProgramSentOverASocket() {
+        VirtualRobot robot;
+        RawDashboard dashboard = robot.dashboard();
+        RawPrimary primary = robot.primary();
+        primary.send("def p():\n  sleep(100)\nend\n");
+        robot.controller.drainSockets();
+        robot.controller.step(2);
+        QCOMPARE(dashboard.ask("running"), QByteArray("Program running: true\n"));
+        QCOMPARE(dashboard.ask("programState"), QByteArray("STOPPED\n"));  // speaks of the loaded program
+        QCOMPARE(dashboard.ask("stop"), QByteArray("Stopped\n"));
+        QVERIFY(robot.stepUntil([&] { return robot.programState() == RuntimeState::Stopped; }, 1));
+    }
+
+    void theOperationalModeIsSetAndCleared() {
+        VirtualRobot robot;
+        RawDashboard dashboard = robot.dashboard();
+        QCOMPARE(dashboard.ask("set operational mode AUTOMATIC"),
+                 QByteArray("Operational mode AUTOMATIC is set\n"));
+        QCOMPARE(dashboard.ask("get operational mode"), QByteArray("AUTOMATIC\n"));
+        QVERIFY(dashboard.ask("clear operational mode")
+                    .startsWith("No longer controlling the operational mode."));
+        QCOMPARE(dashboard.ask("get operational mode"), QByteArray("NONE\n"));
+    }
+
+    void violationAndFaultEndWithARestartOfTheSafetySystem() {
+        VirtualRobot robot;
+        RawDashboard dashboard = robot.dashboard();
+        robot.controller.fault();
+        robot.controller.step(2);
+        QCOMPARE(dashboard.ask("safetymode"), QByteArray("Safetymode: FAULT\n"));
+        QCOMPARE(dashboard.ask("robotmode"), QByteArray("Robotmode: POWER_OFF\n"));
+        dashboard.ask("power on");
+        robot.controller.stepSeconds(3);
+        QCOMPARE(dashboard.ask("robotmode"), QByteArray("Robotmode: POWER_OFF\n"));
+        QCOMPARE(dashboard.ask("restart safety"), QByteArray("Restarting safety\n"));
+        robot.controller.step(2);
+        QCOMPARE(dashboard.ask("safetymode"), QByteArray("Safetymode: NORMAL\n"));
+        dashboard.ask("brake release");
+        QVERIFY(reaches(robot, dashboard, "RUNNING"));
+    }
+
+    void localControlIsRefusedWhereItIsGated() {
+        auto options = VirtualRobot::options();
+        options.remoteControl = false;
+        options.gateLocalControl = true;
+        {
+            VirtualRobot robot(options);  // clients on the controller itself are exempt
+            QCOMPARE(robot.dashboard().ask("power off"), QByteArray("Powering off\n"));
+        }
+        options.gateLoopbackClients = true;
+        VirtualRobot robot(options);
+        RawDashboard dashboard = robot.dashboard();
+        const QByteArray refusal =
+            "Command is not allowed due to safety reasons, please switch robot to Remote Control mode and "
+            "reconnect to port 29999\n";
+        for (const char* command : {"power on", "power off", "brake release", "unlock protective stop",
+                                    "play", "stop", "pause", "load x.urp", "restart safety", "shutdown"}) {
+            QCOMPARE(dashboard.ask(command), refusal);
+        }
+        QCOMPARE(dashboard.ask("is in remote control"), QByteArray("false\n"));
+        QCOMPARE(dashboard.ask("popup x"), QByteArray("showing popup\n"));
+        robot.controller.setRemoteControl(true);
+        robot.controller.drainSockets();
+        QCOMPARE(dashboard.ask("power on"), refusal);  // rights are those of the connection
+        QCOMPARE(robot.dashboard().ask("power on"), QByteArray("Powering on\n"));
+    }
+
+    void quitEndsThisConnectionAndNoOther() {
+        VirtualRobot robot;
+        RawDashboard leaving = robot.dashboard();
+        RawDashboard staying = robot.dashboard();
+        QCOMPARE(leaving.ask("quit"), QByteArray("Disconnected\n"));
+        QVERIFY(leaving.waitClosed());
+        QCOMPARE(staying.ask("robotmode"), QByteArray("Robotmode: RUNNING\n"));
+    }
+
+    void shutdownEndsEverything() {
+        VirtualRobot robot;
+        RawRtde rtde = robot.rtde();
+        QVERIFY(rtde.useVersion());
+        RawDashboard dashboard = robot.dashboard();
+        QCOMPARE(dashboard.ask("shutdown"), QByteArray("Shutting down\n"));
+        QVERIFY(dashboard.waitClosed());
+        QVERIFY(rtde.waitClosed());
+    }
+
+    void aLineWithoutEndIsNotKeptForEver() {
+        VirtualRobot robot;
+        RawDashboard dashboard = robot.dashboard();
+        dashboard.send(QByteArray(100'000, 'x'));
+        QVERIFY(dashboard.waitClosed());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestDashboardService)
+#include "tst_dashboard_service.moc"
