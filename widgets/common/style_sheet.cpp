@@ -23,7 +23,7 @@ QLabel[role="warning"] { color: @warning; font-weight: bold; }
 QLabel[role="alarm"] { color: @alarm; font-weight: bold; }
 
 QPushButton, QToolButton { background: @raised; color: @text; border: 1px solid @border; border-radius: 5px;
-    padding: 0 14px; min-height: 36px; font-size: 15px; }
+    padding: 0 14px; min-height: 38px; font-size: 15px; }
 QToolButton { padding: 0 10px; }
 QPushButton:hover, QToolButton:hover { background: @hover; }
 QPushButton:pressed, QToolButton:pressed, QToolButton:checked { background: @movingTint; }
@@ -44,7 +44,9 @@ QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox, QPlainTextEdit, QTextEdit { back
     selection-color: @movingText; }
 QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox { min-height: 28px; }
 QLineEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus, QComboBox:focus { border-color: @moving; }
-QComboBox::drop-down { border: none; width: 20px; }
+QComboBox::drop-down { border: none; width: 22px; }
+QComboBox::down-arrow { image: url(:/tiller/icons/drop-arrow-@scheme.svg); width: 12px; height: 12px; }
+QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { border: none; width: 0; }
 QComboBox QAbstractItemView { background: @raised; color: @text; border: 1px solid @border; outline: none;
     selection-background-color: @movingTint; selection-color: @text; }
 
@@ -119,7 +121,10 @@ QString styleSheet(const Theme& t) {
         while (end < source.size() && source[end].isLetter()) {
             ++end;
         }
-        out += roles.value(source.mid(i + 1, end - i - 1), t.text).name();
+        const QString role = source.mid(i + 1, end - i - 1);
+        out += role == QLatin1String("scheme")
+                   ? (t.isDark() ? QStringLiteral("dark") : QStringLiteral("light"))
+                   : roles.value(role, t.text).name();
         i = end - 1;
     }
     return out;

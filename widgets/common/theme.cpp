@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "resources/resources.h"
 #include "widgets/common/style_sheet.h"
 
 namespace tiller {
@@ -147,6 +148,7 @@ const Theme& Theme::current() {
 }
 
 void applyTheme(QApplication& application, const Theme& theme) {
+    initResources();  // the style sheet names pictures
     application.setProperty(kSchemeProperty, theme.isDark());
     if (application.style() == nullptr || application.styleSheet().isEmpty()) {
         application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));

@@ -1,13 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAbstractButton>
 #include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMetaEnum>
+#include <QPushButton>
 #include <QSignalSpy>
+#include <QSpinBox>
+#include <QTabBar>
+#include <QTableWidget>
 #include <QTest>
+#include <QVBoxLayout>
 #include <QWheelEvent>
 
 #include "widgets/common/elided_label.h"
+#include "widgets/common/hold_button.h"
 #include "widgets/common/panel.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/common/state_chip.h"
@@ -97,6 +108,67 @@ private Q_SLOTS:
             QVERIFY2(!seen.contains(image), shapes.key(i));
             seen.append(image);
         }
+    }
+
+    void standardWidgetsFollowTheTheme() {
+        for (const Theme* theme : {&Theme::light(), &Theme::dark()}) {
+            applyTheme(*qApp, *theme);
+            QWidget window;
+            auto* outer = new QVBoxLayout(&window);
+            outer->setContentsMargins(11, 11, 11, 11);
+            auto* panel = new Panel(QString());
+            auto* tabs = new QTabBar;
+            for (const char* name : {"Waypoints", "Program", "Frames", "I/O", "Log"}) {
+                tabs->addTab(QLatin1String(name));
+            }
+            panel->setHeaderWidget(tabs);
+            auto* body = new QWidget;
+            auto* layout = new QVBoxLayout(body);
+            auto* row = new QHBoxLayout;
+            auto* teach = new QPushButton(QStringLiteral("Teach here  T"));
+            teach->setProperty("primary", true);
+            row->addWidget(teach);
+            row->addWidget(new QPushButton(QStringLiteral("Touch up  U")));
+            row->addWidget(new HoldButton(QStringLiteral("Go to (hold)  G")));
+            auto* off = new QPushButton(QStringLiteral("Off"));
+            off->setEnabled(false);
+            row->addWidget(off);
+            layout->addLayout(row);
+            auto* table = new QTableWidget(3, 4);
+            table->setHorizontalHeaderLabels({QStringLiteral("#"), QStringLiteral("Name"),
+                                              QStringLiteral("Move"), QStringLiteral("Frame")});
+            table->verticalHeader()->hide();
+            table->setShowGrid(false);
+            table->setSelectionBehavior(QAbstractItemView::SelectRows);
+            for (int i = 0; i < 12; ++i) {
+                table->setItem(i / 4, i % 4, new QTableWidgetItem(QStringLiteral("cell %1").arg(i)));
+            }
+            table->selectRow(1);
+            layout->addWidget(table);
+            auto* fields = new QHBoxLayout;
+            fields->addWidget(new QLineEdit(QStringLiteral("192.168.0.10")));
+            auto* combo = new QComboBox;
+            combo->addItem(QStringLiteral("30 s"));
+            fields->addWidget(combo);
+            auto* box = new QCheckBox(QStringLiteral("Output 0"));
+            box->setChecked(true);
+            fields->addWidget(box);
+            fields->addWidget(new QSpinBox);
+            layout->addLayout(fields);
+            panel->setContent(body);
+            outer->addWidget(panel);
+            window.resize(560, 360);
+            window.show();
+            const QImage picture = window.grab().toImage();
+            QCOMPARE(picture.pixelColor(4, 4), theme->background);
+            QCOMPARE(picture.pixelColor(20, picture.height() - 16), theme->panel);
+            const QString folder = qEnvironmentVariable("TILLER_SCREENSHOTS");
+            if (!folder.isEmpty()) {
+                picture.save(folder + (theme->isDark() ? QStringLiteral("/standard-dark.png")
+                                                       : QStringLiteral("/standard-light.png")));
+            }
+        }
+        applyTheme(*qApp, Theme::light());
     }
 };
 
