@@ -362,6 +362,21 @@ private Q_SLOTS:
         QCOMPARE(column.findChild<LimiterLine*>()->limiter().what, refused.first().first().toString());
     }
 
+    void unconnectedSessionIsExplainedAndNothingMoves() {
+        RobotSession session;
+        JogColumn column(session);
+        column.show();
+        QVERIFY(!column.findChild<JogPad*>()->reason().isEmpty());
+        auto* key = column.findChild<HoldButton*>(QStringLiteral("jog.X+"));
+        QTest::mousePress(key, Qt::LeftButton);
+        QVERIFY(!column.isHolding());
+        QTest::mouseRelease(key, Qt::LeftButton);
+        // The column follows what the session tells.
+        Q_EMIT session.stateChanged(readyState());
+        QVERIFY(key->isEnabled());
+        QVERIFY(column.findChild<JogPad*>()->reason().isEmpty());
+    }
+
     void poseShowsMillimetresDegreesAndTheWaySinceThePress() {
         Scene s;
         auto* pose = s.column.findChild<PoseView*>();

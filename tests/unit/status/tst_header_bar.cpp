@@ -289,6 +289,16 @@ private Q_SLOTS:
         }
     }
 
+    void followsASession() {
+        RobotSession session;
+        HeaderBar header(session);
+        QCOMPARE(header.shownStep(), NextStep::Connect);
+        Q_EMIT session.stateChanged(movingState());
+        QCOMPARE(header.shownStep(), NextStep::None);
+        QCOMPARE(header.findChild<StateChip*>(QStringLiteral("robotModeChip"))->text(),
+                 QStringLiteral("MOVING"));
+    }
+
     void looksAsDesigned() {
         for (const Theme* theme : {&Theme::light(), &Theme::dark()}) {
             applyTheme(*qApp, *theme);
