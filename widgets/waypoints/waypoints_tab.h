@@ -4,6 +4,7 @@
 // The tab "Waypoints": teach, touch up, order and edit the places of a cell, and go to one while a key is
 // held. What it shows of a waypoint before the arm moves (ghost, marks) others draw.
 
+#include <QTimer>
 #include <QUuid>
 #include <QWidget>
 #include <functional>
@@ -11,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-#include "robot/core/clock.h"
+#include "robot/program/waypoint_list.h"
 #include "widgets/session/robot_session.h"
 
 class QAction;
@@ -85,7 +86,7 @@ public Q_SLOTS:
     void touchUp();
     void selectWaypoint(const QUuid& id);
     void selectRow(int row);
-    /// Also asks before unsaved or damaged work could be lost.
+    /// A damaged file is named with its fault, and what can be read of it is offered.
     void openFile(const QString& path);
     void saveFileAs(const QString& path);
 
@@ -112,9 +113,11 @@ private:
     void onSelection();
     void refreshDetails();
     void updateAvailability();
+    void askForFile(bool save);
     QString goToObstacle() const;
     Result<RobotSession::MotionId> beginGoTo();
-    void confirmTouchUp(const QUuid& id);
+    void replaceByTouchUp(const QUuid& id, const program::Waypoint& taught);
+    QString teachObstacle() const;
     void duplicateSelected();
     void deleteSelected();
     void moveSelected(int by);
@@ -125,6 +128,7 @@ private:
     QAction* addCommand(const QString& name, const QString& text, const QKeySequence& shortcut,
                         std::function<void()> run);
     bool typingSomewhere() const;
+    bool goToKey(QEvent* event);
 
     RobotSession& session_;
     WaypointPort port_;
@@ -132,8 +136,8 @@ private:
     std::unique_ptr<WaypointModel> model_;
     std::unique_ptr<SessionStore> store_;
     QList<QAction*> actions_;
+    QTimer detailsTimer_;
     QUuid lastSelected_;
-    bool goToByKey_ = false;
 
     QPushButton* teach_ = nullptr;
     QPushButton* touchUp_ = nullptr;

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAbstractItemModelTester>
+#include <QApplication>
+#include <QClipboard>
+#include <QFile>
+#include <QLineEdit>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <memory>
+
+#include "widgets/common/segmented_control.h"
+#include "widgets/common/theme.h"
+#include "widgets/log/log_model.h"
+#include "widgets/log/log_tab.h"
+
+using namespace tiller;
+
+class TestLogTab : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { applyTheme(*qApp, Theme::light()); }
+
+    void init() {
+        time_ = QDateTime(QDate(2024, 9, 17), QTime(14, 2, 11));
+        session_ = std::make_unique<RobotSession>();
+        tab_ = std::make_unique<LogTab>(*session_);
+        tab_->setTimeSource([this] { return time_; });
+        tab_->resize(560, 400);
+        tab_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(tab_.get()));
+    }
+    void cleanup() {
+        tab_.reset();
+        session_.reset();
+    }
+
+    void messagesOfTheSessionArriveInOrder() {
+        QAbstractItemModelTester tester(&tab_->model(),
+                                        QAbstractItemModelTester::FailureReportingMode::QtTest);
+        Q_EMIT session_->message(Severity::Info, "Connected");
+        Q_EMIT session_->message(Severity::Error, "Protective stop");
+        QCOMPARE(rows(), 2);
+        QCOMPARE(cell(0, LogModel::Time), QString("14:02:11"));
+        QCOMPARE(cell(0, LogModel::Text), QString("Connected"));
+        QVERIFY(cell(1, LogModel::SeverityColumn).contains("Error"));
+    }
+
+    void repeatsAreCounted() {
+        for (int n = 0; n < 3; ++n) {
+            tab_->append(Severity::Warning, "Elbow near its limit");
+            time_ = time_.addSecs(1);
+        }
+        QCOMPARE(rows(), 1);
+        QCOMPARE(cell(0, LogModel::Text), QString("Elbow near its limit (×3)"));
+        QCOMPARE(cell(0, LogModel::Time), QString("14:02:13"));
+        tab_->append(Severity::Error, "Elbow near its limit");
+        QCOMPARE(rows(), 2);
+    }
+
+    void filterBySeverityAndByWords() {
+        tab_->append(Severity::Info, "Jog stopped: released");
+        tab_->append(Severity::Warning, "Late packets");
+        tab_->append(Severity::Error, "Link lost: no packets");
+        auto* severity = tab_->findChild<SegmentedControl*>("log.severity");
+        QTest::mouseClick(severity->segment(1), Qt::LeftButton);
+        QCOMPARE(rows(), 2);
+        QTest::mouseClick(severity->segment(2), Qt::LeftButton);
+        QCOMPARE(rows(), 1);
+        QTest::mouseClick(severity->segment(0), Qt::LeftButton);
+        QTest::keyClicks(tab_->findChild<QLineEdit*>("log.search"), "PACKETS lost");
+        QCOMPARE(rows(), 1);
+        QCOMPARE(cell(0, LogModel::Text), QString("Link lost: no packets"));
+    }
+
+    void copyTakesTheSelectionOrEverythingShown() {
+        tab_->append(Severity::Info, "one");
+        tab_->append(Severity::Warning, "two\nlines");
+        QTest::mouseClick(tab_->findChild<QToolButton*>("log.copy"), Qt::LeftButton);
+        QCOMPARE(
+            QApplication::clipboard()->text(),
+            QString("2024-09-17 14:02:11.000\tInfo\tone\n2024-09-17 14:02:11.000\tWarning\ttwo lines\n"));
+        table()->selectRow(0);
+        table()->setFocus();
+        QTest::keyClick(table(), Qt::Key_C, Qt::ControlModifier);
+        QCOMPARE(QApplication::clipboard()->text(), QString("2024-09-17 14:02:11.000\tInfo\tone\n"));
+    }
+
+    void exportWritesWhatIsShown() {
+        tab_->append(Severity::Info, "one");
+        tab_->append(Severity::Error, "zwei Ä");
+        tab_->findChild<SegmentedControl*>("log.severity")->setCurrentIndex(2);
+        QTemporaryDir directory;
+        QVERIFY(tab_->exportTo(directory.filePath("log.txt")).ok());
+        QFile file(directory.filePath("log.txt"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(QString::fromUtf8(file.readAll()), QString("2024-09-17 14:02:11.000\tError\tzwei Ä\n"));
+        QVERIFY(tab_->exportTo(directory.filePath("no/such/log.txt")).error().code ==
+                ErrorCode::FileNotWritable);
+    }
+
+    void oldestRowsGoBeyondTheCapacity() {
+        for (int n = 0; n < LogModel::kCapacity + 10; ++n) {
+            tab_->append(Severity::Info, QString::number(n));
+        }
+        QCOMPARE(tab_->model().rowCount(), int(LogModel::kCapacity));
+        QCOMPARE(cell(0, LogModel::Text), QString("10"));
+    }
+
+    void newestLineIsInSightUnlessTheReaderScrolledBack() {
+        for (int n = 0; n < 100; ++n) {
+            tab_->append(Severity::Info, QString::number(n));
+        }
+        QVERIFY(table()->visualRect(table()->model()->index(99, 0)).bottom() <=
+                table()->viewport()->height());
+        table()->scrollToTop();
+        tab_->append(Severity::Info, "new");
+        QCOMPARE(table()->rowAt(2), 0);
+    }
+
+private:
+    QTableView* table() { return tab_->findChild<QTableView*>("log.table"); }
+    int rows() { return table()->model()->rowCount(); }
+    QString cell(int row, int column) { return table()->model()->index(row, column).data().toString(); }
+
+    QDateTime time_;
+    std::unique_ptr<RobotSession> session_;
+    std::unique_ptr<LogTab> tab_;
+};
+
+QTEST_MAIN(TestLogTab)
+#include "tst_log_tab.moc"

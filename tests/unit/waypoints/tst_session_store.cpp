@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <memory>
+
+#include "widgets/waypoints/session_store.h"
+#include "widgets/waypoints/waypoint_model.h"
+
+using namespace tiller;
+
+namespace {
+
+program::Waypoint named(const QString& name) {
+    program::Waypoint point;
+    point.id = QUuid::createUuid();
+    point.name = name;
+    return point;
+}
+
+QByteArray contentOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+}  // namespace
+
+class TestSessionStore : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() {
+        directory_ = std::make_unique<QTemporaryDir>();
+        path_ = directory_->filePath("cell-7.tiller");
+        model_ = std::make_unique<WaypointModel>();
+        store_ = std::make_unique<SessionStore>(*model_);
+    }
+    void cleanup() {
+        store_.reset();
+        model_.reset();
+    }
+
+    void changesAreSavedByThemselves() {
+        QVERIFY(store_->openOrStart(path_).ok());
+        QCOMPARE(store_->statusText(), QString("cell-7.tiller — saved"));
+        QVERIFY(!QFile::exists(path_));
+        model_->insert(0, {named("home")}, "Teach");
+        QCOMPARE(store_->statusText(), QString("cell-7.tiller — saving…"));
+        QTRY_COMPARE(store_->statusText(), QString("cell-7.tiller — saved"));
+        QCOMPARE(program::loadSession(path_)->waypoints.at(0).name, QString("home"));
+    }
+
+    void whatIsNotSavedYetIsSavedAtTheEnd() {
+        QVERIFY(store_->openOrStart(path_).ok());
+        model_->insert(0, {named("home")}, "Teach");
+        store_.reset();
+        QCOMPARE(program::loadSession(path_)->waypoints.size(), 1);
+    }
+
+    void undoIsSavedToo() {
+        QVERIFY(store_->openOrStart(path_).ok());
+        model_->insert(0, {named("home")}, "Teach");
+        QVERIFY(store_->saveNow().ok());
+        model_->undoStack().undo();
+        QTRY_VERIFY(!store_->isModified());
+        QCOMPARE(program::loadSession(path_)->waypoints.size(), 0);
+    }
+
+    void openingShowsTheFileAndForgetsTheHistory() {
+        program::SessionDocument document;
+        document.waypoints.append(named("a"));
+        document.robot = RobotModelId::UR10e;
+        QVERIFY(program::saveSession(path_, document).ok());
+        model_->insert(0, {named("x")}, "Teach");
+        QVERIFY(store_->open(path_).ok());
+        QCOMPARE(model_->rowCount(), 1);
+        QVERIFY(!model_->undoStack().canUndo());
+        QVERIFY(!store_->isModified());
+        // The arm it was taught with stays written in it.
+        model_->insert(1, {named("b")}, "Teach");
+        QVERIFY(store_->saveNow().ok());
+        QCOMPARE(program::loadSession(path_)->robot, std::optional(RobotModelId::UR10e));
+    }
+
+    void damagedFileChangesNothing() {
+        QVERIFY(store_->openOrStart(path_).ok());
+        model_->insert(0, {named("home")}, "Teach");
+        const QString other = directory_->filePath("other.tiller");
+        QFile file(other);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("{ \"format\": \"tiller-session\", ");
+        file.close();
+        const QByteArray before = contentOf(other);
+        QVERIFY(store_->open(other).error().code == ErrorCode::FileCorrupt);
+        QCOMPARE(store_->path(), path_);
+        QCOMPARE(model_->rowCount(), 1);
+        QTRY_VERIFY(!store_->isModified());
+        QCOMPARE(contentOf(other), before);
+    }
+
+    void recoveredFileIsPutAsideAtTheFirstSave() {
+        program::SessionDocument document;
+        document.waypoints.append(named("a"));
+        document.waypoints.append(named("b"));
+        const QByteArray whole = *program::serializeSession(document);
+        const QByteArray damaged = whole.left(whole.lastIndexOf("\"joints\""));
+        QFile file(path_);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(damaged);
+        file.close();
+
+        QSignalSpy kept(store_.get(), &SessionStore::keptAside);
+        const auto recovered = store_->openRecovered(path_);
+        QVERIFY(recovered.ok());
+        QCOMPARE(recovered->lostWaypoints, 1);
+        QCOMPARE(model_->rowCount(), 1);
+        QCOMPARE(contentOf(path_), damaged);
+        QVERIFY(store_->saveNow().ok());
+        QCOMPARE(kept.count(), 1);
+        QCOMPARE(contentOf(kept[0][0].toString()), damaged);
+        QCOMPARE(program::loadSession(path_)->waypoints.size(), 1);
+    }
+
+    void failedSaveIsSaidAndTriedAgain() {
+        const QString folder = directory_->filePath("gone");
+        QVERIFY(QDir().mkdir(folder));
+        QVERIFY(store_->openOrStart(folder + "/x.tiller").ok());
+        QVERIFY(QDir().rmdir(folder));
+        QSignalSpy failed(store_.get(), &SessionStore::saveFailed);
+        model_->insert(0, {named("home")}, "Teach");
+        QTRY_COMPARE(failed.count(), 1);
+        QVERIFY2(store_->statusText().startsWith("x.tiller — not saved: "), qPrintable(store_->statusText()));
+        QVERIFY(store_->isModified());
+        QVERIFY(QDir().mkdir(folder));
+        QVERIFY(store_->saveNow().ok());
+        QCOMPARE(store_->statusText(), QString("x.tiller — saved"));
+    }
+
+    void savingElsewhereThatFailsKeepsTheOldPlace() {
+        QVERIFY(store_->openOrStart(path_).ok());
+        model_->insert(0, {named("home")}, "Teach");
+        QVERIFY(!store_->saveAs(directory_->filePath("no/such/folder.tiller")).ok());
+        QCOMPARE(store_->path(), path_);
+        const QString other = directory_->filePath("b.tiller");
+        QVERIFY(store_->saveAs(other).ok());
+        QCOMPARE(store_->path(), other);
+        QVERIFY(QFileInfo::exists(other));
+    }
+
+private:
+    std::unique_ptr<QTemporaryDir> directory_;
+    QString path_;
+    std::unique_ptr<WaypointModel> model_;
+    std::unique_ptr<SessionStore> store_;
+};
+
+QTEST_MAIN(TestSessionStore)
+#include "tst_session_store.moc"

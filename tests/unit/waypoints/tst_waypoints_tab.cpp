@@ -1,0 +1,442 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <memory>
+#include <vector>
+
+#include "robot/kinematics/arm_kinematics.h"
+#include "widgets/common/hold_button.h"
+#include "widgets/common/theme.h"
+#include "widgets/waypoints/notice_bar.h"
+#include "widgets/waypoints/session_store.h"
+#include "widgets/waypoints/waypoint_details.h"
+#include "widgets/waypoints/waypoint_model.h"
+#include "widgets/waypoints/waypoint_table.h"
+#include "widgets/waypoints/waypoints_tab.h"
+
+using namespace tiller;
+using control::StopCause;
+
+namespace {
+
+const JointPositions kStart(-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310);
+
+/// Stands in for the arm: counts what the tab asks of it.
+struct FakeArm {
+    std::vector<MoveRequest> moves;
+    std::vector<StopCause> ends;
+    int holds = 0;
+    bool alive = true;
+    Error refusal;
+
+    WaypointPort port() {
+        return {
+            .beginMove = [this](const MoveRequest& request) -> Result<RobotSession::MotionId> {
+                if (refusal.code != ErrorCode::None) {
+                    return refusal;
+                }
+                moves.push_back(request);
+                alive = true;
+                return RobotSession::MotionId(moves.size());
+            },
+            .hold =
+                [this](RobotSession::MotionId) {
+                    ++holds;
+                    return alive;
+                },
+            .endMotion = [this](RobotSession::MotionId, StopCause cause) { ends.push_back(cause); },
+            .limits = [] { return control::MotionLimits(); },
+        };
+    }
+};
+
+SessionState liveState(const JointPositions& q = kStart) {
+    SessionState state;
+    state.link = LinkState::Live;
+    state.control = ControlState::InControl;
+    state.robotMode = RobotMode::Running;
+    state.safetyMode = SafetyMode::Normal;
+    state.sequence = 1;
+    state.q = q;
+    state.tcpPose = kinematics::forwardTcp(robotModel(RobotModelId::UR5e).dh, q);
+    return state;
+}
+
+JointPositions moved(int joint, double by) {
+    JointPositions q = kStart;
+    q[joint] += by;
+    return q;
+}
+
+}  // namespace
+
+class TestWaypointsTab : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { applyTheme(*qApp, Theme::light()); }
+
+    void init() {
+        arm_ = FakeArm();
+        session_ = std::make_unique<RobotSession>();
+        session_->shutDown();  // no states but those of the test
+        tab_ = std::make_unique<WaypointsTab>(*session_, arm_.port());
+        tab_->resize(560, 560);
+        tab_->show();
+        QVERIFY(QTest::qWaitForWindowActive(tab_.get()));
+    }
+    void cleanup() {
+        tab_.reset();
+        session_.reset();
+    }
+
+    void emptyListShowsTheNextAction() {
+        auto* empty = tab_->findChild<QLabel*>("waypoint.empty");
+        QVERIFY(empty->isVisible());
+        QVERIFY(empty->text().contains("Teach here"));
+        QVERIFY(!table()->isVisible());
+        feed(liveState());
+        click("waypoint.teach");
+        QVERIFY(!empty->isVisible());
+        QVERIFY(table()->isVisible());
+    }
+
+    void teachingNeedsFreshData() {
+        QVERIFY(!button("waypoint.teach")->isEnabled());
+        QVERIFY(!button("waypoint.teach")->toolTip().isEmpty());
+        feed(liveState());
+        QVERIFY(button("waypoint.teach")->isEnabled());
+        SessionState stale = liveState();
+        stale.link = LinkState::Stale;
+        feed(stale);
+        QVERIFY(!button("waypoint.teach")->isEnabled());
+        tab_->teach();
+        QCOMPARE(model().rowCount(), 0);
+    }
+
+    void teachKeepsJointsAndPoseAndStandsAfterTheSelection() {
+        teachThree();
+        QCOMPARE(names(), QStringList({"waypoint 1", "waypoint 2", "waypoint 3"}));
+        tab_->selectRow(0);
+        SessionState state = liveState(moved(0, 0.5));
+        state.tcpOffset = Pose(0, 0, 0.1, 0, 0, 0);
+        feed(state);
+        QTest::keyClick(tab_.get(), Qt::Key_T);
+        QCOMPARE(names(), QStringList({"waypoint 1", "waypoint 4", "waypoint 2", "waypoint 3"}));
+        QCOMPARE(tab_->currentRow(), 1);
+        const program::Waypoint& taught = model().waypoints().at(1);
+        QCOMPARE(taught.joints, state.q);
+        QCOMPARE(taught.pose, state.tcpPose);
+        QCOMPARE(taught.tcpOffset, state.tcpOffset);
+    }
+
+    void touchUpShowsTheDifferenceAndAsks() {
+        teachThree();
+        tab_->selectRow(1);
+        const program::Waypoint before = model().waypoints().at(1);
+        const SessionState live = liveState(moved(4, 0.2));
+        feed(live);
+        QTest::keyClick(tab_.get(), Qt::Key_U);
+        QVERIFY(notice()->isVisible());
+        QVERIFY(notice()->title().contains("waypoint 2"));
+        QVERIFY2(notice()->text().contains("mm"), qPrintable(notice()->text()));
+        QVERIFY(notice()->text().contains("Wrist 2"));
+        QVERIFY(model().waypoints().at(1) == before);
+
+        click("notice.dismiss");
+        QVERIFY(!notice()->isVisible());
+        QVERIFY(model().waypoints().at(1) == before);
+
+        click("waypoint.touchUp");
+        feed(liveState(moved(4, 0.9)));  // the arm goes on: what was shown is what is kept
+        click("notice.accept");
+        QCOMPARE(model().waypoints().at(1).joints, live.q);
+        QCOMPARE(model().waypoints().at(1).name, before.name);
+        QCOMPARE(model().waypoints().at(1).id, before.id);
+        model().undoStack().undo();
+        QVERIFY(model().waypoints().at(1) == before);
+    }
+
+    void anotherSelectionTakesTheQuestionBack() {
+        teachThree();
+        tab_->selectRow(1);
+        click("waypoint.touchUp");
+        QVERIFY(notice()->isVisible());
+        tab_->selectRow(2);
+        QVERIFY(!notice()->isVisible());
+    }
+
+    void renameInPlaceWithF2() {
+        teachThree();
+        tab_->selectRow(1);
+        QTest::keyClick(table(), Qt::Key_F2);
+        auto* editor = table()->findChild<QLineEdit*>("waypoint.editor");
+        QVERIFY(editor != nullptr);
+        QTest::keyClicks(editor, "above tray");  // letters that are shortcuts elsewhere
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(names(), QStringList({"waypoint 1", "above tray", "waypoint 3"}));
+        QTRY_VERIFY(table()->findChild<QLineEdit*>("waypoint.editor") == nullptr);
+        QTest::keyClick(table(), Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(names().at(1), QString("waypoint 2"));
+        QTest::keyClick(table(), Qt::Key_Y, Qt::ControlModifier);
+        QCOMPARE(names().at(1), QString("above tray"));
+    }
+
+    void typingTeachesNothing() {
+        teachThree();
+        tab_->selectRow(0);
+        QTest::keyClick(table(), Qt::Key_F2);
+        auto* editor = table()->findChild<QLineEdit*>("waypoint.editor");
+        QTest::keyClicks(editor, "tug");
+        QCOMPARE(model().rowCount(), 3);
+        QVERIFY(arm_.moves.empty());
+        QCOMPARE(editor->text(), QString("tug"));
+        QTest::keyClick(editor, Qt::Key_Escape);
+        QTRY_VERIFY(table()->findChild<QLineEdit*>("waypoint.editor") == nullptr);
+        QCOMPARE(names().at(0), QString("waypoint 1"));
+    }
+
+    void duplicateDeleteAndOrderByKeys() {
+        teachThree();
+        tab_->selectRow(0);
+        QTest::keyClick(table(), Qt::Key_D, Qt::ControlModifier);
+        QCOMPARE(names(), QStringList({"waypoint 1", "waypoint 4", "waypoint 2", "waypoint 3"}));
+        QTest::keyClick(table(), Qt::Key_Down, Qt::AltModifier);
+        QCOMPARE(names(), QStringList({"waypoint 1", "waypoint 2", "waypoint 4", "waypoint 3"}));
+        QCOMPARE(tab_->currentRow(), 2);
+        QTest::keyClick(table(), Qt::Key_Up, Qt::AltModifier);
+        QTest::keyClick(table(), Qt::Key_Up, Qt::AltModifier);
+        QTest::keyClick(table(), Qt::Key_Up, Qt::AltModifier);  // already first: nothing
+        QCOMPARE(names(), QStringList({"waypoint 4", "waypoint 1", "waypoint 2", "waypoint 3"}));
+        QTest::keyClick(table(), Qt::Key_Delete);
+        QCOMPARE(names(), QStringList({"waypoint 1", "waypoint 2", "waypoint 3"}));
+        QCOMPARE(tab_->currentRow(), 0);
+        for (int n = 0; n < 5; ++n) {
+            QTest::keyClick(table(), Qt::Key_Z, Qt::ControlModifier);
+        }
+        QCOMPARE(names(), QStringList({"waypoint 1", "waypoint 2", "waypoint 3"}));
+    }
+
+    void copyAndPasteGoThroughText() {
+        teachThree();
+        tab_->selectRow(0);
+        table()->selectAll();
+        QTest::keyClick(table(), Qt::Key_C, Qt::ControlModifier);
+        QVERIFY(QApplication::clipboard()->text().startsWith("Name\tMove\t"));
+        tab_->selectRow(2);
+        QTest::keyClick(table(), Qt::Key_V, Qt::ControlModifier);
+        QCOMPARE(model().rowCount(), 6);
+        QStringList all = names();
+        QCOMPARE(all.removeDuplicates(), 0);
+        model().undoStack().undo();
+        QCOMPARE(model().rowCount(), 3);
+
+        QApplication::clipboard()->setText("not\ta table");
+        QTest::keyClick(table(), Qt::Key_V, Qt::ControlModifier);
+        QVERIFY(notice()->isVisible());
+        QCOMPARE(model().rowCount(), 3);
+    }
+
+    void holdingGoToMovesAndReleasingStops() {
+        teachThree();
+        feed(liveState(moved(0, 0.3)));
+        tab_->selectRow(1);
+        HoldButton* key = goTo();
+        QVERIFY2(key->isEnabled(), qPrintable(key->toolTip()));
+        QTest::mousePress(key, Qt::LeftButton);
+        QCOMPARE(arm_.moves.size(), std::size_t(1));
+        QVERIFY(arm_.moves[0].kind == MoveRequest::Kind::MoveJ);
+        QCOMPARE(arm_.moves[0].q, model().waypoints().at(1).joints);
+        QTRY_VERIFY(arm_.holds >= 2);
+        QTest::mouseRelease(key, Qt::LeftButton);
+        QCOMPARE(arm_.ends, std::vector<StopCause>{StopCause::Released});
+        const int holds = arm_.holds;
+        QTest::qWait(3 * HoldGuard::kRefreshMs);
+        QCOMPARE(arm_.holds, holds);
+    }
+
+    void holdingTheLetterGMovesAndReleasingStops() {
+        teachThree();
+        feed(liveState(moved(0, 0.3)));
+        tab_->selectRow(1);
+        QTest::keyPress(table(), Qt::Key_G);
+        QCOMPARE(arm_.moves.size(), std::size_t(1));
+        QVERIFY(goTo()->isHolding());
+        QKeyEvent repeat(QEvent::KeyPress, Qt::Key_G, Qt::NoModifier, "g", true);
+        QApplication::sendEvent(QApplication::focusWidget(), &repeat);
+        QCOMPARE(arm_.moves.size(), std::size_t(1));
+        QVERIFY(arm_.ends.empty());
+        QTest::keyRelease(QApplication::focusWidget(), Qt::Key_G);
+        QCOMPARE(arm_.ends, std::vector<StopCause>{StopCause::Released});
+        QVERIFY(!goTo()->isHolding());
+    }
+
+    void anotherSelectionStopsTheArm() {
+        teachThree();
+        feed(liveState(moved(0, 0.3)));
+        tab_->selectRow(1);
+        QTest::mousePress(goTo(), Qt::LeftButton);
+        tab_->selectRow(2);
+        QCOMPARE(arm_.ends, std::vector<StopCause>{StopCause::SelectionChanged});
+        QTest::mouseRelease(goTo(), Qt::LeftButton);
+        QCOMPARE(arm_.moves.size(), std::size_t(1));
+    }
+
+    void anEditStopsTheArm() {
+        teachThree();
+        feed(liveState(moved(0, 0.3)));
+        tab_->selectRow(1);
+        QTest::mousePress(goTo(), Qt::LeftButton);
+        model().undoStack().undo();
+        QCOMPARE(arm_.ends.size(), std::size_t(1));
+        QTest::mouseRelease(goTo(), Qt::LeftButton);
+    }
+
+    void losingControlStopsTheArmAndGreysTheKeyWithItsReason() {
+        teachThree();
+        feed(liveState(moved(0, 0.3)));
+        tab_->selectRow(1);
+        QTest::mousePress(goTo(), Qt::LeftButton);
+        SessionState lost = liveState();
+        lost.control = ControlState::None;
+        lost.controlReason = "The robot is in Local mode. Switch it to Remote on the pendant.";
+        feed(lost);
+        QVERIFY(!goTo()->isEnabled());
+        QCOMPARE(goTo()->toolTip(), lost.controlReason);
+        QCOMPARE(arm_.ends.size(), std::size_t(1));
+        QTest::mouseRelease(goTo(), Qt::LeftButton);
+    }
+
+    void hidingTheTabStopsTheArm() {
+        teachThree();
+        feed(liveState(moved(0, 0.3)));
+        tab_->selectRow(1);
+        QTest::mousePress(goTo(), Qt::LeftButton);
+        tab_->hide();
+        QCOMPARE(arm_.ends.size(), std::size_t(1));
+    }
+
+    void refusedMoveSaysWhy() {
+        teachThree();
+        feed(liveState(moved(0, 0.3)));
+        tab_->selectRow(1);
+        arm_.refusal = {ErrorCode::UnsafeState, "start a MoveJ", "protective stop"};
+        QSignalSpy messages(tab_.get(), &WaypointsTab::message);
+        QTest::mouseClick(goTo(), Qt::LeftButton);
+        QCOMPARE(messages.count(), 1);
+        QVERIFY(notice()->isVisible());
+    }
+
+    void unreachableWaypointCannotBeGoneTo() {
+        teachThree();
+        program::Waypoint far = model().waypoints().at(1);
+        far.ruling = program::Ruling::Pose;
+        far.pose.position.x() = 4;
+        model().change(1, far, "x");
+        tab_->selectRow(1);
+        QVERIFY(!goTo()->isEnabled());
+        QVERIFY(goTo()->toolTip().contains("reach"));
+        QVERIFY(!tab_->ghost()->reachable);
+    }
+
+    void ghostAndMarksFollowTheSelection() {
+        QSignalSpy ghosts(tab_.get(), &WaypointsTab::ghostChanged);
+        QSignalSpy selections(tab_.get(), &WaypointsTab::selectionChanged);
+        QVERIFY(!tab_->ghost().has_value());
+        teachThree();
+        ghosts.clear();
+        selections.clear();
+        tab_->selectRow(0);
+        QVERIFY(ghosts.count() >= 1);
+        QCOMPARE(selections.count(), 1);
+        QCOMPARE(selections[0][0].toUuid(), model().waypoints().at(0).id);
+        QCOMPARE(tab_->ghost()->name, QString("waypoint 1"));
+        QCOMPARE(tab_->ghost()->q, model().waypoints().at(0).joints);
+        QCOMPARE(tab_->marks().size(), std::size_t(3));
+        QVERIFY(tab_->marks()[0].selected);
+        QVERIFY((tab_->marks()[1].position - model().waypoints().at(1).pose.position).norm() < 1e-9);
+        tab_->selectRow(-1);
+        QVERIFY(!tab_->ghost().has_value());
+    }
+
+    void detailsSayHowFarTheArmIs() {
+        teachThree();
+        tab_->selectRow(0);
+        SessionState state = liveState();
+        state.tcpPose.position.z() += 0.0612;
+        feed(state);
+        auto* details = tab_->findChild<WaypointDetails*>("waypoint.details");
+        QTRY_VERIFY2(details->headline().contains("61.2 mm"), qPrintable(details->headline()));
+        QVERIFY(details->headline().startsWith("waypoint 1"));
+        QVERIFY(details->poseLine().contains("RX"));
+    }
+
+    void damagedSessionIsNamedAndWhatIsLeftIsOffered() {
+        teachThree();
+        QTemporaryDir directory;
+        const QString path = directory.filePath("cell-7.tiller");
+        tab_->saveFileAs(path);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        const QByteArray whole = file.readAll();
+        QVERIFY(file.resize(whole.lastIndexOf("\"joints\"")));
+        file.close();
+        tab_->openFile(path);
+        QVERIFY(notice()->isVisible());
+        QVERIFY2(notice()->text().contains("line "), qPrintable(notice()->text()));
+        QCOMPARE(model().rowCount(), 3);
+        click("notice.accept");
+        QCOMPARE(model().rowCount(), 2);
+    }
+
+    void everyControlHasANameForTestsAndScreenReaders() {
+        for (QAbstractButton* control : tab_->findChildren<QAbstractButton*>()) {
+            if (control->isVisible()) {
+                QVERIFY2(!control->objectName().isEmpty(), qPrintable(control->text()));
+                QVERIFY2(!control->accessibleName().isEmpty(), qPrintable(control->objectName()));
+            }
+        }
+        QVERIFY(!table()->accessibleName().isEmpty());
+        for (QAction* action : tab_->commandActions()) {
+            QVERIFY(!action->objectName().isEmpty());
+            QVERIFY(!action->text().isEmpty());
+        }
+    }
+
+private:
+    void feed(const SessionState& state) { Q_EMIT session_->stateChanged(state); }
+    void teachThree() {
+        for (int n = 0; n < 3; ++n) {
+            feed(liveState(moved(5, 0.1 * n)));
+            tab_->teach();
+        }
+        feed(liveState());
+    }
+    WaypointModel& model() { return tab_->model(); }
+    QStringList names() {
+        QStringList result;
+        for (const program::Waypoint& point : model().waypoints()) {
+            result << point.name;
+        }
+        return result;
+    }
+    WaypointTable* table() { return tab_->findChild<WaypointTable*>("waypoint.table"); }
+    NoticeBar* notice() { return tab_->findChild<NoticeBar*>("notice"); }
+    HoldButton* goTo() { return tab_->findChild<HoldButton*>("waypoint.goTo"); }
+    QPushButton* button(const char* name) { return tab_->findChild<QPushButton*>(name); }
+    void click(const char* name) { QTest::mouseClick(button(name), Qt::LeftButton); }
+
+    FakeArm arm_;
+    std::unique_ptr<RobotSession> session_;
+    std::unique_ptr<WaypointsTab> tab_;
+};
+
+QTEST_MAIN(TestWaypointsTab)
+#include "tst_waypoints_tab.moc"

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTest>
+#include <memory>
+
+#include "widgets/common/theme.h"
+#include "widgets/io/io_channel.h"
+#include "widgets/io/io_tab.h"
+
+using namespace tiller;
+using State = IoChannel::State;
+
+namespace {
+
+SessionState withBits(std::uint64_t inputs, std::uint64_t outputs, LinkState link = LinkState::Live) {
+    SessionState state;
+    state.link = link;
+    state.sequence = 1;
+    state.digitalInputs = inputs;
+    state.digitalOutputs = outputs;
+    return state;
+}
+
+}  // namespace
+
+class TestIoTab : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { applyTheme(*qApp, Theme::light()); }
+
+    void init() {
+        asked_.clear();
+        clock_ = std::make_unique<VirtualClock>();
+        session_ = std::make_unique<RobotSession>();
+        session_->shutDown();  // no states but those of the test
+        tab_ = std::make_unique<IoTab>(*session_);
+        tab_->setClock(*clock_);
+        tab_->setOutputSetter([this](int output, bool on) { asked_.append({output, on}); });
+        tab_->resize(560, 700);
+        tab_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(tab_.get()));
+    }
+    void cleanup() {
+        tab_.reset();
+        session_.reset();
+    }
+
+    void terminalsAreNamedAsPrinted() {
+        QCOMPARE(IoTab::terminal(false, 0), QString("DI 0"));
+        QCOMPARE(IoTab::terminal(true, 7), QString("DO 7"));
+        QCOMPARE(IoTab::terminal(false, 8), QString("CI 0"));
+        QCOMPARE(IoTab::terminal(true, 15), QString("CO 7"));
+        QCOMPARE(IoTab::terminal(true, 17), QString("TO 1"));
+    }
+
+    void everyBitHasItsRow() {
+        for (int channel = 0; channel < IoTab::kChannels; ++channel) {
+            feed(withBits(1ULL << channel, 1ULL << (17 - channel)));
+            QTRY_VERIFY(tab_->input(channel)->state() == State::On);
+            for (int other = 0; other < IoTab::kChannels; ++other) {
+                QCOMPARE(tab_->input(other)->state() == State::On, other == channel);
+                QCOMPARE(tab_->output(other)->state() == State::On, other == 17 - channel);
+            }
+        }
+    }
+
+    void stateIsToldByAWord() {
+        feed(withBits(1, 0));
+        QTRY_COMPARE(tab_->input(0)->stateWord(), QString("on"));
+        QCOMPARE(tab_->input(1)->stateWord(), QString("off"));
+        QVERIFY(tab_->input(0)->accessibleDescription().contains("on"));
+    }
+
+    void aClickAsksAndIsPendingUntilTheRobotConfirms() {
+        feed(withBits(0, 0));
+        QTRY_VERIFY(tab_->output(2)->state() == State::Off);
+        QTest::mouseClick(tab_->output(2), Qt::LeftButton);
+        QCOMPARE(asked_, (QList<std::pair<int, bool>>{{2, true}}));
+        QVERIFY(tab_->output(2)->state() == State::PendingOn);
+        QCOMPARE(tab_->output(2)->stateWord(), QString("pending…"));
+        feed(withBits(0, 0b100));
+        QTRY_VERIFY(tab_->output(2)->state() == State::On);
+        QTest::mouseClick(tab_->output(2), Qt::LeftButton);
+        QCOMPARE(asked_.last(), (std::pair<int, bool>{2, false}));
+        QVERIFY(tab_->output(2)->state() == State::PendingOff);
+        feed(withBits(0, 0));
+        QTRY_VERIFY(tab_->output(2)->state() == State::Off);
+    }
+
+    void aSecondClickTakesTheFirstBack() {
+        feed(withBits(0, 0));
+        QTRY_VERIFY(!tab_->output(0)->isStale());
+        QTest::mouseClick(tab_->output(0), Qt::LeftButton);
+        QTest::mouseClick(tab_->output(0), Qt::LeftButton);
+        QCOMPARE(asked_, (QList<std::pair<int, bool>>{{0, true}, {0, false}}));
+    }
+
+    void whatIsNeverConfirmedIsSaid() {
+        feed(withBits(0, 0));
+        QTRY_VERIFY(!tab_->output(16)->isStale());
+        QTest::mouseClick(tab_->output(16), Qt::LeftButton);
+        auto* notice = tab_->findChild<QLabel*>("io.notice");
+        clock_->advanceNs(1900 * kNsPerMs);
+        feed(withBits(1, 0));
+        QTRY_VERIFY(tab_->input(0)->state() == State::On);  // the tab has looked
+        QVERIFY(tab_->output(16)->state() == State::PendingOn);
+        clock_->advanceNs(200 * kNsPerMs);
+        feed(withBits(0, 0));
+        QTRY_VERIFY(tab_->output(16)->state() == State::Off);
+        QVERIFY(notice->isVisible());
+        QVERIFY(notice->text().contains("TO 0"));
+    }
+
+    void oldDataAreGreyAndCannotBeSwitched() {
+        feed(withBits(1, 1));
+        QTRY_VERIFY(tab_->output(0)->state() == State::On);
+        feed(withBits(1, 1, LinkState::Stale));
+        QTRY_VERIFY(tab_->input(0)->isStale());
+        QVERIFY(tab_->input(0)->state() == State::On);
+        QVERIFY(tab_->output(0)->isStale());
+        QTest::mouseClick(tab_->output(0), Qt::LeftButton);
+        QVERIFY(asked_.isEmpty());
+        feed(withBits(1, 1, LinkState::Lost));
+        QTRY_COMPARE(tab_->input(0)->stateWord(), QString("no data"));
+    }
+
+    void inputsCannotBeSwitched() {
+        feed(withBits(0, 0));
+        QTRY_VERIFY(tab_->input(0)->state() == State::Off);
+        QTest::mouseClick(tab_->input(0), Qt::LeftButton);
+        QVERIFY(asked_.isEmpty());
+    }
+
+    void enterSwitchesButSpaceDoesNot() {
+        feed(withBits(0, 0));
+        QTRY_VERIFY(!tab_->output(1)->isStale());
+        tab_->output(1)->setFocus();
+        QTest::keyClick(tab_->output(1), Qt::Key_Space);
+        QVERIFY(asked_.isEmpty());
+        QTest::keyClick(tab_->output(1), Qt::Key_Return);
+        QCOMPARE(asked_.size(), 1);
+    }
+
+    void namesAreGivenInPlaceAndKept() {
+        QSignalSpy changed(tab_.get(), &IoTab::namesChanged);
+        tab_->output(0)->rename();
+        auto* editor = tab_->output(0)->findChild<QLineEdit*>();
+        QTest::keyClicks(editor, "gripper");
+        QTest::keyClick(editor, Qt::Key_Return);
+        QCOMPARE(changed.count(), 1);
+        QCOMPARE(tab_->names(), (QMap<QString, QString>{{"DO 0", "gripper"}}));
+        QCOMPARE(tab_->output(0)->accessibleName(), QString("DO 0, gripper"));
+        tab_->setNames({{"TI 1", "part present"}});
+        QCOMPARE(tab_->input(17)->name(), QString("part present"));
+        QVERIFY(tab_->output(0)->name().isEmpty());
+    }
+
+private:
+    void feed(const SessionState& state) { Q_EMIT session_->stateChanged(state); }
+
+    QList<std::pair<int, bool>> asked_;
+    std::unique_ptr<VirtualClock> clock_;
+    std::unique_ptr<RobotSession> session_;
+    std::unique_ptr<IoTab> tab_;
+};
+
+QTEST_MAIN(TestIoTab)
+#include "tst_io_tab.moc"

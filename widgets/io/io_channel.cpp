@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/io/io_channel.h"
+
+#include <QContextMenuEvent>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPainter>
+
+#include "widgets/common/theme.h"
+
+namespace tiller {
+namespace {
+
+constexpr int kTerminalWidth = 46;
+constexpr int kStateWidth = 92;
+constexpr int kLamp = 12;
+
+}  // namespace
+
+IoChannel::IoChannel(const QString& terminal, bool output, QWidget* parent)
+    : QAbstractButton(parent), terminal_(terminal), output_(output) {
+    setText(terminal);
+    setFocusPolicy(output ? Qt::TabFocus : Qt::NoFocus);
+    setAttribute(Qt::WA_Hover);
+    describe();
+}
+
+void IoChannel::setName(const QString& name) {
+    if (name != name_) {
+        name_ = name;
+        describe();
+        update();
+    }
+}
+
+void IoChannel::setState(State state) {
+    if (state != state_) {
+        state_ = state;
+        describe();
+        update();
+    }
+}
+
+void IoChannel::setStale(bool stale) {
+    if (stale != stale_) {
+        stale_ = stale;
+        setCursor(output_ && !stale ? Qt::PointingHandCursor : Qt::ArrowCursor);
+        describe();
+        update();
+    }
+}
+
+QString IoChannel::stateWord() const {
+    switch (state_) {
+        case State::Unknown:
+            return tr("no data");
+        case State::Off:
+            return tr("off");
+        case State::On:
+            return tr("on");
+        case State::PendingOff:
+        case State::PendingOn:
+            return tr("pending…");
+    }
+    return {};
+}
+
+void IoChannel::describe() {
+    setAccessibleName(name_.isEmpty() ? terminal_ : QStringLiteral("%1, %2").arg(terminal_, name_));
+    setAccessibleDescription(stale_ && state_ != State::Unknown ? tr("%1, old data").arg(stateWord())
+                                                                : stateWord());
+    QString tip = QStringLiteral("%1: %2").arg(accessibleName(), accessibleDescription());
+    if (output_) {
+        tip += stale_ ? tr("\nCannot be switched while no data come from the robot.")
+                      : tr("\nClick to switch it %1. Right click to rename.")
+                            .arg(state_ == State::On ? tr("off") : tr("on"));
+    }
+    setToolTip(tip);
+}
+
+bool IoChannel::hitButton(const QPoint& position) const {
+    // Not disabled while data are old: it can still be renamed.
+    return output_ && !stale_ && QAbstractButton::hitButton(position);
+}
+
+QRect IoChannel::nameRect() const {
+    return {10 + kTerminalWidth, 0, width() - 20 - kTerminalWidth - kStateWidth, height()};
+}
+
+QSize IoChannel::sizeHint() const {
+    return {250, kHeight};
+}
+
+QSize IoChannel::minimumSizeHint() const {
+    return {170, kHeight};
+}
+
+void IoChannel::paintEvent(QPaintEvent*) {
+    const Theme& theme = Theme::current();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const bool live = !stale_ && state_ != State::Unknown;
+
+    if (output_) {
+        const QRectF key = QRectF(rect()).adjusted(0.5, 1.5, -0.5, -1.5);
+        painter.setPen(QPen(hasFocus() ? theme.moving : theme.border, 1));
+        painter.setBrush(stale_         ? theme.panel
+                         : isDown()     ? theme.movingTint
+                         : underMouse() ? theme.hover
+                                        : theme.raised);
+        painter.drawRoundedRect(key, 5, 5);
+    } else {
+        painter.setPen(theme.border);
+        painter.drawLine(0, height() - 1, width(), height() - 1);
+    }
+
+    painter.setFont(figureFont(13));
+    painter.setPen(live ? theme.secondary : theme.disabledText);
+    painter.drawText(QRect(10, 0, kTerminalWidth, height()), Qt::AlignVCenter | Qt::AlignLeft, terminal_);
+    painter.setFont(textFont(14));
+    painter.setPen(live ? theme.text : theme.disabledText);
+    const QRect nameBox = nameRect();
+    painter.drawText(nameBox, Qt::AlignVCenter | Qt::AlignLeft,
+                     painter.fontMetrics().elidedText(name_, Qt::ElideRight, nameBox.width()));
+
+    // A filled lamp, a ring, or half of it while the robot has not confirmed: told apart without colour.
+    const QRectF lamp(width() - kStateWidth, (height() - kLamp) / 2.0, kLamp, kLamp);
+    const QColor ink = live ? theme.text : theme.disabledText;
+    const bool pending = state_ == State::PendingOff || state_ == State::PendingOn;
+    painter.setPen(QPen(pending && live ? theme.moving : ink, 1.6));
+    painter.setBrush(state_ == State::On ? QBrush(ink) : QBrush(Qt::NoBrush));
+    if (state_ != State::Unknown) {
+        painter.drawEllipse(lamp);
+    }
+    if (pending) {
+        painter.setBrush(live ? theme.moving : ink);
+        painter.setPen(Qt::NoPen);
+        painter.drawPie(lamp, 90 * 16, state_ == State::PendingOn ? -180 * 16 : 180 * 16);
+    }
+    painter.setFont(textFont(14, state_ == State::On && live ? QFont::Bold : QFont::Normal));
+    painter.setPen(live ? (state_ == State::Off ? theme.secondary : theme.text) : theme.disabledText);
+    painter.drawText(QRectF(lamp.right() + 8, 0, kStateWidth - kLamp - 8, height()),
+                     Qt::AlignVCenter | Qt::AlignLeft, stateWord());
+}
+
+void IoChannel::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_F2) {
+        rename();
+    } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+        if (!event->isAutoRepeat() && output_ && !stale_) {
+            click();
+        }
+    } else {
+        event->ignore();  // Space stops the arm everywhere: it must not press a key
+    }
+}
+
+void IoChannel::contextMenuEvent(QContextMenuEvent* event) {
+    QMenu menu(this);
+    QAction* renameAction = menu.addAction(tr("Rename…"));
+    if (menu.exec(event->globalPos()) == renameAction) {
+        rename();
+    }
+}
+
+void IoChannel::rename() {
+    if (editor_ == nullptr) {
+        editor_ = new QLineEdit(this);
+        editor_->setObjectName(objectName() + QStringLiteral(".name"));
+        editor_->setAccessibleName(tr("Name of %1").arg(terminal_));
+        editor_->setMaxLength(40);
+        editor_->setStyleSheet(QStringLiteral("min-height: 0; padding: 0 4px;"));
+        connect(editor_, &QLineEdit::editingFinished, this, &IoChannel::finishRename);
+    }
+    editor_->setText(name_);
+    editor_->setGeometry(nameRect().adjusted(-6, 3, -6, -3));
+    editor_->show();
+    editor_->setFocus();
+    editor_->selectAll();
+}
+
+void IoChannel::finishRename() {
+    if (!editor_->isVisible()) {
+        return;
+    }
+    editor_->hide();
+    const QString name = editor_->text().trimmed();
+    if (name != name_) {
+        setName(name);
+        Q_EMIT nameChanged();
+    }
+}
+
+}  // namespace tiller

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// One digital input or output as a row: terminal, name, and its state as a shape and a word. An output is a
+// key; an input only shows.
+
+#include <QAbstractButton>
+
+class QLineEdit;
+
+namespace tiller {
+
+class IoChannel : public QAbstractButton {
+    Q_OBJECT
+
+public:
+    enum class State { Unknown, Off, On, PendingOff, PendingOn };
+    Q_ENUM(State)
+
+    /// terminal  "DI 0"
+    IoChannel(const QString& terminal, bool output, QWidget* parent = nullptr);
+
+    QString terminal() const { return terminal_; }
+    QString name() const { return name_; }
+    void setName(const QString& name);
+    State state() const { return state_; }
+    void setState(State state);
+    /// Old data: the last state is shown, greyed.
+    void setStale(bool stale);
+    bool isStale() const { return stale_; }
+    /// "on", "off", "pending…", "no data"
+    QString stateWord() const;
+    /// Opens the editor for the name.
+    void rename();
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+    static constexpr int kHeight = 30;
+
+Q_SIGNALS:
+    void nameChanged();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    bool hitButton(const QPoint& position) const override;
+
+private:
+    void describe();
+    void finishRename();
+    QRect nameRect() const;
+
+    QString terminal_;
+    QString name_;
+    bool output_;
+    bool stale_ = true;
+    State state_ = State::Unknown;
+    QLineEdit* editor_ = nullptr;
+};
+
+}  // namespace tiller

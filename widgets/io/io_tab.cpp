@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/io/io_tab.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "widgets/io/io_channel.h"
+
+namespace tiller {
+namespace {
+
+/// After this long without the robot's word, "pending" would be a lie.
+constexpr std::int64_t kConfirmNs = 2 * kNsPerSecond;
+constexpr int kRefreshMs = 50;
+
+bool bit(std::uint64_t bits, int channel) {
+    return ((bits >> channel) & 1U) != 0;
+}
+
+}  // namespace
+
+QString IoTab::terminal(bool output, int channel) {
+    // The letters printed beside the controller's terminals.
+    const char* group = channel < 8    ? (output ? "DO" : "DI")
+                        : channel < 16 ? (output ? "CO" : "CI")
+                                       : (output ? "TO" : "TI");
+    return QStringLiteral("%1 %2").arg(QLatin1String(group)).arg(channel < 16 ? channel % 8 : channel - 16);
+}
+
+IoTab::IoTab(RobotSession& session, QWidget* parent)
+    : QWidget(parent), session_(session), state_(session.state()), notice_(new QLabel) {
+    setObjectName(QStringLiteral("io"));
+    setAccessibleName(tr("Inputs and outputs"));
+    setOutput_ = [this](int output, bool on) { session_.setDigitalOutput(output, on); };
+
+    notice_->setObjectName(QStringLiteral("io.notice"));
+    notice_->setProperty("role", "warning");
+    notice_->setWordWrap(true);
+    notice_->setContentsMargins(12, 10, 12, 0);
+    notice_->hide();
+
+    auto* page = new QWidget;
+    page->setObjectName(QStringLiteral("io.page"));
+    auto* columns = new QHBoxLayout(page);
+    columns->setContentsMargins(12, 4, 12, 12);
+    columns->setSpacing(16);
+    columns->addWidget(buildColumn(false), 1);
+    columns->addWidget(buildColumn(true), 1);
+
+    auto* scroll = new QScrollArea;
+    scroll->setObjectName(QStringLiteral("io.scroll"));
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(page);
+    // The panel below shows through.
+    scroll->viewport()->setAutoFillBackground(false);
+    page->setAutoFillBackground(false);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(notice_);
+    layout->addWidget(scroll, 1);
+
+    refreshTimer_.setSingleShot(true);
+    refreshTimer_.setInterval(kRefreshMs);
+    connect(&refreshTimer_, &QTimer::timeout, this, &IoTab::refresh);
+    connect(&session_, &RobotSession::stateChanged, this, [this](const SessionState& state) {
+        state_ = state;
+        if (!refreshTimer_.isActive()) {
+            refreshTimer_.start();
+        }
+    });
+    refresh();
+}
+
+QWidget* IoTab::buildColumn(bool output) {
+    auto* column = new QWidget;
+    auto* layout = new QVBoxLayout(column);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    const QString headings[] = {output ? tr("Digital outputs") : tr("Digital inputs"),
+                                output ? tr("Configurable outputs") : tr("Configurable inputs"),
+                                output ? tr("Tool outputs") : tr("Tool inputs")};
+    for (int channel = 0; channel < kChannels; ++channel) {
+        if (channel % 8 == 0) {
+            auto* heading = new QLabel(headings[channel / 8]);
+            heading->setProperty("role", "caption");
+            heading->setContentsMargins(0, 10, 0, 4);
+            layout->addWidget(heading);
+        }
+        const QString name = terminal(output, channel);
+        auto* row = new IoChannel(name, output);
+        row->setObjectName(QStringLiteral("io.") + QString(name).remove(QLatin1Char(' ')));
+        layout->addWidget(row);
+        (output ? outputs_ : inputs_).append(row);
+        connect(row, &IoChannel::nameChanged, this, &IoTab::namesChanged);
+        if (output) {
+            connect(row, &QAbstractButton::clicked, this, [this, channel] { toggle(channel); });
+        }
+    }
+    layout->addStretch();
+    return column;
+}
+
+void IoTab::toggle(int output) {
+    if (state_.link != LinkState::Live) {
+        return;
+    }
+    // Against what is asked already, so that a second click takes the first back.
+    const auto asked = pending_.constFind(output);
+    const bool now = asked != pending_.constEnd() ? asked->wanted : bit(state_.digitalOutputs, output);
+    pending_[output] = {!now, clock_->nowNs()};
+    notice_->hide();
+    setOutput_(output, !now);
+    refresh();
+}
+
+void IoTab::refresh() {
+    using State = IoChannel::State;
+    const bool stale = state_.link != LinkState::Live;
+    const bool known = state_.hasData();
+    for (int channel = 0; channel < kChannels; ++channel) {
+        IoChannel* in = inputs_[channel];
+        in->setStale(stale);
+        in->setState(!known ? State::Unknown : bit(state_.digitalInputs, channel) ? State::On : State::Off);
+
+        IoChannel* out = outputs_[channel];
+        const bool on = bit(state_.digitalOutputs, channel);
+        const auto asked = pending_.find(channel);
+        bool pending = asked != pending_.end();
+        if (pending && (asked->wanted == on || stale)) {
+            pending_.erase(asked);
+            pending = false;
+        } else if (pending && clock_->nowNs() - asked->sinceNs > kConfirmNs) {
+            pending_.erase(asked);
+            pending = false;
+            notice_->setText(
+                tr("▲ The robot did not confirm %1. Another program or the installation may own it.")
+                    .arg(out->accessibleName()));
+            notice_->show();
+        }
+        out->setStale(stale);
+        out->setState(!known    ? State::Unknown
+                      : pending ? (on ? State::PendingOff : State::PendingOn)
+                      : on      ? State::On
+                                : State::Off);
+    }
+}
+
+QMap<QString, QString> IoTab::names() const {
+    QMap<QString, QString> result;
+    for (const auto* rows : {&inputs_, &outputs_}) {
+        for (const IoChannel* row : *rows) {
+            if (!row->name().isEmpty()) {
+                result[row->terminal()] = row->name();
+            }
+        }
+    }
+    return result;
+}
+
+void IoTab::setNames(const QMap<QString, QString>& names) {
+    for (const auto* rows : {&inputs_, &outputs_}) {
+        for (IoChannel* row : *rows) {
+            row->setName(names.value(row->terminal()));
+        }
+    }
+}
+
+}  // namespace tiller

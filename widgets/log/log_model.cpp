@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/log/log_model.h"
+
+#include <algorithm>
+
+#include "widgets/common/theme.h"
+
+namespace tiller {
+
+QString LogModel::severityWord(Severity severity) {
+    switch (severity) {
+        case Severity::Info:
+            return tr("Info");
+        case Severity::Warning:
+            return tr("▲ Warning");
+        case Severity::Error:
+            return tr("⬣ Error");
+    }
+    return {};
+}
+
+void LogModel::append(const QDateTime& time, Severity severity, const QString& text) {
+    if (!entries_.empty() && entries_.back().severity == severity && entries_.back().text == text) {
+        ++entries_.back().count;
+        entries_.back().last = time;
+        const int row = rowCount() - 1;
+        Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
+        return;
+    }
+    if (rowCount() == kCapacity) {
+        beginRemoveRows({}, 0, 0);
+        entries_.pop_front();
+        endRemoveRows();
+    }
+    beginInsertRows({}, rowCount(), rowCount());
+    entries_.push_back({time, time, severity, text, 1});
+    endInsertRows();
+}
+
+QString LogModel::shown(const Entry& entry) const {
+    return entry.count == 1 ? entry.text : QStringLiteral("%1 (×%2)").arg(entry.text).arg(entry.count);
+}
+
+QString LogModel::rowText(int row) const {
+    const Entry& entry = entries_.at(static_cast<std::size_t>(row));
+    QString text = shown(entry);
+    text.replace(QLatin1Char('\n'), QLatin1Char(' ')).replace(QLatin1Char('\t'), QLatin1Char(' '));
+    static const char* const kWords[] = {"Info", "Warning", "Error"};  // plain: for other programs
+    return QStringLiteral("%1\t%2\t%3")
+        .arg(entry.last.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss.zzz")),
+             QLatin1String(kWords[static_cast<int>(entry.severity)]), text);
+}
+
+int LogModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(entries_.size());
+}
+
+int LogModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : ColumnCount;
+}
+
+QVariant LogModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid() || index.row() >= rowCount()) {
+        return {};
+    }
+    const Entry& entry = entries_.at(static_cast<std::size_t>(index.row()));
+    switch (role) {
+        case Qt::DisplayRole:
+            return index.column() == Time             ? entry.last.toString(QStringLiteral("HH:mm:ss"))
+                   : index.column() == SeverityColumn ? severityWord(entry.severity)
+                                                      : shown(entry);
+        case Qt::ToolTipRole:
+            return entry.count == 1 ? shown(entry)
+                                    : tr("%1\n%2 times between %3 and %4")
+                                          .arg(entry.text)
+                                          .arg(entry.count)
+                                          .arg(entry.first.toString(QStringLiteral("HH:mm:ss")),
+                                               entry.last.toString(QStringLiteral("HH:mm:ss")));
+        case Qt::FontRole:
+            return index.column() == Time ? figureFont(13) : textFont(14);
+        case Qt::ForegroundRole:
+            if (index.column() == SeverityColumn && entry.severity != Severity::Info) {
+                return entry.severity == Severity::Error ? Theme::current().alarm : Theme::current().warning;
+            }
+            return index.column() == Text ? QVariant() : QVariant(Theme::current().secondary);
+        case Qt::AccessibleTextRole:
+            return rowText(index.row());
+        case SeverityRole:
+            return static_cast<int>(entry.severity);
+        case TextRole:
+            return entry.text;
+        default:
+            return {};
+    }
+}
+
+QVariant LogModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal) {
+        return {};
+    }
+    if (role == Qt::TextAlignmentRole) {
+        return QVariant(Qt::AlignLeft | Qt::AlignVCenter);
+    }
+    if (role != Qt::DisplayRole) {
+        return {};
+    }
+    return section == Time ? tr("Time") : section == SeverityColumn ? tr("Severity") : tr("What happened");
+}
+
+void LogFilter::setLeastSeverity(Severity severity) {
+    least_ = severity;
+    invalidateFilter();
+}
+
+void LogFilter::setWords(const QString& words) {
+    words_ = words.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    invalidateFilter();
+}
+
+bool LogFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
+    const QModelIndex index = sourceModel()->index(row, LogModel::Text, parent);
+    if (index.data(LogModel::SeverityRole).toInt() < static_cast<int>(least_)) {
+        return false;
+    }
+    const QString text = index.data(LogModel::TextRole).toString();
+    return std::all_of(words_.begin(), words_.end(),
+                       [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+}
+
+}  // namespace tiller

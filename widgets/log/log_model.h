@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What happened, oldest first. A message that repeats the one before is counted, not listed again; beyond
+// kCapacity the oldest rows go.
+
+#include <QAbstractTableModel>
+#include <QDateTime>
+#include <QSortFilterProxyModel>
+#include <deque>
+
+#include "widgets/session/robot_session.h"
+
+namespace tiller {
+
+class LogModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column { Time, SeverityColumn, Text, ColumnCount };
+    enum Role { SeverityRole = Qt::UserRole, TextRole };
+    static constexpr int kCapacity = 5000;
+
+    explicit LogModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
+
+    void append(const QDateTime& time, Severity severity, const QString& text);
+    /// Row as text, fields separated by tabs: date and time, severity, text with its count.
+    QString rowText(int row) const;
+
+    static QString severityWord(Severity severity);
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    struct Entry {
+        QDateTime first;
+        QDateTime last;
+        Severity severity = Severity::Info;
+        QString text;
+        int count = 1;
+    };
+    QString shown(const Entry& entry) const;
+
+    std::deque<Entry> entries_;
+};
+
+/// By severity from a level on, and by words that must all occur.
+class LogFilter : public QSortFilterProxyModel {
+    Q_OBJECT
+
+public:
+    using QSortFilterProxyModel::QSortFilterProxyModel;
+    void setLeastSeverity(Severity severity);
+    void setWords(const QString& words);
+
+protected:
+    bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+
+private:
+    Severity least_ = Severity::Info;
+    QStringList words_;
+};
+
+}  // namespace tiller

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/log/log_tab.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QSaveFile>
+#include <QScrollBar>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/common/segmented_control.h"
+#include "widgets/log/log_model.h"
+#include "widgets/session/texts.h"
+
+namespace tiller {
+
+LogTab::LogTab(RobotSession& session, QWidget* parent)
+    : QWidget(parent)
+    , now_([] { return QDateTime::currentDateTime(); })
+    , model_(new LogModel(this))
+    , filter_(new LogFilter(this))
+    , severity_(new SegmentedControl({tr("All"), tr("Warnings"), tr("Errors")}))
+    , search_(new QLineEdit)
+    , table_(new QTableView) {
+    setObjectName(QStringLiteral("log"));
+    setAccessibleName(tr("Log"));
+    severity_->setNames(QStringLiteral("log.severity"), tr("Show from severity"));
+    search_->setObjectName(QStringLiteral("log.search"));
+    search_->setAccessibleName(tr("Filter the log by words"));
+    search_->setPlaceholderText(tr("Filter"));
+    search_->setClearButtonEnabled(true);
+    const auto button = [](const QString& name, const QString& text, const QString& tip) {
+        auto* result = new QToolButton;
+        result->setObjectName(name);
+        result->setText(text);
+        result->setAccessibleName(text);
+        result->setToolTip(tip);
+        return result;
+    };
+    QToolButton* copyKey = button(QStringLiteral("log.copy"), tr("Copy"),
+                                  tr("Copy the selected lines, or all that are shown (Ctrl+C)"));
+    QToolButton* exportKey =
+        button(QStringLiteral("log.export"), tr("Export…"), tr("Write the lines that are shown to a file"));
+
+    auto* tools = new QHBoxLayout;
+    tools->setContentsMargins(12, 12, 12, 8);
+    tools->setSpacing(8);
+    tools->addWidget(severity_);
+    tools->addWidget(search_, 1);
+    tools->addWidget(copyKey);
+    tools->addWidget(exportKey);
+
+    filter_->setSourceModel(model_);
+    table_->setObjectName(QStringLiteral("log.table"));
+    table_->setAccessibleName(tr("Log"));
+    table_->setModel(filter_);
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->setShowGrid(false);
+    table_->setWordWrap(false);
+    table_->setFrameShape(QFrame::NoFrame);
+    table_->setTabKeyNavigation(false);
+    table_->verticalHeader()->hide();
+    table_->verticalHeader()->setDefaultSectionSize(28);
+    table_->horizontalHeader()->setHighlightSections(false);
+    table_->horizontalHeader()->setSectionsClickable(false);
+    table_->horizontalHeader()->setStretchLastSection(true);
+    table_->setColumnWidth(LogModel::Time, 92);
+    table_->setColumnWidth(LogModel::SeverityColumn, 108);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addLayout(tools);
+    layout->addWidget(table_, 1);
+
+    auto* copyAction = new QAction(tr("Copy"), table_);
+    copyAction->setShortcut(QKeySequence::Copy);
+    copyAction->setShortcutContext(Qt::WidgetShortcut);
+    table_->addAction(copyAction);
+    connect(copyAction, &QAction::triggered, this, &LogTab::copy);
+    connect(copyKey, &QToolButton::clicked, this, &LogTab::copy);
+    connect(exportKey, &QToolButton::clicked, this, &LogTab::exportToFile);
+    connect(severity_, &SegmentedControl::currentChanged, this,
+            [this](int index) { filter_->setLeastSeverity(static_cast<Severity>(index)); });
+    connect(search_, &QLineEdit::textChanged, filter_, &LogFilter::setWords);
+    connect(&session, &RobotSession::message, this, &LogTab::append);
+}
+
+LogTab::~LogTab() = default;
+
+void LogTab::append(Severity severity, const QString& text) {
+    // Follows the newest line unless the reader has scrolled back.
+    const QScrollBar* bar = table_->verticalScrollBar();
+    const bool follow = bar->value() == bar->maximum();
+    model_->append(now_(), severity, text);
+    if (follow) {
+        table_->scrollToBottom();
+    }
+}
+
+QString LogTab::textOf(const QList<int>& rows) const {
+    QString result;
+    for (const int row : rows) {
+        result += model_->rowText(filter_->mapToSource(filter_->index(row, 0)).row()) + QLatin1Char('\n');
+    }
+    return result;
+}
+
+QString LogTab::shownText() const {
+    QList<int> rows;
+    for (int row = 0; row < filter_->rowCount(); ++row) {
+        rows.append(row);
+    }
+    return textOf(rows);
+}
+
+void LogTab::copy() {
+    QList<int> rows;
+    for (const QModelIndex& index : table_->selectionModel()->selectedRows()) {
+        rows.append(index.row());
+    }
+    std::sort(rows.begin(), rows.end());
+    QApplication::clipboard()->setText(rows.isEmpty() ? shownText() : textOf(rows));
+}
+
+Result<void> LogTab::exportTo(const QString& path) const {
+    QSaveFile file(path);
+    const QByteArray bytes = shownText().toUtf8();
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
+        const bool full = file.error() == QFileDevice::ResourceError;
+        return Error{full ? ErrorCode::DiskFull : ErrorCode::FileNotWritable, tr("write %1").arg(path),
+                     file.errorString()};
+    }
+    return {};
+}
+
+void LogTab::exportToFile() {
+    const QString path = QFileDialog::getSaveFileName(this, tr("Export the log"),
+                                                      QStringLiteral("tiller-log.txt"), tr("Text (*.txt)"));
+    if (path.isEmpty()) {
+        return;
+    }
+    if (const Result<void> written = exportTo(path); !written) {
+        append(Severity::Error, texts::errorText(written.error()));
+    } else {
+        append(Severity::Info, tr("Log written to %1").arg(path));
+    }
+}
+
+}  // namespace tiller

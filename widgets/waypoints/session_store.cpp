@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/waypoints/session_store.h"
+
+#include <QFileInfo>
+
+#include "widgets/waypoints/waypoint_model.h"
+
+namespace tiller {
+
+SessionStore::SessionStore(WaypointModel& model, QObject* parent) : QObject(parent), model_(model) {
+    autosave_.setSingleShot(true);
+    autosave_.setInterval(kAutosaveMs);
+    connect(&autosave_, &QTimer::timeout, this, [this] {
+        if (const Result<void> saved = saveNow(); !saved) {
+            Q_EMIT saveFailed(saved.error());
+        }
+    });
+    connect(&model_, &WaypointModel::documentChanged, this, &SessionStore::onChange);
+}
+
+SessionStore::~SessionStore() {
+    if (modified_ && !path_.isEmpty()) {
+        (void)saveNow();
+    }
+}
+
+QString SessionStore::statusText() const {
+    if (path_.isEmpty()) {
+        return modified_ ? tr("waypoints not saved to a file") : QString();
+    }
+    const QString name = QFileInfo(path_).fileName();
+    if (lastError_.code != ErrorCode::None) {
+        const QString why = lastError_.code == ErrorCode::DiskFull   ? tr("disk full")
+                            : lastError_.controllerMessage.isEmpty() ? lastError_.context
+                                                                     : lastError_.controllerMessage;
+        return tr("%1 — not saved: %2").arg(name, why);
+    }
+    return modified_ ? tr("%1 — saving…").arg(name) : tr("%1 — saved").arg(name);
+}
+
+void SessionStore::onChange() {
+    if (loading_) {
+        return;
+    }
+    modified_ = true;
+    if (!path_.isEmpty()) {
+        autosave_.start();
+    }
+    Q_EMIT statusChanged(statusText());
+}
+
+void SessionStore::show(const program::SessionDocument& document, const QString& path) {
+    autosave_.stop();
+    loading_ = true;
+    model_.setDocument(document);
+    loading_ = false;
+    path_ = path;
+    modified_ = false;
+    lastError_ = {};
+    Q_EMIT statusChanged(statusText());
+}
+
+Result<void> SessionStore::open(const QString& path) {
+    const Result<program::SessionDocument> document = program::loadSession(path);
+    if (!document) {
+        return document.error();
+    }
+    if (modified_ && !path_.isEmpty()) {
+        if (const Result<void> saved = saveNow(); !saved) {
+            return saved;
+        }
+    }
+    show(*document, path);
+    return {};
+}
+
+Result<program::RecoveredSession> SessionStore::openRecovered(const QString& path) {
+    Result<program::RecoveredSession> recovered = program::recoverSession(path);
+    if (recovered) {
+        if (modified_ && !path_.isEmpty()) {
+            if (const Result<void> saved = saveNow(); !saved) {
+                return saved.error();
+            }
+        }
+        show(recovered->document, path);
+        // Not saved until something is done with it: the damaged file is still the only whole one.
+        modified_ = true;
+        Q_EMIT statusChanged(statusText());
+    }
+    return recovered;
+}
+
+Result<void> SessionStore::saveAs(const QString& path) {
+    const QString before = path_;
+    path_ = path;
+    Result<void> saved = saveNow();
+    if (!saved) {
+        path_ = before;
+        Q_EMIT statusChanged(statusText());
+    }
+    return saved;
+}
+
+Result<void> SessionStore::openOrStart(const QString& path) {
+    if (QFileInfo::exists(path)) {
+        return open(path);
+    }
+    show({}, path);
+    return {};
+}
+
+Result<void> SessionStore::saveNow() {
+    autosave_.stop();
+    if (path_.isEmpty()) {
+        return Error{ErrorCode::FileNotWritable, tr("no file chosen"), {}};
+    }
+    program::SessionDocument document = model_.document();
+    if (!document.robot) {
+        document.robot = model_.robot().id;
+    }
+    const Result<program::SaveReport> saved = program::saveSession(path_, document);
+    lastError_ = saved.error();
+    if (saved) {
+        modified_ = false;
+        if (!saved->keptCopy.isEmpty()) {
+            Q_EMIT keptAside(saved->keptCopy);
+        }
+    }
+    Q_EMIT statusChanged(statusText());
+    return saved ? Result<void>() : Result<void>(saved.error());
+}
+
+}  // namespace tiller

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// From a waypoint to the bounded move that brings the arm there while a key is held, within the interface's
+// own caps.
+
+#include "robot/program/reachability.h"
+#include "widgets/session/robot_session.h"
+
+namespace tiller {
+
+/// from       where the arm stands now
+/// tcpOffset  the active one
+/// limits     the caps: TCP and elbow never faster than tcpSpeed, no joint faster than jointSpeed
+/// Errors     NoSolution, in words an operator can use
+Result<MoveRequest> moveRequestFor(const RobotModel& model, const program::Waypoint& waypoint,
+                                   const program::FrameList& frames, const JointPositions& from,
+                                   const Pose& tcpOffset, const control::MotionLimits& limits);
+
+/// The highest speed of the joint that turns most [rad/s] at which neither the TCP nor the elbow exceeds
+/// `tcpSpeed` on a MoveJ from `from` to `to`.
+double jointSpeedWithin(const RobotModel& model, const JointPositions& from, const JointPositions& to,
+                        const Pose& tcpOffset, double tcpSpeed);
+
+}  // namespace tiller

@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/waypoints/waypoints_tab.h"
+
+#include <QAbstractSpinBox>
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QItemSelectionModel>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QTextEdit>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "robot/kinematics/arm_kinematics.h"
+#include "widgets/common/hold_button.h"
+#include "widgets/session/texts.h"
+#include "widgets/waypoints/notice_bar.h"
+#include "widgets/waypoints/session_store.h"
+#include "widgets/waypoints/waypoint_details.h"
+#include "widgets/waypoints/waypoint_model.h"
+#include "widgets/waypoints/waypoint_motion.h"
+#include "widgets/waypoints/waypoint_table.h"
+
+namespace tiller {
+
+WaypointPort waypointPort(RobotSession& session) {
+    return {
+        .beginMove = [&session](const MoveRequest& request) { return session.beginMove(request); },
+        .hold = [&session](RobotSession::MotionId id) { return session.hold(id); },
+        .endMotion = [&session](RobotSession::MotionId id,
+                                control::StopCause cause) { session.endMotion(id, cause); },
+        .limits = [&session] { return session.limits(); },
+    };
+}
+
+WaypointsTab::WaypointsTab(RobotSession& session, QWidget* parent)
+    : WaypointsTab(session, waypointPort(session), parent) {}
+
+WaypointsTab::WaypointsTab(RobotSession& session, WaypointPort port, QWidget* parent)
+    : QWidget(parent)
+    , session_(session)
+    , port_(std::move(port))
+    , state_(session.state())
+    , model_(std::make_unique<WaypointModel>())
+    , store_(std::make_unique<SessionStore>(*model_)) {
+    setObjectName(QStringLiteral("waypoints"));
+    setAccessibleName(tr("Waypoints"));
+    buildLayout();
+    buildActions();
+    setUpGoTo();
+
+    // Figures that change sixty times a second cannot be read.
+    detailsTimer_.setSingleShot(true);
+    detailsTimer_.setInterval(100);
+    connect(&detailsTimer_, &QTimer::timeout, this, [this] { details_->setLive(state_); });
+
+    connect(&session_, &RobotSession::stateChanged, this, &WaypointsTab::onState);
+    connect(table_, &WaypointTable::currentRowChanged, this, &WaypointsTab::onSelection);
+    connect(model_.get(), &WaypointModel::rowsAppeared, this, [this](int first, int) { selectRow(first); });
+    connect(model_.get(), &WaypointModel::editRefused, this, &WaypointsTab::showProblem);
+    connect(model_.get(), &WaypointModel::documentChanged, this, [this] {
+        pages_->setCurrentIndex(model_->rowCount() == 0 ? 0 : 1);
+        goTo_->guard().stop(control::StopCause::SelectionChanged);
+        onSelection();
+        updateAvailability();
+        Q_EMIT marksChanged();
+        Q_EMIT ghostChanged();
+    });
+    connect(store_.get(), &SessionStore::keptAside, this, [this](const QString& copy) {
+        Q_EMIT message(Severity::Warning, tr("The damaged session file was kept as %1").arg(copy));
+    });
+    connect(store_.get(), &SessionStore::saveFailed, this, [this](const Error& error) {
+        Q_EMIT message(Severity::Error, texts::errorText(error));
+        notice_->show(NoticeBar::Kind::Warning, tr("The waypoints could not be saved"),
+                      texts::errorText(error));
+    });
+    onState(state_);
+    onSelection();
+}
+
+WaypointsTab::~WaypointsTab() {
+    qApp->removeEventFilter(this);
+    // The store saves on its way out and still needs the model.
+    store_.reset();
+}
+
+void WaypointsTab::buildLayout() {
+    teach_ = new QPushButton(tr("Teach here  T"));
+    teach_->setObjectName(QStringLiteral("waypoint.teach"));
+    teach_->setAccessibleName(tr("Teach here"));
+    teach_->setProperty("primary", true);
+    touchUp_ = new QPushButton(tr("Touch up  U"));
+    touchUp_->setObjectName(QStringLiteral("waypoint.touchUp"));
+    touchUp_->setAccessibleName(tr("Touch up"));
+    goTo_ = new HoldButton(tr("Go to (hold)  G"));
+    goTo_->setObjectName(QStringLiteral("waypoint.goTo"));
+    goTo_->setAccessibleName(tr("Go to, hold"));
+    more_ = new QToolButton;
+    more_->setObjectName(QStringLiteral("waypoint.more"));
+    more_->setAccessibleName(tr("More"));
+    more_->setText(QStringLiteral("⋯"));
+    more_->setPopupMode(QToolButton::InstantPopup);
+
+    auto* keys = new QHBoxLayout;
+    keys->setContentsMargins(12, 12, 12, 8);
+    keys->setSpacing(8);
+    keys->addWidget(teach_, 3);
+    keys->addWidget(touchUp_, 2);
+    keys->addWidget(goTo_, 3);
+    keys->addWidget(more_);
+
+    notice_ = new NoticeBar;
+    auto* noticeRow = new QHBoxLayout;
+    noticeRow->setContentsMargins(12, 0, 12, 8);
+    noticeRow->addWidget(notice_);
+
+    auto* empty = new QLabel(tr("No waypoints yet.\nJog the arm to a place and press Teach here (T)."));
+    empty->setObjectName(QStringLiteral("waypoint.empty"));
+    empty->setProperty("role", "secondary");
+    empty->setAlignment(Qt::AlignCenter);
+    empty->setWordWrap(true);
+    table_ = new WaypointTable(*model_);
+    pages_ = new QStackedWidget;
+    pages_->addWidget(empty);
+    pages_->addWidget(table_);
+    details_ = new WaypointDetails(*model_);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addLayout(keys);
+    layout->addLayout(noticeRow);
+    layout->addWidget(pages_, 1);
+    layout->addWidget(details_);
+
+    connect(teach_, &QPushButton::clicked, this, &WaypointsTab::teach);
+    connect(touchUp_, &QPushButton::clicked, this, &WaypointsTab::touchUp);
+}
+
+void WaypointsTab::onState(const SessionState& state) {
+    state_ = state;
+    if (model_->robot().id != state.model) {
+        model_->setRobot(state.model);
+        Q_EMIT ghostChanged();
+    }
+    if (!detailsTimer_.isActive()) {
+        detailsTimer_.start();
+    }
+    goTo_->setConfirmed(goTo_->isHolding() && state.moving);
+    updateAvailability();
+}
+
+void WaypointsTab::onSelection() {
+    const int row = currentRow();
+    const QUuid id = row < 0 ? QUuid() : model_->waypoints().at(row).id;
+    details_->setWaypoint(row);
+    if (id == lastSelected_) {
+        return;
+    }
+    lastSelected_ = id;
+    goTo_->guard().stop(control::StopCause::SelectionChanged);
+    notice_->dismiss();
+    updateAvailability();
+    Q_EMIT selectionChanged(id);
+    Q_EMIT ghostChanged();
+    Q_EMIT marksChanged();
+}
+
+int WaypointsTab::currentRow() const {
+    const QModelIndex current = table_->currentIndex();
+    return current.isValid() && current.row() < model_->rowCount() ? current.row() : -1;
+}
+
+void WaypointsTab::selectWaypoint(const QUuid& id) {
+    selectRow(model_->waypoints().indexOf(id));
+}
+
+void WaypointsTab::selectRow(int row) {
+    if (row < 0 || row >= model_->rowCount()) {
+        table_->selectionModel()->clear();
+    } else {
+        // Not through the view: it would let the modifiers of the shortcut under way extend the selection.
+        const QModelIndex index = model_->index(row, WaypointModel::Name);
+        table_->selectionModel()->setCurrentIndex(
+            index, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+        table_->scrollTo(index);
+    }
+    onSelection();
+}
+
+std::optional<WaypointGhost> WaypointsTab::ghost() const {
+    const int row = currentRow();
+    if (row < 0) {
+        return std::nullopt;
+    }
+    const program::Waypoint& point = model_->waypoints().at(row);
+    const program::Reach& reach = model_->reach(row);
+    return WaypointGhost{point.name,
+                         reach.ok() ? reach.q : point.joints,
+                         point.move == program::MoveKind::Linear,
+                         reach.ok(),
+                         point.speed(),
+                         point.acceleration()};
+}
+
+std::vector<WaypointMark> WaypointsTab::marks() const {
+    std::vector<WaypointMark> result;
+    for (int row = 0; row < model_->rowCount(); ++row) {
+        const program::Waypoint& point = model_->waypoints().at(row);
+        std::optional<Pose> pose = program::poseInBase(point, model_->frames());
+        if (point.ruling == program::Ruling::Joints) {
+            pose = kinematics::forwardTcp(model_->robot().dh, point.joints, point.tcpOffset);
+        }
+        if (pose) {
+            result.push_back({point.name, pose->position, row == currentRow()});
+        }
+    }
+    return result;
+}
+
+// ---- availability ----------------------------------------------------------------------------------
+
+QString WaypointsTab::teachObstacle() const {
+    if (state_.link == LinkState::Live) {
+        return {};
+    }
+    return state_.hasData() ? tr("The robot's data are old. Wait until they come again.")
+                            : tr("No robot is connected. Connect one, or try the simulator.");
+}
+
+QString WaypointsTab::goToObstacle() const {
+    if (currentRow() < 0) {
+        return tr("Select a waypoint to go to.");
+    }
+    if (!model_->reach(currentRow()).ok()) {
+        return WaypointModel::reachAdvice(model_->reach(currentRow()));
+    }
+    if (!state_.canMove()) {
+        return state_.controlReason.isEmpty() ? tr("The arm is not under control. Take control first.")
+                                              : state_.controlReason;
+    }
+    return {};
+}
+
+void WaypointsTab::updateAvailability() {
+    const QString teachReason = teachObstacle();
+    const bool selected = currentRow() >= 0;
+    teach_->setEnabled(teachReason.isEmpty());
+    teach_->setToolTip(teachReason.isEmpty()
+                           ? tr("Add the place where the arm stands, after the selection (T)")
+                           : teachReason);
+    touchUp_->setEnabled(teachReason.isEmpty() && selected);
+    touchUp_->setToolTip(!teachReason.isEmpty() ? teachReason
+                         : selected             ? tr("Replace the selected place by where the arm stands (U)")
+                                                : tr("Select a waypoint to touch up."));
+    goTo_->setUnavailable(goToObstacle());
+    for (QAction* action : actions_) {
+        if (action->property("needsSelection").toBool()) {
+            action->setEnabled(selected);
+        }
+    }
+}
+
+// ---- go to, while held -----------------------------------------------------------------------------
+
+void WaypointsTab::setUpGoTo() {
+    goTo_->setToolTip(tr("Moves the arm to the selected waypoint while the key is held (G)"));
+    goTo_->setMotion({
+        .begin = [this] { return beginGoTo(); },
+        .hold = [this](HoldMotion::Id id) { return port_.hold(id); },
+        .end = [this](HoldMotion::Id id, control::StopCause cause) { port_.endMotion(id, cause); },
+        .runsToEnd = {},
+    });
+    connect(&goTo_->guard(), &HoldGuard::refused, this, [this](const Error& error) {
+        const QString text = error.code == ErrorCode::NoSolution ? error.context : texts::errorText(error);
+        showProblem(text);
+        Q_EMIT message(Severity::Warning, text);
+    });
+    connect(
+        &goTo_->guard(), &HoldGuard::ended, this,
+        [this] {
+            if (goTo_->hasFocus()) {
+                table_->setFocus();
+            }
+        },
+        Qt::QueuedConnection);
+}
+
+Result<RobotSession::MotionId> WaypointsTab::beginGoTo() {
+    if (const QString obstacle = goToObstacle(); !obstacle.isEmpty()) {
+        return Error{ErrorCode::NoSolution, obstacle, {}};
+    }
+    notice_->dismiss();
+    const Result<MoveRequest> request =
+        moveRequestFor(model_->robot(), model_->waypoints().at(currentRow()), model_->frames(), state_.q,
+                       state_.tcpOffset, port_.limits());
+    if (!request) {
+        return request.error();
+    }
+    return port_.beginMove(*request);
+}
+
+bool WaypointsTab::typingSomewhere() const {
+    const QWidget* focus = QApplication::focusWidget();
+    const auto* box = qobject_cast<const QComboBox*>(focus);
+    return qobject_cast<const QLineEdit*>(focus) != nullptr ||
+           qobject_cast<const QAbstractSpinBox*>(focus) != nullptr ||
+           qobject_cast<const QTextEdit*>(focus) != nullptr ||
+           qobject_cast<const QPlainTextEdit*>(focus) != nullptr || box != nullptr;
+}
+
+bool WaypointsTab::goToKey(QEvent* event) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->key() != Qt::Key_G || key->modifiers() != Qt::NoModifier || !window()->isActiveWindow() ||
+        QApplication::activeModalWidget() != nullptr || QApplication::activePopupWidget() != nullptr) {
+        return false;
+    }
+    if (event->type() == QEvent::KeyRelease) {
+        if (!key->isAutoRepeat()) {
+            goTo_->guard().release();
+        }
+        return goTo_->isHolding();
+    }
+    if (typingSomewhere()) {
+        return false;
+    }
+    if (!key->isAutoRepeat() && !goTo_->isHolding()) {
+        goTo_->guard().press();
+    }
+    return true;
+}
+
+bool WaypointsTab::eventFilter(QObject* watched, QEvent* event) {
+    const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease;
+    // A key passes the native window first and the widget then: once is enough.
+    if (isKey && watched->isWidgetType() && goToKey(event)) {
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void WaypointsTab::showEvent(QShowEvent* event) {
+    qApp->installEventFilter(this);
+    QWidget::showEvent(event);
+}
+
+void WaypointsTab::hideEvent(QHideEvent* event) {
+    qApp->removeEventFilter(this);
+    QWidget::hideEvent(event);
+}
+
+void WaypointsTab::showProblem(const QString& text) {
+    notice_->show(NoticeBar::Kind::Warning, text, {});
+}
+
+}  // namespace tiller

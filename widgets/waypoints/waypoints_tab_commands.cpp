@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the tab's keys and shortcuts do, apart from moving the arm.
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QToolButton>
+#include <algorithm>
+
+#include "robot/kinematics/arm_kinematics.h"
+#include "widgets/common/format.h"
+#include "widgets/session/texts.h"
+#include "widgets/waypoints/notice_bar.h"
+#include "widgets/waypoints/session_store.h"
+#include "widgets/waypoints/waypoint_clipboard.h"
+#include "widgets/waypoints/waypoint_details.h"
+#include "widgets/waypoints/waypoint_model.h"
+#include "widgets/waypoints/waypoint_table.h"
+#include "widgets/waypoints/waypoints_tab.h"
+
+namespace tiller {
+
+QAction* WaypointsTab::addCommand(const QString& name, const QString& text, const QKeySequence& shortcut,
+                                  std::function<void()> run) {
+    auto* action = new QAction(text, this);
+    action->setObjectName(name);
+    action->setShortcut(shortcut);
+    action->setAutoRepeat(false);
+    connect(action, &QAction::triggered, this, [run = std::move(run)] { run(); });
+    actions_.append(action);
+    return action;
+}
+
+void WaypointsTab::buildActions() {
+    const auto onSelected = [](QAction* action) {
+        action->setProperty("needsSelection", true);
+        return action;
+    };
+    QAction* teach = addCommand("waypoint.action.teach", tr("Teach here"), QKeySequence(Qt::Key_T),
+                                [this] { this->teach(); });
+    QAction* touchUp = onSelected(addCommand("waypoint.action.touchUp", tr("Touch up"),
+                                             QKeySequence(Qt::Key_U), [this] { this->touchUp(); }));
+    // Everywhere in the window: the hand is on the jog pad while teaching.
+    addAction(teach);
+    addAction(touchUp);
+
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("waypoint.menu"));
+    const auto add = [&](QAction* action) {
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        menu->addAction(action);
+        addAction(action);
+    };
+    add(onSelected(addCommand("waypoint.action.rename", tr("Rename"), QKeySequence(Qt::Key_F2),
+                              [this] { table_->renameCurrent(); })));
+    add(onSelected(addCommand("waypoint.action.duplicate", tr("Duplicate"),
+                              QKeySequence(Qt::CTRL | Qt::Key_D), [this] { duplicateSelected(); })));
+    add(onSelected(addCommand("waypoint.action.delete", tr("Delete"), QKeySequence(Qt::Key_Delete),
+                              [this] { deleteSelected(); })));
+    add(onSelected(addCommand("waypoint.action.up", tr("Move up"), QKeySequence(Qt::ALT | Qt::Key_Up),
+                              [this] { moveSelected(-1); })));
+    add(onSelected(addCommand("waypoint.action.down", tr("Move down"), QKeySequence(Qt::ALT | Qt::Key_Down),
+                              [this] { moveSelected(1); })));
+    menu->addSeparator();
+    add(onSelected(addCommand("waypoint.action.copy", tr("Copy as table"), QKeySequence(QKeySequence::Copy),
+                              [this] { copySelected(); })));
+    add(addCommand("waypoint.action.paste", tr("Paste"), QKeySequence(QKeySequence::Paste),
+                   [this] { paste(); }));
+    menu->addSeparator();
+    QUndoStack& undo = model_->undoStack();
+    for (QAction* action :
+         {undo.createUndoAction(this, tr("Undo")), undo.createRedoAction(this, tr("Redo"))}) {
+        const bool isUndo = actions_.last()->objectName() != QLatin1String("waypoint.action.undo");
+        action->setObjectName(isUndo ? QStringLiteral("waypoint.action.undo")
+                                     : QStringLiteral("waypoint.action.redo"));
+        action->setShortcuts(isUndo ? QList<QKeySequence>{QKeySequence(Qt::CTRL | Qt::Key_Z)}
+                                    : QList<QKeySequence>{QKeySequence(Qt::CTRL | Qt::Key_Y),
+                                                          QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z)});
+        actions_.append(action);
+        add(action);
+    }
+    menu->addSeparator();
+    add(addCommand("waypoint.action.open", tr("Open session…"), QKeySequence(QKeySequence::Open),
+                   [this] { askForFile(false); }));
+    add(addCommand("waypoint.action.saveAs", tr("Save session as…"),
+                   QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { askForFile(true); }));
+    more_->setMenu(menu);
+    table_->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(table_, &QWidget::customContextMenuRequested, this,
+            [this, menu](const QPoint& position) { menu->popup(table_->viewport()->mapToGlobal(position)); });
+}
+
+// ---- teaching --------------------------------------------------------------------------------------
+
+void WaypointsTab::teach() {
+    if (const QString obstacle = teachObstacle(); !obstacle.isEmpty()) {
+        showProblem(obstacle);
+        return;
+    }
+    const int row = currentRow();
+    program::Waypoint point;
+    if (row >= 0) {
+        // A neighbour usually wants the same kind of move, frame and speed.
+        point = model_->waypoints().at(row);
+        point.extra = {};
+    }
+    point.id = QUuid::createUuid();
+    point.name = model_->waypoints().nextName(tr("waypoint"));
+    std::optional<program::Waypoint> taught =
+        program::taughtAt(point, state_.q, state_.tcpPose, state_.tcpOffset, model_->frames());
+    if (!taught) {
+        point.frame = QUuid();
+        taught = program::taughtAt(point, state_.q, state_.tcpPose, state_.tcpOffset, model_->frames());
+    }
+    model_->insert(row < 0 ? model_->rowCount() : row + 1, {*taught}, tr("Teach “%1”").arg(point.name));
+}
+
+void WaypointsTab::touchUp() {
+    const int row = currentRow();
+    const QString obstacle = row < 0 ? tr("Select a waypoint to touch up.") : teachObstacle();
+    if (!obstacle.isEmpty()) {
+        showProblem(obstacle);
+        return;
+    }
+    const program::Waypoint before = model_->waypoints().at(row);
+    const std::optional<program::Waypoint> after =
+        program::taughtAt(before, state_.q, state_.tcpPose, state_.tcpOffset, model_->frames());
+    if (!after) {
+        showProblem(
+            tr("The frame of “%1” is not in this session. Choose another frame first.").arg(before.name));
+        return;
+    }
+    const Pose old = kinematics::forwardTcp(
+        model_->robot().dh, model_->reach(row).ok() ? model_->reach(row).q : before.joints, before.tcpOffset);
+    const Eigen::Vector3d shift = state_.tcpPose.position - old.position;
+    const Vector6 turns = after->joints.values - before.joints.values;
+    int joint = 0;
+    turns.cwiseAbs().maxCoeff(&joint);
+    const QString text =
+        tr("The live place is %1 away (%2, base frame). Largest joint change: %3 %4.")
+            .arg(differenceText(program::poseDifference(old, state_.tcpPose)),
+                 QStringLiteral("ΔX %1 ΔY %2 ΔZ %3 mm")
+                     .arg(format::signedNumber(shift.x() * 1e3, 2), format::signedNumber(shift.y() * 1e3, 2),
+                          format::signedNumber(shift.z() * 1e3, 2)),
+                 tr(kJointNames[static_cast<std::size_t>(joint)]), format::degrees(turns[joint], 1));
+    notice_->show(NoticeBar::Kind::Question, tr("Touch up “%1”?").arg(before.name), text, tr("Touch up"),
+                  [this, id = before.id, taught = *after] { replaceByTouchUp(id, taught); });
+}
+
+void WaypointsTab::replaceByTouchUp(const QUuid& id, const program::Waypoint& taught) {
+    // What was shown is what is kept, even if the arm has moved on since.
+    const int row = model_->waypoints().indexOf(id);
+    if (row >= 0) {
+        model_->change(row, taught, tr("Touch up “%1”").arg(taught.name));
+    }
+}
+
+// ---- editing ---------------------------------------------------------------------------------------
+
+void WaypointsTab::duplicateSelected() {
+    const QList<int> rows = table_->selectedRows();
+    if (rows.isEmpty()) {
+        return;
+    }
+    program::WaypointList names = model_->waypoints();
+    std::vector<program::Waypoint> copies;
+    for (const int row : rows) {
+        program::Waypoint copy = model_->waypoints().at(row);
+        copy.id = QUuid::createUuid();
+        copy.name = names.uniqueName(copy.name);
+        names.append(copy);
+        copies.push_back(std::move(copy));
+    }
+    const QString text = copies.size() == 1 ? tr("Duplicate “%1”").arg(model_->waypoints().at(rows[0]).name)
+                                            : tr("Duplicate %1 waypoints").arg(copies.size());
+    model_->insert(rows.last() + 1, copies, text);
+}
+
+void WaypointsTab::deleteSelected() {
+    const QList<int> rows = table_->selectedRows();
+    if (rows.isEmpty()) {
+        return;
+    }
+    model_->remove(rows);
+    selectRow(std::min(rows.first(), model_->rowCount() - 1));
+}
+
+void WaypointsTab::moveSelected(int by) {
+    const QList<int> rows = table_->selectedRows();
+    if (rows.isEmpty() || (by < 0 && rows.first() == 0) ||
+        (by > 0 && rows.last() == model_->rowCount() - 1)) {
+        return;
+    }
+    model_->moveRowsBefore(rows, by < 0 ? rows.first() - 1 : rows.last() + 2);
+}
+
+void WaypointsTab::copySelected() {
+    std::vector<program::Waypoint> chosen;
+    for (const int row : table_->selectedRows()) {
+        chosen.push_back(model_->waypoints().at(row));
+    }
+    if (!chosen.empty()) {
+        QApplication::clipboard()->setText(waypoint_clipboard::toText(chosen, model_->frames()));
+    }
+}
+
+void WaypointsTab::paste() {
+    Result<std::vector<program::Waypoint>> pasted =
+        waypoint_clipboard::fromText(QApplication::clipboard()->text(), model_->frames());
+    if (!pasted) {
+        notice_->show(NoticeBar::Kind::Warning, tr("Nothing was pasted"), pasted.error().context);
+        return;
+    }
+    if (pasted->empty()) {
+        showProblem(tr("There are no waypoints on the clipboard."));
+        return;
+    }
+    program::WaypointList names = model_->waypoints();
+    for (program::Waypoint& point : *pasted) {
+        point.name = names.uniqueName(point.name);
+        names.append(point);
+    }
+    const int row = currentRow();
+    model_->insert(row < 0 ? model_->rowCount() : row + 1, *pasted,
+                   tr("Paste %1 waypoints").arg(pasted->size()));
+}
+
+// ---- files -----------------------------------------------------------------------------------------
+
+void WaypointsTab::askForFile(bool save) {
+    const QString filter = tr("Tiller sessions (*.tiller)");
+    const QString path = save
+                             ? QFileDialog::getSaveFileName(this, tr("Save session"), store_->path(), filter)
+                             : QFileDialog::getOpenFileName(this, tr("Open session"), store_->path(), filter);
+    if (path.isEmpty()) {
+        return;
+    }
+    if (save) {
+        saveFileAs(path);
+    } else {
+        openFile(path);
+    }
+}
+
+void WaypointsTab::openFile(const QString& path) {
+    const Result<void> opened = store_->openOrStart(path);
+    if (opened) {
+        selectRow(model_->rowCount() > 0 ? 0 : -1);
+        return;
+    }
+    Q_EMIT message(Severity::Error, texts::errorText(opened.error()));
+    if (opened.error().code == ErrorCode::FileCorrupt) {
+        offerRecovery(path, opened.error());
+    } else {
+        notice_->show(NoticeBar::Kind::Warning, tr("The session could not be opened"),
+                      texts::errorText(opened.error()));
+    }
+}
+
+void WaypointsTab::offerRecovery(const QString& path, const Error& error) {
+    const QString name = QFileInfo(path).fileName();
+    const Result<program::RecoveredSession> found = program::recoverSession(path);
+    if (!found || found->document.waypoints.isEmpty()) {
+        notice_->show(NoticeBar::Kind::Warning, tr("%1 is damaged").arg(name), error.context);
+        return;
+    }
+    const int whole = found->document.waypoints.size();
+    notice_->show(NoticeBar::Kind::Warning, tr("%1 is damaged").arg(name),
+                  tr("%1. %2 of its waypoints can be read, %3 cannot. The damaged file is kept.")
+                      .arg(error.context)
+                      .arg(whole)
+                      .arg(found->lostWaypoints),
+                  tr("Open the %1 readable").arg(whole), [this, path] {
+                      if (const auto recovered = store_->openRecovered(path); !recovered) {
+                          showProblem(texts::errorText(recovered.error()));
+                      } else {
+                          selectRow(0);
+                      }
+                  });
+}
+
+void WaypointsTab::saveFileAs(const QString& path) {
+    const QString full = QFileInfo(path).suffix().isEmpty() ? path + QStringLiteral(".tiller") : path;
+    if (const Result<void> saved = store_->saveAs(full); !saved) {
+        Q_EMIT message(Severity::Error, texts::errorText(saved.error()));
+        notice_->show(NoticeBar::Kind::Warning, tr("The session could not be saved"),
+                      texts::errorText(saved.error()));
+    }
+}
+
+}  // namespace tiller
