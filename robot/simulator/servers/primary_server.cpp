@@ -11,7 +11,10 @@ constexpr double kStatePeriod = 0.1;  ///< [s]
 }
 
 PrimaryServer::PrimaryServer(Plant& plant, bool messages, bool acceptsScripts)
-    : plant_(plant), messages_(messages), acceptsScripts_(acceptsScripts), nextState_(plant.timestamp() + kStatePeriod) {}
+    : plant_(plant)
+    , messages_(messages)
+    , acceptsScripts_(acceptsScripts)
+    , nextState_(plant.timestamp() + kStatePeriod) {}
 
 void PrimaryServer::service() {
     const bool mayWrite = plant_.isRemoteControl() || !plant_.options().gateLocalControl;

@@ -275,7 +275,8 @@ private Q_SLOTS:
                  ", \"s\")\n  socket_send_line(\"hello\", \"s\")\n"
                  "  r = socket_read_ascii_float(1, \"s\", 5)\n"
                  "  write_output_float_register(24, r[1])\n  sleep(0.2)\nend\n");
-        QVERIFY(robot.stepUntil([&] { return server.waitForNewConnection(1); }, 10));
+        QVERIFY(robot.stepUntil(
+            [&] { return server.hasPendingConnections() || server.waitForNewConnection(1); }, 10));
         QTcpSocket* peer = server.nextPendingConnection();
         QVERIFY(robot.stepUntil([&] { return peer->canReadLine() || peer->waitForReadyRead(1); }, 10));
         QCOMPARE(peer->readLine().trimmed(), QByteArray("hello"));
