@@ -205,7 +205,7 @@ void PlotDock::styleHeader() {
     // Quieter than keys: these controls stand in a title bar. Red only while it records.
     const QString sheet =
         QStringLiteral(
-            "QToolButton { color: %1; font-size: 13px; padding: 0 5px; min-height: 22px; }"
+            "QToolButton { color: %1; font-size: 13px; padding: 0 2px; min-height: 22px; }"
             "QToolButton#plots\\.record[recording=\"true\"] { color: %2; font-weight: bold; }"
             "QFrame#plots\\.separator { background: %3; border: none; }")
             .arg(theme.secondary.name(), theme.recording.name(), theme.secondary.name());

@@ -133,7 +133,7 @@ void PlotPane::setArea(const QRectF& area) {
     // The chart takes the whole scene: what it draws outside the plot area are its labels.
     chart_->setGeometry(QRectF(QPointF(0, 0), QSizeF(area.right() + 12, area.bottom() + 40)));
     chart_->setPlotArea(area);
-    range_.setMostLines(std::clamp(static_cast<int>(area.height() / kPixelsPerLine), 2, 4));
+    range_.setMostLines(std::clamp(static_cast<int>(area.height() / kPixelsPerLine), 3, 4));
     placeLegend();
 }
 

@@ -96,10 +96,6 @@ void SeriesBuffer::completeLevels() {
     }
 }
 
-void SeriesBuffer::clear() {
-    end_ = 0;
-}
-
 std::int64_t SeriesBuffer::lowerBound(double time) const {
     std::int64_t low = first();
     std::int64_t high = end_;

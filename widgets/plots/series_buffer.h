@@ -62,7 +62,6 @@ public:
     /// gapBefore  samples between this row and the one before were lost
     /// Returns    false, and keeps nothing, if the time does not go forward or is not finite
     bool append(double time, std::span<const float> values, bool gapBefore = false);
-    void clear();
 
     /// Samples are numbered from the first one ever appended: first() is the oldest still kept, end() the
     /// next one to come.

@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The plot panel with real mouse, wheel and key events, fed by a source of its own.
+#include <QApplication>
+#include <QFile>
+#include <QImage>
+#include <QMenu>
+#include <QPainter>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <QWheelEvent>
+#include <array>
+#include <cmath>
+
+#include "widgets/common/elided_label.h"
+#include "widgets/common/theme.h"
+#include "widgets/plots/curve_item.h"
+#include "widgets/plots/plot_dock.h"
+#include "widgets/plots/plot_overlay.h"
+#include "widgets/plots/plot_pane.h"
+#include "widgets/plots/plot_view.h"
+#include "widgets/plots/sample_pump.h"
+#include "widgets/plots/state_lane.h"
+#include "widgets/session/robot_session.h"
+
+using namespace tiller;
+
+namespace {
+
+/// 500 Hz, Fz = time in newtons, so that every read-out can be checked by head.
+class RampSource : public PlotSource {
+public:
+    int from = 0;
+    int until = 0;
+
+    std::uint64_t drain(const std::function<void(const PlotRow&)>& take) override {
+        for (; from < until; ++from) {
+            PlotRow row;
+            row.robotTime = from * 0.002;
+            row.sequence = static_cast<std::uint64_t>(from) + 1;
+            row.values[2] = static_cast<float>(row.robotTime);
+            row.values[6] = 1;
+            take(row);
+        }
+        return 0;
+    }
+};
+
+struct Bench {
+    RobotSession session;
+    PlotDock dock{session};
+    RampSource* source = nullptr;
+
+    Bench() {
+        auto owned = std::make_unique<RampSource>();
+        source = owned.get();
+        dock.setSource(std::move(owned));
+        dock.pump().stop();  // frames come when the test says so
+        dock.resize(1500, 375);
+        dock.show();
+        runTo(60);
+    }
+    void runTo(double seconds) {
+        source->until = static_cast<int>(std::lround(seconds / 0.002)) + 1;
+        dock.pump().pump();
+    }
+    PlotView& view() { return dock.view(); }
+    QPoint at(double time) { return {static_cast<int>(std::lround(view().xAt(time))), 100}; }
+    void wheel(double time, int notches, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        const QPointF place = at(time);
+        QWheelEvent event(place, view().viewport()->mapToGlobal(place), {}, {0, 120 * notches}, Qt::NoButton,
+                          modifiers, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(view().viewport(), &event);
+    }
+    QToolButton* button(const char* name) { return dock.findChild<QToolButton*>(QLatin1String(name)); }
+    QString readout() { return dock.findChild<ElidedLabel*>(QStringLiteral("plots.readout"))->fullText(); }
+};
+
+SessionState running(double time, bool jogging) {
+    SessionState state;
+    state.link = LinkState::Live;
+    state.sequence = 1;
+    state.robotMode = RobotMode::Running;
+    state.safetyMode = SafetyMode::Normal;
+    state.robotTime = time;
+    state.moving = state.jogActive = jogging;
+    return state;
+}
+
+bool near(double a, double b, double tolerance) {
+    return std::abs(a - b) <= tolerance;
+}
+
+}  // namespace
+
+class TestPlotDock : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { applyTheme(*qApp, Theme::light()); }
+
+    void showsTheNewestThirtySecondsAtFirst() {
+        Bench b;
+        QCOMPARE(b.view().window().span(), 30.0);
+        QVERIFY(near(b.view().window().end(), 60, 0.003));
+        b.runTo(61);
+        QVERIFY(near(b.view().window().end(), 61, 0.003));
+    }
+
+    void pauseFreezesTheViewWhileDataGoOn() {
+        Bench b;
+        QTest::mouseClick(b.button("plots.pause"), Qt::LeftButton);
+        b.runTo(75);
+        QVERIFY(near(b.view().window().end(), 60, 0.003));
+        QVERIFY(near(b.dock.history().lastTime(), 75, 0.003));
+        QCOMPARE(b.button("plots.pause")->text(), QString("Resume"));
+        QTest::mouseClick(b.button("plots.pause"), Qt::LeftButton);
+        QVERIFY(near(b.view().window().end(), 75, 0.003));
+        QCOMPARE(b.button("plots.pause")->text(), QString("Pause"));
+    }
+
+    void theWindowIsChosenFromTheMenu() {
+        Bench b;
+        for (QAction* action : b.button("plots.span")->menu()->actions()) {
+            action->trigger();
+            QCOMPARE(b.view().window().span(), action->data().toDouble());
+            QVERIFY(b.button("plots.span")->text().startsWith(action->text()));
+        }
+        QCOMPARE(b.button("plots.span")->menu()->actions().size(), 6);
+    }
+
+    void draggingGoesBackInHistory() {
+        Bench b;
+        QWidget* viewport = b.view().viewport();
+        const double held = 50;
+        QTest::mousePress(viewport, Qt::LeftButton, {}, b.at(held));
+        const QPoint to = b.at(held) + QPoint(300, 0);
+        QTest::mouseMove(viewport, b.at(held) + QPoint(60, 0));
+        QTest::mouseMove(viewport, to);
+        QTest::mouseRelease(viewport, Qt::LeftButton, {}, to);
+        QVERIFY(!b.view().window().follows());
+        QVERIFY2(near(b.view().timeAt(to.x()), held, 0.1),
+                 "the moment taken hold of is still under the pointer");
+        QVERIFY(!b.view().cursor(PlotView::Cursor::A));  // a drag is not a click
+    }
+
+    void theWheelZoomsAndWithShiftScrolls() {
+        Bench b;
+        b.view().pause();
+        b.wheel(45, 2);
+        QVERIFY(near(b.view().window().span(), 30 * 0.64, 1e-6));
+        QVERIFY(near(b.view().xAt(45), b.at(45).x(), 1.0));
+        const double end = b.view().window().end();
+        b.wheel(45, 1, Qt::ShiftModifier);
+        QVERIFY(b.view().window().end() < end);
+    }
+
+    void clicksPlaceTheCursorsAndTheReadoutSaysTheirDifference() {
+        Bench b;
+        b.view().pause();
+        QTest::mouseClick(b.view().viewport(), Qt::LeftButton, {}, b.at(40));
+        QVERIFY(near(*b.view().cursor(PlotView::Cursor::A), 40, 0.03));
+        QVERIFY(b.readout().contains("A "));
+        QTest::mouseClick(b.view().viewport(), Qt::LeftButton, {}, b.at(50));
+        b.view().setCursor(PlotView::Cursor::A, 40.0);
+        b.view().setCursor(PlotView::Cursor::B, 50.0);
+        QVERIFY2(b.readout().startsWith("A–B Δt 10.000 s · ΔFz +10.0 N"), qPrintable(b.readout()));
+        b.view().setCursor(PlotView::Cursor::A, 50.0);
+        b.view().setCursor(PlotView::Cursor::B, 40.2);
+        QVERIFY2(b.readout().startsWith("A–B Δt −9.800 s · ΔFz −9.8 N"), qPrintable(b.readout()));
+    }
+
+    void aCursorIsDraggedByItsLine() {
+        Bench b;
+        b.view().pause();
+        b.view().setCursor(PlotView::Cursor::B, 45.0);
+        QWidget* viewport = b.view().viewport();
+        QTest::mousePress(viewport, Qt::LeftButton, {}, b.at(45) + QPoint(3, 0));
+        QTest::mouseMove(viewport, b.at(35));
+        QTest::mouseRelease(viewport, Qt::LeftButton, {}, b.at(35));
+        QVERIFY(near(*b.view().cursor(PlotView::Cursor::B), 35, 0.03));
+        QVERIFY(near(b.view().window().end(), 60, 0.003));
+    }
+
+    void everythingIsReachedFromTheKeyboard() {
+        Bench b;
+        b.view().pause();
+        QTest::keyClick(&b.view(), Qt::Key_A);
+        const double a = b.view().cursor(PlotView::Cursor::A).value();
+        const double pixel = b.view().timeAt(501) - b.view().timeAt(500);
+        QTest::keyClick(&b.view(), Qt::Key_Right);
+        QVERIFY(near(*b.view().cursor(PlotView::Cursor::A), a + pixel, 1e-6));
+        QTest::keyClick(&b.view(), Qt::Key_Left, Qt::ShiftModifier);
+        QVERIFY(near(*b.view().cursor(PlotView::Cursor::A), a - 9 * pixel, 1e-6));
+        QTest::keyClick(&b.view(), Qt::Key_B);
+        QVERIFY(b.view().cursor(PlotView::Cursor::B).has_value());
+        QTest::keyClick(&b.view(), Qt::Key_Delete);
+        QVERIFY(!b.view().cursor(PlotView::Cursor::B));
+        QTest::keyClick(&b.view(), Qt::Key_Down);
+        QVERIFY(b.view().readoutSignal() == PlotSignal::CurrentBase);
+        QTest::keyClick(&b.view(), Qt::Key_Up);
+        QVERIFY(b.view().readoutSignal() == PlotSignal::ForceZ);
+        QTest::keyClick(&b.view(), Qt::Key_PageUp);
+        QVERIFY(near(b.view().window().end(), 45, 0.003));
+        QTest::keyClick(&b.view(), Qt::Key_End);
+        QVERIFY(b.view().window().follows());
+    }
+
+    void spaceAndEscapeAreLeftToTheStop() {
+        Bench b;
+        for (const auto key : {Qt::Key_Space, Qt::Key_Escape}) {
+            QKeyEvent event(QEvent::KeyPress, key, Qt::NoModifier);
+            QApplication::sendEvent(&b.view(), &event);
+            QVERIFY(!event.isAccepted());
+        }
+        QVERIFY(b.view().window().follows());
+    }
+
+    void thereIsNoValueInAGap() {
+        Bench b;
+        b.source->from = b.source->until + 2000;  // four seconds lost
+        b.runTo(70);
+        QVERIFY(b.view().valueAt(PlotSignal::ForceZ, 59.9).has_value());
+        QVERIFY(!b.view().valueAt(PlotSignal::ForceZ, 62).has_value());
+        QVERIFY(!b.view().valueAt(PlotSignal::ForceZ, 60.05).has_value());
+        QVERIFY(near(b.view().valueAt(PlotSignal::ForceZ, 65).value(), 65, 0.01));
+        // Nor a line across it.
+        const CurveItem& fz = *b.view().panes()[0]->curves()[2];
+        const auto column = [&](double time) {
+            const double share = (time - b.view().window().start()) / b.view().window().span();
+            return fz
+                .columns()[static_cast<std::size_t>(share * static_cast<double>(fz.columns().size() - 1))];
+        };
+        QVERIFY(std::isnan(column(62).left));
+        QVERIFY(!std::isnan(column(59.5).left));
+        QVERIFY(!std::isnan(column(65).left));
+    }
+
+    void aCurveIsDrawnWhereItsValuesAre() {
+        SeriesBuffer history(1, 4096);
+        std::array<float, 1> row{};
+        for (int i = 0; i < 4000; ++i) {
+            row[0] = i < 2000 ? 2.0F : 8.0F;
+            history.append(i * 0.001, row);
+        }
+        for (const double span : {4.0, 0.05}) {  // through columns of many samples, and through single ones
+            CurveItem curve(0, nullptr);
+            curve.setPen(QPen(Qt::red, 2));
+            ColumnGrid grid;
+            const double t0 = 2.0 - span / 2;
+            history.cut(t0, span / 200, 200, grid);
+            curve.sample(history, grid);
+            curve.setView(QRectF(0, 0, 200, 100), t0, t0 + span, 0, 10);
+            QImage image(200, 100, QImage::Format_ARGB32_Premultiplied);
+            image.fill(Qt::white);
+            QPainter painter(&image);
+            curve.paint(&painter, nullptr, nullptr);
+            painter.end();
+            const auto red = [&](int x, int y) { return QColor(image.pixel(x, y)).green() < 60; };
+            QVERIFY(red(50, 80));
+            QVERIFY(red(150, 20));
+            QVERIFY(!red(50, 70));
+            QVERIFY(!red(50, 20));
+            QVERIFY(!red(150, 80));
+        }
+    }
+
+    void theLaneShowsTheJogByItsKey() {
+        Bench b;
+        for (int i = 0; i <= 600; ++i) {
+            b.dock.setJogLabel(i >= 400 && i < 500 ? QStringLiteral("X+") : QString());
+            Q_EMIT b.session.stateChanged(running(i * 0.1, i >= 400 && i < 500));
+        }
+        b.runTo(60.1);
+        const auto& seen = b.view().laneItem().segments();
+        QCOMPARE(seen.size(), std::size_t{3});
+        QCOMPARE(seen[0].label, QString("Idle"));
+        QCOMPARE(seen[1].label, QString("Jog X+"));
+        QVERIFY(seen[1].kind == LaneKind::Moving);
+        QVERIFY(near(seen[1].start, 40, 1e-6));
+        QVERIFY(near(seen[1].end, 50, 1e-6));
+    }
+
+    void exportsTheShownRangeOnly() {
+        Bench b;
+        QTemporaryDir folder;
+        b.view().pause();
+        b.view().setSpan(5);
+        const QString csv = folder.filePath("range.csv");
+        QVERIFY(b.dock.exportTo(csv));
+        QFile file(csv);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const auto lines = file.readAll().trimmed().split('\n');
+        QVERIFY2(std::abs(lines.size() - 1 - 2501) <= 1, qPrintable(QString::number(lines.size())));
+        const QString png = folder.filePath("range.png");
+        QVERIFY(b.dock.exportTo(png));
+        QVERIFY(QImage(png).width() >= 1500);
+    }
+
+    void anExportThatFailsSaysWhy() {
+        Bench b;
+        QSignalSpy messages(&b.session, &RobotSession::message);
+        QVERIFY(!b.dock.exportTo("/nonexistent/folder/x.csv"));
+        QVERIFY(!b.dock.exportTo("/nonexistent/folder/x.png"));
+        QCOMPARE(messages.count(), 2);
+        for (const auto& message : messages) {
+            QVERIFY(message.at(0).value<Severity>() == Severity::Error);
+            QVERIFY(!message.at(1).toString().isEmpty());
+        }
+    }
+
+    void recordingWithoutARobotSaysWhatToDo() {
+        Bench b;
+        QTemporaryDir folder;
+        b.dock.setRecordingFolder(folder.path());
+        QSignalSpy messages(&b.session, &RobotSession::message);
+        QTest::mouseClick(b.button("plots.record"), Qt::LeftButton);
+        QVERIFY(messages.count() >= 1);
+        QVERIFY(messages.last().at(1).toString().contains("connect", Qt::CaseInsensitive));
+    }
+
+    void theRecordKeyShowsThatItRecords() {
+        Bench b;
+        SessionState state = running(60, false);
+        state.recording.active = true;
+        state.recording.seconds = 12;
+        Q_EMIT b.session.stateChanged(state);
+        QVERIFY(b.button("plots.record")->text().contains("REC 00:00:12"));
+        state.recording.active = false;
+        Q_EMIT b.session.stateChanged(state);
+        QVERIFY(b.button("plots.record")->text().contains("Record"));
+    }
+
+    void bothSchemesDrawWithoutAWarning() {
+        Bench b;
+        applyTheme(*qApp, Theme::dark());
+        QVERIFY(!b.dock.grab().isNull());
+        applyTheme(*qApp, Theme::light());
+        b.dock.resize(700, 240);
+        QVERIFY(!b.dock.grab().isNull());
+    }
+};
+
+QTEST_MAIN(TestPlotDock)
+#include "tst_plot_dock.moc"

@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The parts of the plots that need no window: time window, scale, lane, pump, CSV.
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <utility>
+
+#include "widgets/plots/axis_range.h"
+#include "widgets/plots/lane_text.h"
+#include "widgets/plots/plot_export.h"
+#include "widgets/plots/sample_pump.h"
+#include "widgets/plots/state_lane.h"
+#include "widgets/plots/time_window.h"
+
+using namespace tiller;
+
+namespace {
+
+class FakeSource : public PlotSource {
+public:
+    std::deque<PlotRow> rows;
+    std::uint64_t lost = 0;
+
+    std::uint64_t drain(const std::function<void(const PlotRow&)>& take) override {
+        for (const PlotRow& row : rows) {
+            take(row);
+        }
+        rows.clear();
+        return std::exchange(lost, 0);
+    }
+    void add(double time, std::uint64_t sequence, float fz = 0) {
+        PlotRow row;
+        row.robotTime = time;
+        row.sequence = sequence;
+        row.values[2] = fz;
+        rows.push_back(row);
+    }
+};
+
+struct Pumped {
+    SeriesBuffer history{kPlotSignalCount, 4096};
+    SamplePump pump{history};
+    FakeSource* source = nullptr;
+
+    Pumped() { connectSource(); }
+    void connectSource() {
+        auto owned = std::make_unique<FakeSource>();
+        source = owned.get();
+        pump.setSource(std::move(owned));
+    }
+};
+
+SessionState running() {
+    SessionState state;
+    state.link = LinkState::Live;
+    state.sequence = 1;
+    state.robotMode = RobotMode::Running;
+    state.safetyMode = SafetyMode::Normal;
+    return state;
+}
+
+}  // namespace
+
+class TestPlotModels : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    // ---- time window
+    void followsTheNewestSample() {
+        TimeWindow window;
+        window.setHistory(0, 100);
+        QCOMPARE(window.end(), 100.0);
+        QCOMPARE(window.start(), 70.0);
+        window.setHistory(0, 101);
+        QCOMPARE(window.end(), 101.0);
+        QCOMPARE(window.behind(), 0.0);
+    }
+    void pauseKeepsTheViewWhileDataGoOn() {
+        TimeWindow window;
+        window.setHistory(0, 100);
+        window.pause();
+        window.setHistory(0, 142);
+        QCOMPARE(window.end(), 100.0);
+        QCOMPARE(window.behind(), 42.0);
+        window.follow();
+        QCOMPARE(window.end(), 142.0);
+    }
+    void scrollingBackStopsFollowingAndStaysInsideTheHistory() {
+        TimeWindow window;
+        window.setHistory(0, 100);
+        window.scrollBy(-10);
+        QVERIFY(!window.follows());
+        QCOMPARE(window.end(), 90.0);
+        window.scrollBy(-1000);
+        QCOMPARE(window.start(), 0.0);
+        window.scrollBy(1000);
+        QCOMPARE(window.end(), 100.0);
+    }
+    void zoomKeepsTheMomentUnderThePointer() {
+        TimeWindow window;
+        window.setHistory(0, 1000);
+        window.pause();
+        window.scrollBy(-500);
+        const double share = (490 - window.start()) / window.span();
+        window.zoom(0.5, 490);
+        QCOMPARE((490 - window.start()) / window.span(), share);
+        QCOMPARE(window.span(), 15.0);
+        window.zoom(1e9, 490);
+        QCOMPARE(window.span(), TimeWindow::kLongest);
+        window.zoom(1e-12, 490);
+        QCOMPARE(window.span(), TimeWindow::kShortest);
+    }
+
+    // ---- scale
+    void scaleHoldsTheCurvesBetweenRoundLines_data() {
+        QTest::addColumn<double>("low");
+        QTest::addColumn<double>("high");
+        for (const auto& [low, high] : {std::pair(-20.0, 20.0),
+                                        {0.0, 0.0},
+                                        {-3.0, 180.0},
+                                        {1e-4, 2e-4},
+                                        {-1e6, -9e5},
+                                        {40.0, 41.0},
+                                        {-0.1, 7.0}}) {
+            QTest::addRow("%g ... %g", low, high) << low << high;
+        }
+    }
+    void scaleHoldsTheCurvesBetweenRoundLines() {
+        QFETCH(double, low);
+        QFETCH(double, high);
+        for (const int lines : {2, 3, 4, 6}) {
+            AxisRange range(0.5);
+            range.setMostLines(lines);
+            range.reset(low, high);
+            QVERIFY(range.min() <= low);
+            QVERIFY(range.max() >= high);
+            QVERIFY(range.step() >= 0.5);
+            const double first = std::ceil(range.min() / range.step());
+            const double last = std::floor(range.max() / range.step());
+            QVERIFY2(last - first >= 1, "fewer than two grid lines");
+            QVERIFY2(last - first < lines, "more grid lines than there is room for");
+            const double mantissa = range.step() / std::pow(10, std::floor(std::log10(range.step()) + 1e-9));
+            QVERIFY(std::abs(mantissa - 1) < 1e-6 || std::abs(mantissa - 2) < 1e-6 ||
+                    std::abs(mantissa - 5) < 1e-6);
+        }
+    }
+    void scaleGrowsAtOnceAndShrinksOnlyAfterAWhile() {
+        AxisRange range(1);
+        range.reset(-2, 2);
+        QVERIFY(range.fit(-2, 30, 0.025));
+        const double max = range.max();
+        QVERIFY(max >= 30);
+        double waited = 0;
+        while (!range.fit(-2, 2, 0.025)) {
+            waited += 0.025;
+            QVERIFY(waited < 10);
+            QCOMPARE(range.max(), max);
+        }
+        QVERIFY(waited > AxisRange::kPatience - 0.1);
+        QVERIFY(range.max() < max);
+    }
+    void scaleDoesNotJitterWithNoise() {
+        AxisRange range(1);
+        range.reset(-10, 10);
+        int changes = 0;
+        for (int i = 0; i < 4000; ++i) {
+            changes += range.fit(-10 - 0.5 * (i % 7), 10 + 0.5 * (i % 5), 0.025) ? 1 : 0;
+        }
+        QVERIFY2(changes <= 1, qPrintable(QString::number(changes)));
+    }
+    void scaleIgnoresWhatIsNoNumber() {
+        AxisRange range(1);
+        range.reset(-2, 2);
+        const double max = range.max();
+        QVERIFY(
+            !range.fit(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), 1));
+        QVERIFY(!range.fit(0, std::numeric_limits<double>::infinity(), 1));
+        QVERIFY(!range.fit(std::numeric_limits<double>::quiet_NaN(), 1, 1));
+        QCOMPARE(range.max(), max);
+    }
+
+    // ---- lane
+    void laneJoinsWhatIsTheSameAndCutsToTheView() {
+        StateLane lane;
+        for (int i = 0; i <= 100; ++i) {
+            const bool moving = i >= 40 && i < 70;
+            lane.add(i * 0.1, moving ? LaneKind::Moving : LaneKind::Idle, moving ? "Jog X+" : "Idle");
+        }
+        QCOMPARE(lane.segments().size(), std::size_t{3});
+        const auto seen = lane.visible(3, 9, 0);
+        QCOMPARE(seen.size(), std::size_t{3});
+        QCOMPARE(seen[0].start, 3.0);
+        QCOMPARE(seen[0].end, 4.0);
+        QCOMPARE(seen[1].label, QString("Jog X+"));
+        QCOMPARE(seen[1].end, 7.0);
+        QCOMPARE(seen[2].end, 9.0);
+        QVERIFY(lane.visible(20, 30, 0).empty());
+    }
+    void laneCostsNoMoreThanItsPixels() {
+        StateLane lane;
+        for (int i = 0; i < 30000; ++i) {
+            lane.add(i * 0.01, i % 2 == 0 ? LaneKind::Moving : LaneKind::Idle, {});
+        }
+        QVERIFY(lane.segments().size() <= StateLane::kMostSegments);
+        const auto seen = lane.visible(100, 300, 1.0);
+        QVERIFY(seen.size() <= 202);
+        for (std::size_t i = 1; i < seen.size(); ++i) {
+            QVERIFY(seen[i].start >= seen[i - 1].end - 1e-9);
+        }
+        lane.forgetBefore(299);
+        QVERIFY(lane.segments().size() <= 102);
+    }
+    void laneSaysWhatTheRobotDoes() {
+        SessionState state = running();
+        QCOMPARE(laneEntry(state, {}).label, QString("Idle"));
+        state.moving = true;
+        QCOMPARE(laneEntry(state, "X+").label, QString("Moving"));
+        QVERIFY(laneEntry(state, {}).kind == LaneKind::Moving);
+        state.jogActive = true;
+        QCOMPARE(laneEntry(state, "X+").label, QString("Jog X+"));
+        state.safetyMode = SafetyMode::ProtectiveStop;
+        QCOMPARE(laneEntry(state, "X+").label, QString("Protective stop"));
+        QVERIFY(laneEntry(state, {}).kind == LaneKind::Stopped);
+        state = running();
+        state.robotMode = RobotMode::PowerOff;
+        QVERIFY(laneEntry(state, {}).kind == LaneKind::Off);
+        state.link = LinkState::Lost;
+        QVERIFY(laneEntry(state, {}).kind == LaneKind::NoData);
+    }
+
+    // ---- pump
+    void rowsBecomeSamplesInOrder() {
+        Pumped p;
+        QSignalSpy frames(&p.pump, &SamplePump::frame);
+        for (int i = 0; i < 10; ++i) {
+            p.source->add(5 + i * 0.002, static_cast<std::uint64_t>(i) + 1, static_cast<float>(i));
+        }
+        p.pump.pump();
+        QCOMPARE(frames.takeFirst().first().toInt(), 10);
+        QCOMPARE(p.history.end(), std::int64_t{10});
+        QCOMPARE(p.history.value(2, 9), 9.0F);
+        QCOMPARE(p.pump.gaps(), std::uint64_t{0});
+        p.pump.pump();
+        QCOMPARE(frames.takeFirst().first().toInt(), 0);
+    }
+    void aRingThatRanOverIsAGapAndCounted() {
+        Pumped p;
+        p.source->add(1.000, 1);
+        p.source->add(1.002, 2);
+        p.pump.pump();
+        p.source->add(9.000, 4001);
+        p.source->add(9.002, 4002);
+        p.source->lost = 3998;
+        p.pump.pump();
+        QCOMPARE(p.pump.overrun(), std::uint64_t{3998});
+        QCOMPARE(p.pump.gaps(), std::uint64_t{1});
+        QVERIFY(p.history.gapBefore(2));
+        QVERIFY(!p.history.gapBefore(3));
+    }
+    void packetsTheControllerSkippedAreAGap() {
+        Pumped p;
+        p.source->add(1.000, 1);
+        p.source->add(1.002, 2);
+        p.source->add(1.100, 3);  // counted by nobody, but a hole in time
+        p.pump.pump();
+        QVERIFY(p.history.gapBefore(2));
+        PlotRow row;
+        row.robotTime = 1.102;
+        row.sequence = 4;
+        row.gapBefore = true;
+        p.source->rows.push_back(row);
+        p.pump.pump();
+        QVERIFY(p.history.gapBefore(3));
+    }
+    void aControllerThatRestartsGoesOnAfterAGap() {
+        Pumped p;
+        p.source->add(500.000, 1);
+        p.source->add(500.002, 2);
+        p.pump.pump();
+        p.connectSource();
+        p.source->add(0.002, 1);
+        p.source->add(0.004, 2);
+        p.pump.pump();
+        QCOMPARE(p.history.end(), std::int64_t{4});
+        QVERIFY(p.history.gapBefore(2));
+        QVERIFY(p.history.time(2) > 500.002);
+        QCOMPARE(p.pump.plotTime(0.004), p.history.time(3));
+    }
+
+    // ---- CSV
+    void csvHasTheShownSamplesUnderTheirRecordingNames() {
+        QTemporaryDir folder;
+        SeriesBuffer history(kPlotSignalCount, 4096);
+        std::array<float, kPlotSignalCount> row{};
+        for (int i = 0; i < 100; ++i) {
+            row.fill(std::numeric_limits<float>::quiet_NaN());
+            row[2] = static_cast<float>(i) * 0.5F;
+            history.append(10 + i * 0.002, row);
+        }
+        const QString path = folder.filePath("range.csv");
+        const auto rows = exportCsv(history, 10.0199, 10.0401, path);
+        QVERIFY(rows.ok());
+        QCOMPARE(*rows, std::int64_t{11});
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QList<QByteArray> lines = file.readAll().trimmed().split('\n');
+        QCOMPARE(lines.size(), 12);
+        QVERIFY(lines[0].startsWith("timestamp,actual_TCP_force_0,actual_TCP_force_1,actual_TCP_force_2,"));
+        QVERIFY(lines[0].endsWith(",actual_current_5"));
+        QCOMPARE(lines[1], QByteArray("10.0200,,,5,,,,,,,,,"));
+        QCOMPARE(lines[11].split(',')[3], QByteArray("10"));
+    }
+    void csvThatCannotBeWrittenSaysSoAndKeepsTheOldFile() {
+        SeriesBuffer history(kPlotSignalCount, 4096);
+        QTemporaryDir folder;
+        const QString path = folder.filePath("old.csv");
+        QFile old(path);
+        QVERIFY(old.open(QIODevice::WriteOnly));
+        old.write("mine");
+        old.close();
+        QCOMPARE(exportCsv(history, 0, 1, path).error().code, ErrorCode::InvalidArgument);
+        QVERIFY(old.open(QIODevice::ReadOnly));
+        QCOMPARE(old.readAll(), QByteArray("mine"));
+        history.append(0.5, {});
+        const Error error = exportCsv(history, 0, 1, folder.filePath("no/such/folder/x.csv")).error();
+        QCOMPARE(error.code, ErrorCode::FileNotWritable);
+        QVERIFY(!error.controllerMessage.isEmpty());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestPlotModels)
+#include "tst_plot_models.moc"

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QApplication>
+#include <QImage>
+#include <QPainter>
+#include <QSignalSpy>
+#include <QTest>
+#include <QWheelEvent>
+#include <cmath>
+
+#include "robot/kinematics/arm_kinematics.h"
+#include "widgets/common/theme.h"
+#include "widgets/scene/arm_shape.h"
+#include "widgets/scene/scene_dock.h"
+#include "widgets/scene/scene_view.h"
+#include "widgets/session/robot_session.h"
+
+using namespace tiller;
+
+namespace {
+
+const JointPositions kStance(-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310);
+
+SessionState live(const JointPositions& q, double time = 1) {
+    SessionState state;
+    state.link = LinkState::Live;
+    state.sequence = 1;
+    state.robotMode = RobotMode::Running;
+    state.safetyMode = SafetyMode::Normal;
+    state.q = q;
+    state.robotTime = time;
+    return state;
+}
+
+QImage picture(SceneView& view) {
+    QImage image(view.size(), QImage::Format_ARGB32_Premultiplied);
+    image.fill(Theme::current().panel);
+    QPainter painter(&image);
+    view.paintScene(painter, view.size());
+    return image;
+}
+
+/// True when a pixel of about this colour is within `radius` of the place.
+bool hasColorNear(const QImage& image, const QPointF& place, const QColor& color, int radius) {
+    for (int dy = -radius; dy <= radius; ++dy) {
+        for (int dx = -radius; dx <= radius; ++dx) {
+            const QPoint at = place.toPoint() + QPoint(dx, dy);
+            if (image.rect().contains(at)) {
+                const QColor c(image.pixel(at));
+                if (std::abs(c.red() - color.red()) + std::abs(c.green() - color.green()) +
+                        std::abs(c.blue() - color.blue()) <
+                    24) {
+                    return true;
+                }
+            }
+        }
+    }
+    return false;
+}
+
+int countColor(const QImage& image, const QColor& color) {
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            count += QColor(image.pixel(x, y)) == color ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+}  // namespace
+
+class TestSceneView : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { applyTheme(*qApp, Theme::light()); }
+
+    void aPointStraightAheadIsInTheMiddle() {
+        Camera camera;
+        camera.reset(0.85);
+        camera.setViewport({800, 600});
+        const Eigen::Matrix3d R = camera.viewRotation();
+        QVERIFY((R.transpose() * R - Eigen::Matrix3d::Identity()).norm() < 1e-12);
+        QVERIFY(std::abs(R.determinant() - 1) < 1e-12);
+        const auto middle = camera.project({0, 0, 0.55 * 0.85});
+        QVERIFY(std::hypot(middle.point.x() - 400, middle.point.y() - 300) < 1e-6);
+        const Eigen::Vector3d target(0, 0, 0.55 * 0.85);
+        // The view's X is right, its Y up, its Z nearer: the jog frame "View" rests on it.
+        QVERIFY(camera.project(target + 0.1 * R.col(0)).point.x() > middle.point.x() + 10);
+        QVERIFY(camera.project(target + 0.1 * R.col(1)).point.y() < middle.point.y() - 10);
+        QVERIFY(camera.project(target + 0.1 * R.col(2)).depth < middle.depth);
+        QVERIFY(R.col(1).z() > 0.5);
+        QVERIFY2(R.col(0).x() > 0.5, "base X goes to the right at first");
+    }
+
+    void whatIsBehindTheEyeIsNotDrawn() {
+        Camera camera;
+        camera.reset(0.85);
+        const Eigen::Vector3d behind = 100 * camera.viewRotation().col(2);
+        QVERIFY(!camera.project(behind).visible());
+    }
+
+    void theWholeReachOfAnUprightArmIsOnTheScreen() {
+        for (const RobotModel& model : robotModels()) {
+            Camera camera;
+            camera.reset(model.reach);
+            camera.setViewport({930, 520});
+            const auto frames =
+                kinematics::linkFrames(model.dh, JointPositions(0, -M_PI_2, 0, -M_PI_2, 0, 0));
+            for (const auto& frame : frames) {
+                const QPointF at = camera.project(frame.translation()).point;
+                QVERIFY2(QRectF(0, -10, 930, 540).contains(at), model.name);
+            }
+        }
+    }
+
+    void theArmFollowsTheKinematics() {
+        const RobotModel& model = robotModel(RobotModelId::UR5e);
+        const auto frames = kinematics::linkFrames(model.dh, kStance);
+        const auto parts = armParts(model, kStance);
+        // The wrist's balls are where the DH frames are, and the rods hang together.
+        QVERIFY((parts[11].from - frames[4].translation()).norm() < 1e-9);
+        QVERIFY((parts[12].from - frames[5].translation()).norm() < 1e-9);
+        for (std::size_t i = 1; i < 8; ++i) {
+            QVERIFY2((parts[i].from - parts[i - 1].to).norm() < 1e-9, qPrintable(QString::number(i)));
+        }
+        // Upper arm and forearm run beside each other, as far apart as on the real arm.
+        QVERIFY(std::abs((parts[3].to - parts[3].from).norm() - 0.131) < 0.002);
+    }
+
+    void theToolFrameIsDrawnWhereKinematicsSaysItIs() {
+        SceneView view;
+        view.resize(930, 520);
+        SessionState state = live(kStance);
+        state.tcpOffset = Pose(0, 0, 0.1, 0, 0, 0);
+        view.setState(state);
+        const QImage image = picture(view);
+        const RobotModel& model = robotModel(RobotModelId::UR5e);
+        const Eigen::Isometry3d T = kinematics::forwardTcp(model.dh, kStance, state.tcpOffset).transform();
+        for (int axis = 0; axis < 3; ++axis) {
+            const Eigen::Vector3d on = T.translation() + 0.06 * T.linear().col(axis);
+            QVERIFY2(hasColorNear(image, view.camera().project(on).point, Theme::light().axis(axis), 1),
+                     qPrintable(QString::number(axis)));
+        }
+        const Eigen::Vector3d off = T.translation() + 0.06 * T.linear().col(2) + Eigen::Vector3d(0, 0, 0.3);
+        QVERIFY(!hasColorNear(image, view.camera().project(off).point, Theme::light().axis(2), 1));
+    }
+
+    void ghostIsShownWithItsFigures() {
+        SceneView view;
+        view.resize(930, 520);
+        view.setState(live(kStance));
+        const QColor pale(157, 197, 219);
+        const int before = countColor(picture(view), QColor(pale));
+        SceneGhost ghost;
+        ghost.name = "above tray";
+        ghost.q = kStance;
+        ghost.q[4] += 41 * M_PI / 180;
+        ghost.q[0] += 0.3;
+        ghost.speed = 1.0;
+        ghost.acceleration = 1.0;
+        QSignalSpy texts(&view, &SceneView::ghostTextChanged);
+        SessionState state = live(kStance);
+        state.speedFraction = 0.35;
+        view.setState(state);
+        view.setGhost(ghost);
+        // 41 deg = 0.7156 rad: never at full speed, 2 sqrt(0.7156) s, at 35 % 4.83 s.
+        QCOMPARE(view.ghostText(),
+                 QString("ghost “above tray” · reachable · largest turn Wrist 2 41° · 4.8 s at 35 %"));
+        QCOMPARE(texts.last().first().toString(), view.ghostText());
+        const auto parts = armParts(robotModel(RobotModelId::UR5e), ghost.q);
+        const QImage image = picture(view);
+        Q_UNUSED(before);
+        QVERIFY(
+            hasColorNear(image, view.camera().project((parts[7].from + parts[7].to) / 2).point, pale, 12));
+        ghost.reachable = false;
+        view.setGhost(ghost);
+        QVERIFY(view.ghostText().contains("out of reach"));
+        view.setGhost(std::nullopt);
+        QVERIFY(view.ghostText().isEmpty());
+    }
+
+    void staleDataAreGreyAndSaySo() {
+        SceneView view;
+        view.resize(930, 520);
+        view.setState(live(kStance));
+        const QColor joint(0x3D, 0x6E, 0x94);
+        QVERIFY(countColor(picture(view), joint) > 500);
+        SessionState state = live(kStance);
+        state.link = LinkState::Stale;
+        view.setState(state);
+        const QImage stale = picture(view);
+        QCOMPARE(countColor(stale, joint), 0);
+        state.link = LinkState::Lost;
+        view.setState(state);
+        QVERIFY(countColor(picture(view), Theme::light().secondary) >
+                countColor(stale, Theme::light().secondary));
+        state.link = LinkState::Live;
+        view.setState(state);
+        QVERIFY(countColor(picture(view), joint) > 500);
+    }
+
+    void draggingOrbitsTheWheelZoomsADoubleClickResets() {
+        SceneView view;
+        view.resize(600, 400);
+        view.show();
+        view.setState(live(kStance));
+        QSignalSpy moved(&view, &SceneView::viewChanged);
+        const Camera before = view.camera();
+        QTest::mousePress(&view, Qt::LeftButton, {}, {300, 200});
+        QTest::mouseMove(&view, {360, 220});
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, {360, 220});
+        QVERIFY(view.camera().azimuth() != before.azimuth());
+        QVERIFY(view.camera().elevation() > before.elevation());
+        QVERIFY(moved.count() > 0);
+        QCOMPARE(view.camera().distance(), before.distance());
+        QWheelEvent wheel({300, 200}, view.mapToGlobal(QPoint(300, 200)), {}, {0, 240}, Qt::NoButton,
+                          Qt::NoModifier, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&view, &wheel);
+        QVERIFY(view.camera().distance() < before.distance());
+        QTest::mouseDClick(&view, Qt::LeftButton, {}, {300, 200});
+        QCOMPARE(view.camera().distance(), before.distance());
+        QCOMPARE(view.camera().azimuth(), before.azimuth());
+        // The right button turns nothing.
+        QTest::mousePress(&view, Qt::RightButton, {}, {300, 200});
+        QTest::mouseMove(&view, {400, 250});
+        QTest::mouseRelease(&view, Qt::RightButton, {}, {400, 250});
+        QCOMPARE(view.camera().azimuth(), before.azimuth());
+    }
+
+    void theEyeNeverGoesUnderTheGround() {
+        Camera camera;
+        camera.reset(0.85);
+        camera.orbit(0, -10);
+        QVERIFY(camera.elevation() > 0);
+        camera.orbit(0, 10);
+        QVERIFY(camera.elevation() < M_PI_2);
+        camera.zoom(1e-9);
+        QVERIFY(camera.distance() > 0.1);
+    }
+
+    void nothingDoneInTheViewMovesTheRobot() {
+        RobotSession session;
+        SceneDock dock(session);
+        dock.resize(930, 560);
+        dock.show();
+        QSignalSpy messages(&session, &RobotSession::message);
+        SceneView& view = dock.view();
+        view.setState(live(kStance));
+        const std::uint64_t sequence = session.state().sequence;
+        for (const auto button : {Qt::LeftButton, Qt::RightButton, Qt::MiddleButton}) {
+            QTest::mousePress(&view, button, {}, {300, 200});
+            QTest::mouseMove(&view, {500, 300});
+            QTest::mouseRelease(&view, button, {}, {500, 300});
+        }
+        for (const auto key : {Qt::Key_Left, Qt::Key_Plus, Qt::Key_Home, Qt::Key_X}) {
+            QTest::keyClick(&view, key);
+        }
+        // A refused motion would have said so: without a robot every attempt is refused aloud or counted.
+        QCOMPARE(messages.count(), 0);
+        QVERIFY(!session.state().moving);
+        QVERIFY(!session.state().jogActive);
+        QCOMPARE(session.state().sequence, sequence);
+    }
+
+    void spaceAndEscapeAreLeftToTheStop() {
+        SceneView view;
+        for (const auto key : {Qt::Key_Space, Qt::Key_Escape}) {
+            QKeyEvent event(QEvent::KeyPress, key, Qt::NoModifier);
+            QApplication::sendEvent(&view, &event);
+            QVERIFY(!event.isAccepted());
+        }
+    }
+
+    void repaintsOnlyWhenSomethingChanged() {
+        SceneView view;
+        view.resize(400, 300);
+        view.show();
+        view.setState(live(kStance));
+        QVERIFY(QTest::qWaitForWindowExposed(&view));
+        struct Counter : QObject {
+            int paints = 0;
+            bool eventFilter(QObject*, QEvent* event) override {
+                paints += event->type() == QEvent::Paint ? 1 : 0;
+                return false;
+            }
+        } counter;
+        QTest::qWait(60);  // whatever is still under way
+        view.installEventFilter(&counter);
+        for (int i = 0; i < 5; ++i) {
+            view.setState(live(kStance, 1));
+            QTest::qWait(20);
+        }
+        QCOMPARE(counter.paints, 0);
+        JointPositions moved = kStance;
+        moved[0] += 0.1;
+        view.setState(live(moved, 1));
+        QTRY_VERIFY(counter.paints > 0);
+    }
+};
+
+QTEST_MAIN(TestSceneView)
+#include "tst_scene_view.moc"
