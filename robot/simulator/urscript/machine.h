@@ -78,6 +78,8 @@ private:
     // execution (machine_run.cpp)
     void run(Thread& thread);
     void execute(Thread& thread);
+
+    // calls (machine_calls.cpp)
     void enter(Thread& thread, int function, int arguments);
     bool leave(Thread& thread, Value result);
     bool callBuiltin(Thread& thread, const Instruction& instruction);

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// Which variable or function a name means.
+
+#include "robot/simulator/urscript/compiler.h"
+
+namespace tiller::simulator::urscript {
+
+using ast::AssignScope;
+using ast::Block;
+using ast::Expr;
+using ast::ExprKind;
+using ast::Function;
+using ast::FunctionKind;
+using ast::Position;
+using ast::Stmt;
+using ast::StmtKind;
+
+void Compiler::collectGlobals() {
+    for (const auto& parameter : tree_.functions.front().parameters) {
+        globalSlot(parameter.name);
+    }
+    for (const Function& f : tree_.functions) {
+        collectGlobals(f.body, f.index == 0);
+    }
+}
+
+void Compiler::collectGlobals(const Block& block, bool outermost) {
+    for (const Stmt* s : block) {
+        if (s->kind == StmtKind::Assign && (outermost || s->scope == AssignScope::Global)) {
+            const Expr* target = rootOf(s->target);
+            // An element assignment declares nothing, unless it says `global`.
+            if (target == s->target || s->scope == AssignScope::Global) {
+                globalSlot(target->text);
+            }
+        }
+        for (const Block& inner : s->blocks) {
+            collectGlobals(inner, outermost);
+        }
+    }
+}
+
+void Compiler::collectLocals(const Block& block) {
+    for (const Stmt* s : block) {
+        if (s->kind == StmtKind::Assign && s->target->kind == ExprKind::Variable) {
+            const std::string_view name = s->target->text;
+            if (s->scope == AssignScope::Local) {
+                explicitLocals_.insert(name);
+            } else if (s->scope == AssignScope::Unqualified && !globals_.contains(name)) {
+                localSlot(name);
+            }
+        }
+        for (const Block& inner : s->blocks) {
+            collectLocals(inner);
+        }
+    }
+}
+
+const Expr* Compiler::rootOf(const Expr* target) {
+    while (target->kind != ExprKind::Variable) {
+        target = target->children[0];
+    }
+    return target;
+}
+
+int Compiler::globalSlot(std::string_view name) {
+    const auto [it, added] = globals_.try_emplace(name, static_cast<int>(out_->globals.size()));
+    if (added) {
+        out_->globals.emplace_back(name);
+    }
+    return it->second;
+}
+
+int Compiler::localSlot(std::string_view name) {
+    const auto [it, added] = locals_.try_emplace(name, static_cast<int>(code_->localNames.size()));
+    if (added) {
+        code_->localNames.emplace_back(name);
+    }
+    return it->second;
+}
+
+Compiler::Slot Compiler::resolve(std::string_view name) {
+    if (const auto it = locals_.find(name); it != locals_.end()) {
+        return {false, it->second};
+    }
+    if (const auto it = globals_.find(name); it != globals_.end()) {
+        return {true, it->second};
+    }
+    // `local x` further down, read here: in a loop it may have a value by now.
+    if (explicitLocals_.contains(name)) {
+        return {false, localSlot(name)};
+    }
+    return {};
+}
+
+const Function* Compiler::findFunction(std::string_view name) const {
+    for (const Function* scope = function_; scope != nullptr; scope = scope->parent) {
+        for (const Function* f : scope->nested) {
+            if (f->name == name) {
+                return f;
+            }
+        }
+        if (scope->name == name && scope->parent == nullptr && scope->kind == FunctionKind::Def) {
+            return scope;
+        }
+    }
+    return nullptr;
+}
+
+void Compiler::report(Position at, std::string text) {
+    // The first in the text, whatever the order of the functions.
+    if (!error_ || std::pair(at.line, at.column) < std::pair(error_->line, error_->column)) {
+        error_ = CompileError{at.line, at.column, std::move(text)};
+    }
+}
+
+void Compiler::nameNotFound(Position at, std::string_view name) {
+    report(at, "compile_error_name_not_found:" + std::string(name) + ":");
+}
+}  // namespace tiller::simulator::urscript
