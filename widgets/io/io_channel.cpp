@@ -13,7 +13,7 @@ namespace tiller {
 namespace {
 
 constexpr int kTerminalWidth = 46;
-constexpr int kStateWidth = 92;
+constexpr int kStateWidth = 98;
 constexpr int kLamp = 12;
 
 }  // namespace
@@ -23,6 +23,7 @@ IoChannel::IoChannel(const QString& terminal, bool output, QWidget* parent)
     setText(terminal);
     setFocusPolicy(output ? Qt::TabFocus : Qt::NoFocus);
     setAttribute(Qt::WA_Hover);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     describe();
 }
 

@@ -38,7 +38,7 @@ void LogModel::append(const QDateTime& time, Severity severity, const QString& t
 }
 
 QString LogModel::shown(const Entry& entry) const {
-    return entry.count == 1 ? entry.text : QStringLiteral("%1 (×%2)").arg(entry.text).arg(entry.count);
+    return entry.count == 1 ? entry.text : QStringLiteral("(×%1) %2").arg(entry.count).arg(entry.text);
 }
 
 QString LogModel::rowText(int row) const {

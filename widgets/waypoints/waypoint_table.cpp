@@ -148,13 +148,16 @@ void WaypointTable::resizeEvent(QResizeEvent* event) {
         int narrow;
     };
     static constexpr Width kWidths[] = {
-        {WaypointModel::Number, 36, 30}, {WaypointModel::Move, 58, 50},
-        {WaypointModel::Frame, 76, 62},  {WaypointModel::Speed, 100, 92},
-        {WaypointModel::Blend, 88, 74},  {WaypointModel::ReachColumn, 84, 76}};
-    const bool wide = viewport()->width() >= 520;
+        {WaypointModel::Number, 36, 36}, {WaypointModel::Move, 56, 54},
+        {WaypointModel::Frame, 82, 76},  {WaypointModel::Speed, 100, 100},
+        {WaypointModel::Blend, 86, 86},  {WaypointModel::ReachColumn, 98, 92}};
+    const int room = viewport()->width();
     for (const Width& width : kWidths) {
-        setColumnWidth(width.column, wide ? width.wide : width.narrow);
+        setColumnWidth(width.column, room >= 520 ? width.wide : width.narrow);
     }
+    // The name needs its room; what goes first can be seen elsewhere.
+    setColumnHidden(WaypointModel::Blend, room < 500);
+    setColumnHidden(WaypointModel::Number, room < 440);
     QTableView::resizeEvent(event);
 }
 

@@ -161,6 +161,7 @@ void WaypointsTab::onSelection() {
     const int row = currentRow();
     const QUuid id = row < 0 ? QUuid() : model_->waypoints().at(row).id;
     details_->setWaypoint(row);
+    details_->setVisible(model_->rowCount() > 0);
     if (id == lastSelected_) {
         return;
     }

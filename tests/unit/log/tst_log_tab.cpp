@@ -54,7 +54,7 @@ private Q_SLOTS:
             time_ = time_.addSecs(1);
         }
         QCOMPARE(rows(), 1);
-        QCOMPARE(cell(0, LogModel::Text), QString("Elbow near its limit (×3)"));
+        QCOMPARE(cell(0, LogModel::Text), QString("(×3) Elbow near its limit"));
         QCOMPARE(cell(0, LogModel::Time), QString("14:02:13"));
         tab_->append(Severity::Error, "Elbow near its limit");
         QCOMPARE(rows(), 2);
