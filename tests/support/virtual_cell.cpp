@@ -30,10 +30,10 @@ simulator::ControllerOptions virtualOptions() {
 
 }  // namespace
 
-VirtualCell::VirtualCell() : robot(virtualOptions()), session(clock) {}
+VirtualCell::VirtualCell(VirtualClock& c, RobotSession& s) : clock(c), session(s), robot(virtualOptions()) {}
 
 VirtualCell::~VirtualCell() {
-    session.shutDown();
+    session.disconnectFromRobot();
     robot.stop();
 }
 

@@ -15,7 +15,8 @@ namespace tiller::test {
 
 class VirtualCell {
 public:
-    VirtualCell();
+    /// Both must outlive the cell; the session must have been made with the clock.
+    VirtualCell(VirtualClock& clock, RobotSession& session);
     ~VirtualCell();
 
     /// Starts the robot (powered, brakes released), connects, takes control.
@@ -34,9 +35,9 @@ public:
 
     std::function<void()> everyRefresh;
 
-    VirtualClock clock;
+    VirtualClock& clock;
+    RobotSession& session;
     simulator::Controller robot;
-    RobotSession session;
 
     simulator::Truth truth() const { return robot.truth(); }
 

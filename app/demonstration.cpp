@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/demonstration.h"
+
+#include <QApplication>
+#include <QFile>
+#include <QMouseEvent>
+#include <QTextStream>
+
+#include "app/main_window.h"
+#include "widgets/session/robot_session.h"
+#include "widgets/session/texts.h"
+
+namespace tiller::app {
+namespace {
+
+constexpr int kPollMs = 10;
+constexpr double kJogMm = 50.0;
+constexpr QSize kPictureSize{1920, 1080};
+
+void sendMouse(QWidget& widget, QEvent::Type type) {
+    const QPointF centre = QRectF(widget.rect()).center();
+    const bool down = type == QEvent::MouseButtonPress;
+    QMouseEvent event(type, centre, widget.mapToGlobal(centre), Qt::LeftButton,
+                      down ? Qt::MouseButtons(Qt::LeftButton) : Qt::NoButton, Qt::NoModifier);
+    QApplication::sendEvent(&widget, &event);
+}
+
+double distanceMm(const Pose& a, const Pose& b) {
+    return 1000.0 * (a.position - b.position).norm();
+}
+
+}  // namespace
+
+Demonstration::Demonstration(MainWindow& window, const QString& folder, QObject* parent)
+    : QObject(parent), window_(window), folder_(folder) {
+    timer_.setInterval(kPollMs);
+    connect(&timer_, &QTimer::timeout, this, &Demonstration::poll);
+    connect(&window_.session(), &RobotSession::motionStopped, this,
+            [this](const control::StopMeasurement& stop) {
+                if (jogStop_.count == 0 && stop.cause == control::StopCause::Released) {
+                    jogStop_ = stop;
+                }
+            });
+    connect(&window_.session(), &RobotSession::message, this, [this](Severity severity, const QString& text) {
+        if (severity != Severity::Info) {
+            troubles_ << text;
+        }
+    });
+    addSteps();
+}
+
+void Demonstration::start() {
+    total_.start();
+    if (!folder_.mkpath(QStringLiteral("."))) {
+        fail(tr("make the folder %1: choose one that may be written to").arg(folder_.path()));
+        finish();
+        return;
+    }
+    timer_.start();
+}
+
+void Demonstration::addSteps() {
+    const auto state = [this]() -> const SessionState& { return window_.session().state(); };
+
+    steps_.push_back({tr("connect"), [this] { window_.connectSimulator(); }, [=] { return state().link == LinkState::Live; }});
+    steps_.push_back(
+        {tr("power on"), [this] { window_.session().powerOn(); },
+         [=] { return state().robotMode == RobotMode::Idle || state().robotMode == RobotMode::Running; },
+         30'000});
+    steps_.push_back({tr("release the brakes"), [this] { window_.session().releaseBrakes(); },
+                      [=] { return state().robotMode == RobotMode::Running; }, 30'000});
+    steps_.push_back(
+        {tr("take control"), [this] { window_.session().takeControl(); }, [=] { return state().canMove(); }});
+    steps_.push_back({tr("start recording"),
+                      [this] {
+                          const QString path = folder_.filePath(QStringLiteral("recording.csv"));
+                          const Result<void> started = window_.session().startRecording(path);
+                          if (!started) {
+                              fail(texts::errorText(started.error()));
+                          }
+                      },
+                      [=] { return state().recording.active && state().recording.rows > 0; }});
+    steps_.push_back({tr("teach the first waypoint"), [this] { click(QStringLiteral("waypoint.teach")); },
+                      [this] { return window_.waypointCount() == 1; }});
+    steps_.push_back({tr("jog X+ in Base for 50 mm"),
+                      [this, state] {
+                          jogStart_ = state().tcpPose;
+                          press(QStringLiteral("jog.X+"));
+                      },
+                      [this, state] { return distanceMm(state().tcpPose, jogStart_) >= kJogMm; }});
+    steps_.push_back({tr("let go"), [this] { release(QStringLiteral("jog.X+")); },
+                      [this, state] {
+                          if (jogStop_.count == 0 || state().moving) {
+                              return false;
+                          }
+                          jogEnd_ = state().tcpPose;
+                          return true;
+                      }});
+    steps_.push_back({tr("teach the second waypoint"), [this] { click(QStringLiteral("waypoint.teach")); },
+                      [this] { return window_.waypointCount() == 2; }});
+    steps_.push_back(
+        {tr("go to the first waypoint (held)"),
+         [this] {
+             window_.selectWaypoint(0);
+             press(QStringLiteral("waypoint.goTo"));
+         },
+         [this, state] { return distanceMm(state().tcpPose, jogStart_) < 0.5 && !state().moving; }, 20'000});
+    steps_.push_back({tr("let go of Go to"), [this] { release(QStringLiteral("waypoint.goTo")); },
+                      [=] { return !state().moving; }});
+    steps_.push_back({tr("digital output 0 on"),
+                      [this] {
+                          window_.showTab(QStringLiteral("io"));
+                          click(QStringLiteral("io.DO0"));
+                      },
+                      [=] { return (state().digitalOutputs & 1U) != 0; }});
+    steps_.push_back({tr("digital output 0 off"), [this] { click(QStringLiteral("io.DO0")); },
+                      [=] { return (state().digitalOutputs & 1U) == 0; }});
+    steps_.push_back({tr("take the screenshots"),
+                      [this] {
+                          window_.showTab(QStringLiteral("waypoints"));
+                          window_.selectWaypoint(1);
+                          if (!saveScreenshots()) {
+                              fail(tr("write the screenshots to %1").arg(folder_.path()));
+                          }
+                      },
+                      [] { return true; }});
+    steps_.push_back({tr("stop recording"), [this] { window_.session().stopRecording(); },
+                      [=] { return !state().recording.active && state().recording.error.isEmpty(); }});
+}
+
+void Demonstration::poll() {
+    if (!failed_.isEmpty() || current_ >= steps_.size()) {
+        finish();
+        return;
+    }
+    const Step& step = steps_[current_];
+    if (!begun_) {
+        begun_ = true;
+        elapsed_.start();
+        step.begin();
+        return;
+    }
+    if (step.done()) {
+        done_ << step.name;
+        ++current_;
+        begun_ = false;
+    } else if (elapsed_.elapsed() > step.timeoutMs) {
+        const SessionState& state = window_.session().state();
+        fail(tr("%1: did not happen within %2 s (%3)")
+                 .arg(step.name)
+                 .arg(step.timeoutMs / 1000)
+                 .arg(state.controlReason.isEmpty() ? tr("the robot reports no reason")
+                                                    : state.controlReason));
+    }
+}
+
+void Demonstration::finish() {
+    timer_.stop();
+    if (!failed_.isEmpty()) {
+        window_.session().stop(control::StopCause::ApiCall);
+        window_.session().stopRecording();
+    }
+    QFile file(folder_.filePath(QStringLiteral("summary.txt")));
+    if (file.open(QIODevice::WriteOnly)) {
+        file.write(summary().toUtf8());
+    }
+    Q_EMIT finished(succeeded());
+}
+
+QString Demonstration::summary() const {
+    const SessionState& state = window_.session().state();
+    QString text;
+    QTextStream out(&text);
+    for (const QString& name : done_) {
+        out << "done    " << name << '\n';
+    }
+    if (!failed_.isEmpty()) {
+        out << "FAILED  " << failed_ << '\n';
+    }
+    for (const QString& trouble : troubles_) {
+        out << "log     " << trouble << '\n';
+    }
+    out.setRealNumberNotation(QTextStream::FixedNotation);
+    out.setRealNumberPrecision(1);
+    out << tr("jogged               ") << distanceMm(jogStart_, jogEnd_) << " mm\n"
+        << tr("release to standstill ") << jogStop_.durationMs << " ms, " << jogStop_.distanceMm << " mm\n"
+        << tr("packets              ") << state.quality.packets << tr(" received, ") << state.quality.late
+        << tr(" late, ") << state.quality.lost << tr(" lost\n") << tr("recorded             ")
+        << state.recording.rows << tr(" rows, ") << state.recording.seconds << " s\n"
+        << tr("files                ") << folder_.absolutePath() << '\n';
+    return text;
+}
+
+QWidget* Demonstration::find(const QString& key) {
+    auto* widget = window_.findChild<QWidget*>(key);
+    if (widget == nullptr) {
+        fail(tr("there is no key \"%1\" in the window").arg(key));
+    }
+    return widget;
+}
+
+void Demonstration::press(const QString& key) {
+    if (QWidget* widget = find(key)) {
+        sendMouse(*widget, QEvent::MouseButtonPress);
+    }
+}
+
+void Demonstration::release(const QString& key) {
+    if (QWidget* widget = find(key)) {
+        sendMouse(*widget, QEvent::MouseButtonRelease);
+    }
+}
+
+void Demonstration::click(const QString& key) {
+    press(key);
+    release(key);
+}
+
+void Demonstration::fail(const QString& what) {
+    if (failed_.isEmpty()) {
+        failed_ = what;
+    }
+}
+
+bool Demonstration::saveScreenshots() {
+    window_.resize(kPictureSize);
+    bool saved = true;
+    for (const auto& [theme, file] :
+         {std::pair{"light", "screenshot-light.png"}, std::pair{"dark", "screenshot-dark.png"}}) {
+        window_.setTheme(QString::fromLatin1(theme));
+        QApplication::processEvents();
+        saved = window_.grab().save(folder_.filePath(QString::fromLatin1(file))) && saved;
+    }
+    return saved;
+}
+
+}  // namespace tiller::app

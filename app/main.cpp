@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// tiller: the desktop application.
+
+#include <QApplication>
+#include <QDir>
+#include <QStandardPaths>
+#include <QTextStream>
+#include <QTimer>
+
+#include "app/command_line.h"
+#include "app/demonstration.h"
+#include "app/main_window.h"
+#include "resources/resources.h"
+#include "tiller_version.h"
+#include "widgets/session/texts.h"
+
+using namespace tiller;
+
+namespace {
+
+constexpr int kUsageError = 2;
+
+void print(FILE* to, const QString& text) {
+    QTextStream out(to);
+    out << text;
+    if (!text.endsWith('\n')) {
+        out << '\n';
+    }
+}
+
+/// What was asked for, or what was open last, or a file of one's own to begin with.
+QString sessionFile(const app::CommandLine& line, const app::Settings& settings) {
+    if (!line.demoDirectory.isEmpty()) {
+        return line.demoDirectory + QStringLiteral("/demo.tiller");
+    }
+    if (!line.sessionFile.isEmpty()) {
+        return line.sessionFile;
+    }
+    if (!settings.sessionFile().isEmpty()) {
+        return settings.sessionFile();
+    }
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+    QDir().mkpath(folder);
+    return folder + QStringLiteral("/cell.tiller");
+}
+
+int runDemonstration(QApplication& application, app::MainWindow& window, const QString& folder) {
+    app::Demonstration demonstration(window, folder);
+    QObject::connect(&demonstration, &app::Demonstration::finished, &application, [&](bool succeeded) {
+        print(stdout, demonstration.summary());
+        QCoreApplication::exit(succeeded ? 0 : 1);
+    });
+    QTimer::singleShot(0, &demonstration, &app::Demonstration::start);
+    return QApplication::exec();
+}
+
+}  // namespace
+
+int main(int argc, char* argv[]) {
+    QApplication application(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("Tiller"));
+    QApplication::setOrganizationName(QStringLiteral("Tiller"));
+    QApplication::setApplicationVersion(QStringLiteral(TILLER_VERSION));
+
+    const Result<app::CommandLine> line = app::parseCommandLine(QApplication::arguments());
+    if (!line) {
+        print(stderr,
+              QStringLiteral("tiller: %1 (%2)").arg(line.error().context, line.error().controllerMessage));
+        return kUsageError;
+    }
+    if (line->showHelp) {
+        print(stdout, line->helpText);
+        return 0;
+    }
+    if (line->showVersion) {
+        print(stdout, QStringLiteral("tiller %1").arg(QStringLiteral(TILLER_VERSION)));
+        return 0;
+    }
+
+    initResources();
+    const bool demonstration = !line->demoDirectory.isEmpty();
+    // The demonstration shows the default layout and leaves no traces in the user's settings.
+    const app::Settings settings(demonstration ? line->demoDirectory + QStringLiteral("/settings.ini")
+                                               : QString());
+    app::MainWindow window(settings);
+    const QString theme = line->theme.isEmpty() ? settings.theme() : line->theme;
+    window.setTheme(theme.isEmpty() ? QStringLiteral("light") : theme);
+    window.show();
+
+    window.openSession(sessionFile(*line, settings));
+    if (demonstration) {
+        // It connects by itself, so that it hears of what goes wrong on the way.
+        return runDemonstration(application, window, line->demoDirectory);
+    }
+    switch (line->start) {
+        case app::CommandLine::Start::Simulator:
+            window.connectSimulator();
+            break;
+        case app::CommandLine::Start::Robot:
+            window.connectRobot({line->robotHost, line->robotHost, 0, false});
+            break;
+        case app::CommandLine::Start::Ask:
+            window.askForRobot();
+            break;
+    }
+    return QApplication::exec();
+}

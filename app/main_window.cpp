@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/main_window.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QMenu>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QTabBar>
+#include <QVBoxLayout>
+
+#include "app/connect_dialog.h"
+#include "widgets/common/icons.h"
+#include "widgets/common/panel.h"
+#include "widgets/common/theme.h"
+#include "widgets/io/io_tab.h"
+#include "widgets/jog/jog_column.h"
+#include "widgets/jog/jog_pad.h"
+#include "widgets/jog/stop_keys.h"
+#include "widgets/log/log_tab.h"
+#include "widgets/plots/plot_dock.h"
+#include "widgets/scene/scene_dock.h"
+#include "widgets/scene/scene_view.h"
+#include "widgets/session/texts.h"
+#include "widgets/status/header_bar.h"
+#include "widgets/status/status_line.h"
+#include "widgets/waypoints/session_store.h"
+#include "widgets/waypoints/waypoint_model.h"
+#include "widgets/waypoints/waypoints_tab.h"
+
+namespace tiller::app {
+namespace {
+
+constexpr QSize kSmallest{1280, 720};
+constexpr QSize kStart{1600, 900};
+/// Between panels [px], as in the design.
+constexpr int kGap = 10;
+
+/// A dock without a title bar of its own: the panel inside has one. It floats and comes back through the View
+/// menu.
+QDockWidget* dockFor(QWidget* content, const QString& name, const QString& title, QMainWindow* window) {
+    auto* dock = new QDockWidget(title, window);
+    dock->setObjectName(name);
+    dock->setFeatures(QDockWidget::DockWidgetFloatable | QDockWidget::DockWidgetMovable |
+                      QDockWidget::DockWidgetClosable);
+    dock->setTitleBarWidget(new QWidget(dock));
+    dock->setWidget(content);
+    QObject::connect(dock, &QDockWidget::topLevelChanged, dock, [dock](bool floating) {
+        // Floating, it needs the system's frame to be moved by; docked, the panel's own bar is enough.
+        QWidget* old = dock->titleBarWidget();
+        dock->setTitleBarWidget(floating ? nullptr : new QWidget(dock));
+        delete old;
+    });
+    return dock;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* parent)
+    : QMainWindow(parent), settings_(settings), session_(std::make_unique<RobotSession>(clock)) {
+    setObjectName("mainWindow");
+    setWindowTitle(tr("Tiller"));
+    setWindowIcon(applicationIcon());
+    setMinimumSize(kSmallest);
+    resize(kStart);
+    setDockOptions(QMainWindow::AllowTabbedDocks | QMainWindow::AnimatedDocks);
+    setContextMenuPolicy(Qt::NoContextMenu);
+
+    header_ = new HeaderBar(*session_, this);
+    jog_ = new JogColumn(*session_, this);
+    scene_ = new SceneDock(*session_, this);
+    plots_ = new PlotDock(*session_, this);
+    waypoints_ = new WaypointsTab(*session_, this);
+    io_ = new IoTab(*session_, this);
+    log_ = new LogTab(*session_, this);
+    status_ = new StatusLine(*session_, this);
+    stopKeys_ = new StopKeys(*session_, this);
+
+    buildDocks();
+    buildActions();
+    connectParts();
+
+    restoreGeometry(settings_.windowGeometry());
+    restoreState(settings_.windowState());
+}
+
+MainWindow::~MainWindow() {
+    // The parts look at the session: they go first.
+    delete takeCentralWidget();
+    session_->shutDown();
+}
+
+void MainWindow::buildDocks() {
+    setMenuWidget(header_);
+    setCentralWidget(scene_);
+
+    setCorner(Qt::TopLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::TopRightCorner, Qt::RightDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
+
+    QDockWidget* jogDock = dockFor(jog_, "jogDock", tr("Jog"), this);
+    jogDock->setFeatures(QDockWidget::NoDockWidgetFeatures);  // never hidden
+    addDockWidget(Qt::LeftDockWidgetArea, jogDock);
+
+    buildTabs();
+    addDockWidget(Qt::BottomDockWidgetArea, dockFor(plots_, "plotsDock", tr("Plots"), this));
+
+    statusBar()->setSizeGripEnabled(false);
+    statusBar()->addWidget(status_, 1);
+    statusBar()->setContentsMargins(0, 0, 0, 0);
+    setContentsMargins(kGap, 0, kGap, 0);
+}
+
+void MainWindow::buildTabs() {
+    auto* panel = new Panel(QString(), this);
+    tabs_ = new QTabBar;
+    tabs_->setObjectName("tabs");
+    tabs_->setAccessibleName(tr("Waypoints, I/O, Log"));
+    tabs_->setDrawBase(false);
+    tabs_->setExpanding(false);
+    pages_ = new QStackedWidget;
+    for (const auto& [name, title, page] :
+         {std::tuple<QString, QString, QWidget*>{"waypoints", tr("Waypoints"), waypoints_},
+          {"io", tr("I/O"), io_},
+          {"log", tr("Log"), log_}}) {
+        tabs_->setTabData(tabs_->addTab(title), name);
+        pages_->addWidget(page);
+    }
+    panel->setHeaderWidget(tabs_);
+    panel->setContent(pages_);
+    connect(tabs_, &QTabBar::currentChanged, this, [this](int index) {
+        stopMotion(control::StopCause::SelectionChanged);
+        pages_->setCurrentIndex(index);
+    });
+    addDockWidget(Qt::RightDockWidgetArea, dockFor(panel, "tabsDock", tr("Waypoints, I/O, Log"), this));
+}
+
+void MainWindow::buildActions() {
+    auto* menu = new QMenu(this);
+    menu->setObjectName("mainMenu");
+
+    QAction* connectAction = menu->addAction(tr("Connect…"), this, &MainWindow::askForRobot);
+    connectAction->setShortcut(QKeySequence(tr("Ctrl+K, Ctrl+C")));
+    menu->addAction(tr("Simulated robot"), this, &MainWindow::connectSimulator);
+    menu->addAction(tr("Disconnect"), this, [this] { session_->disconnectFromRobot(); });
+    menu->addSeparator();
+    menu->addAction(tr("Power off the arm"), this, [this] { session_->powerOff(); });
+    menu->addAction(tr("Give control back"), this, [this] { session_->releaseControl(); });
+    menu->addSeparator();
+
+    QMenu* view = menu->addMenu(tr("View"));
+    const QList<QDockWidget*> docks = findChildren<QDockWidget*>();
+    for (QDockWidget* dock : docks) {
+        if (dock->features().testFlag(QDockWidget::DockWidgetFloatable)) {
+            view->addAction(dock->toggleViewAction());
+            view->addAction(tr("Float %1").arg(dock->windowTitle()), dock,
+                            [dock] { dock->setFloating(!dock->isFloating()); });
+        }
+    }
+    const QByteArray defaultLayout = saveState();
+    view->addAction(tr("Reset layout"), this, [this, defaultLayout] { restoreState(defaultLayout); });
+    QMenu* theme = menu->addMenu(tr("Colours"));
+    for (const auto& [name, title] :
+         {std::pair<QString, QString>{"light", tr("Light")}, {"dark", tr("Dark")}}) {
+        theme->addAction(title, this, [this, name = name] {
+            setTheme(name);
+            settings_.setTheme(name);
+        });
+    }
+    menu->addSeparator();
+    menu->addAction(tr("Quit"), QKeySequence::Quit, this, &QWidget::close);
+    connect(header_, &HeaderBar::connectRequested, this, [this, menu] {
+        stopMotion(control::StopCause::DialogOpened);
+        menu->popup(header_->robotChip()->mapToGlobal(QPoint(0, header_->robotChip()->height())));
+    });
+    addActions(waypoints_->commandActions());
+    addAction(connectAction);
+}
+
+void MainWindow::connectParts() {
+    connect(jog_, &JogColumn::refused, this,
+            [this](const QString& reason) { Q_EMIT session_->message(Severity::Warning, reason); });
+    connect(waypoints_, &WaypointsTab::message, session_.get(), &RobotSession::message);
+    connect(waypoints_, &WaypointsTab::ghostChanged, this, &MainWindow::updateScene);
+    connect(waypoints_, &WaypointsTab::marksChanged, this, &MainWindow::updateScene);
+    const auto showFile = [this] {
+        const SessionStore& store = waypoints_->store();
+        status_->setSessionFile(QFileInfo(store.path()).fileName(), !store.isModified());
+    };
+    connect(&waypoints_->store(), &SessionStore::statusChanged, this, showFile);
+    showFile();
+    followJog();
+
+    const auto followView = [this] {
+        // The scene has Y up and Z towards the eye; the jog frame has Y away from the eye and Z up.
+        const Eigen::Matrix3d R = scene_->view().viewRotation();
+        Eigen::Matrix3d R_base_view;
+        R_base_view << R.col(0), -R.col(2), R.col(1);
+        jog_->setViewRotation(R_base_view);
+    };
+    connect(&scene_->view(), &SceneView::viewChanged, this, followView);
+    followView();
+
+    connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
+        if (state != Qt::ApplicationActive) {
+            stopMotion(control::StopCause::WindowDeactivated);
+        }
+    });
+}
+
+void MainWindow::followJog() {
+    const QList<JogKey*> keys = jog_->findChildren<JogKey*>();
+    for (JogKey* key : keys) {
+        connect(&key->guard(), &HoldGuard::began, this, [this, key] {
+            plots_->setJogLabel(key->text());
+            const JogSelection& selection = jog_->selection();
+            if (selection.frame == FrameChoice::Base) {
+                SceneJog jog;
+                jog.axis = key->key().axis % 3;
+                jog.direction[jog.axis] = key->key().direction;
+                jog.label = tr("%1 Base").arg(key->text());
+                scene_->view().setJogDirection(jog);
+            }
+        });
+        connect(&key->guard(), &HoldGuard::ended, this, [this] {
+            plots_->setJogLabel({});
+            scene_->view().setJogDirection(std::nullopt);
+        });
+    }
+}
+
+void MainWindow::updateScene() {
+    SceneView& view = scene_->view();
+    std::vector<SceneWaypoint> marks;
+    for (const WaypointMark& mark : waypoints_->marks()) {
+        marks.push_back({mark.name, mark.position, mark.selected});
+    }
+    view.setWaypoints(marks);
+    const std::optional<WaypointGhost> ghost = waypoints_->ghost();
+    if (!ghost) {
+        view.setGhost(std::nullopt);
+        return;
+    }
+    view.setGhost(SceneGhost{ghost->name, ghost->q, ghost->linear, ghost->reachable, ghost->speed,
+                             ghost->acceleration});
+}
+
+void MainWindow::stopMotion(control::StopCause cause) {
+    jog_->stopMotion(cause);
+    session_->stop(cause);
+}
+
+// ---- robots
+// --------------------------------------------------------------------------------------------------------
+
+void MainWindow::connectSimulator() {
+    const Result<RobotAddress> address = simulator_.start();
+    if (!address) {
+        Q_EMIT session_->message(Severity::Error, texts::errorText(address.error()));
+        return;
+    }
+    session_->connectTo(*address);
+}
+
+void MainWindow::connectRobot(const RobotAddress& address) {
+    settings_.rememberHost(address.host);
+    session_->connectTo(address);
+}
+
+void MainWindow::askForRobot() {
+    stopMotion(control::StopCause::DialogOpened);
+    auto* dialog = new ConnectDialog(settings_.rememberedHosts(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        if (dialog->wantsSimulator()) {
+            connectSimulator();
+        } else {
+            connectRobot(dialog->address());
+        }
+    });
+    dialog->open();
+}
+
+void MainWindow::setTheme(const QString& theme) {
+    applyTheme(*qApp, theme == QLatin1String("dark") ? Theme::dark() : Theme::light());
+}
+
+void MainWindow::openSession(const QString& path) {
+    waypoints_->openFile(path);
+}
+
+int MainWindow::waypointCount() const {
+    return waypoints_->model().rowCount();
+}
+
+void MainWindow::selectWaypoint(int row) {
+    waypoints_->selectRow(row);
+}
+
+void MainWindow::showTab(const QString& name) {
+    for (int i = 0; i < tabs_->count(); ++i) {
+        if (tabs_->tabData(i).toString() == name) {
+            tabs_->setCurrentIndex(i);
+        }
+    }
+}
+
+// ---- attention
+// -----------------------------------------------------------------------------------------------------
+
+void MainWindow::changeEvent(QEvent* event) {
+    if ((event->type() == QEvent::ActivationChange && !isActiveWindow()) ||
+        (event->type() == QEvent::WindowStateChange && isMinimized())) {
+        stopMotion(control::StopCause::WindowDeactivated);
+    }
+    QMainWindow::changeEvent(event);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    stopMotion(control::StopCause::WindowClosed);
+    settings_.setWindow(saveGeometry(), saveState());
+    session_->disconnectFromRobot();
+    QMainWindow::closeEvent(event);
+}
+
+}  // namespace tiller::app

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The window: header on top, jog column at the left, view, tabs and plots around it. It wires the parts to
+// the session and to each other, and stops the arm whenever it loses the operator's attention.
+
+#include <QMainWindow>
+#include <memory>
+
+#include "app/local_simulator.h"
+#include "app/settings.h"
+#include "widgets/session/robot_session.h"
+
+class QTabBar;
+class QStackedWidget;
+
+namespace tiller {
+
+class HeaderBar;
+class IoTab;
+class JogColumn;
+class LogTab;
+class Panel;
+class PlotDock;
+class SceneDock;
+class StatusLine;
+class StopKeys;
+class WaypointsTab;
+
+namespace app {
+
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    /// clock  of the session; tests bring their own
+    explicit MainWindow(const Settings& settings, const Clock& clock = SteadyClock::shared(),
+                        QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    RobotSession& session() { return *session_; }
+    JogColumn& jogColumn() { return *jog_; }
+    WaypointsTab& waypoints() { return *waypoints_; }
+
+    /// Starts the simulated robot in this process, unless it runs, and connects to it.
+    void connectSimulator();
+    void connectRobot(const RobotAddress& address);
+    /// Asks which robot, in the connect dialog.
+    void askForRobot();
+    /// "light" or "dark"; remembered when the operator chose it.
+    void setTheme(const QString& theme);
+    void openSession(const QString& path);
+
+    int waypointCount() const;
+    void selectWaypoint(int row);
+    /// For the demonstration and tests: "waypoints", "io", "log".
+    void showTab(const QString& name);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+
+private:
+    void buildDocks();
+    void buildTabs();
+    void buildActions();
+    void connectParts();
+    void followJog();
+    void updateScene();
+    void stopMotion(control::StopCause cause);
+
+    Settings settings_;
+    LocalSimulator simulator_;
+    std::unique_ptr<RobotSession> session_;
+
+    HeaderBar* header_ = nullptr;
+    JogColumn* jog_ = nullptr;
+    SceneDock* scene_ = nullptr;
+    PlotDock* plots_ = nullptr;
+    WaypointsTab* waypoints_ = nullptr;
+    IoTab* io_ = nullptr;
+    LogTab* log_ = nullptr;
+    StatusLine* status_ = nullptr;
+    StopKeys* stopKeys_ = nullptr;
+    QTabBar* tabs_ = nullptr;
+    QStackedWidget* pages_ = nullptr;
+};
+
+}  // namespace app
+}  // namespace tiller

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What the jog tests share: keys of the real widgets, driven in virtual time.
+
+#include <QApplication>
+#include <QMouseEvent>
+#include <QTest>
+
+#include "tests/support/virtual_cell.h"
+#include "widgets/common/hold_button.h"
+#include "widgets/jog/jog_column.h"
+
+namespace tiller::test {
+
+/// Lets the hold keys live on the cell's clock: their refresh comes with virtual time, not with real time.
+inline void driveKeys(VirtualCell& cell, const QVector<HoldButton*>& keys) {
+    for (HoldButton* key : keys) {
+        key->guard().setClock(cell.clock);
+    }
+    cell.everyRefresh = [keys] {
+        for (HoldButton* key : keys) {
+            if (key->guard().active()) {
+                key->guard().pump();
+            }
+        }
+    };
+}
+
+inline void sendMouse(QWidget& widget, QEvent::Type type, Qt::MouseButton button = Qt::LeftButton,
+                      QPointF at = QPointF(-1, -1)) {
+    if (at == QPointF(-1, -1)) {
+        at = QRectF(widget.rect()).center();
+    }
+    const bool down = type == QEvent::MouseButtonPress || type == QEvent::MouseMove;
+    QMouseEvent event(type, at, widget.mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : button,
+                      down ? Qt::MouseButtons(button) : Qt::NoButton, Qt::NoModifier);
+    QApplication::sendEvent(&widget, &event);
+}
+
+inline void press(QWidget& key) {
+    sendMouse(key, QEvent::MouseButtonPress);
+}
+inline void release(QWidget& key) {
+    sendMouse(key, QEvent::MouseButtonRelease);
+}
+
+/// Speed of the TCP now [m/s].
+inline double tcpSpeed(const VirtualCell& cell) {
+    return cell.truth().tcpSpeed.linear.norm();
+}
+
+inline bool standsStill(const VirtualCell& cell) {
+    const simulator::Truth truth = cell.truth();
+    return truth.tcpSpeed.linear.norm() < 0.001 && truth.qd.values.cwiseAbs().maxCoeff() < 0.002;
+}
+
+}  // namespace tiller::test

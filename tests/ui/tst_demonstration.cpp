@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The scripted demonstration, as a newcomer without a display runs it: the real program in a process of its
+// own.
+
+#include <QFile>
+#include <QImage>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "robot/recording/csv_reader.h"
+
+using namespace tiller;
+
+class TestDemonstration : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void itDoesEveryStepAndLeavesItsFiles() {
+        QTemporaryDir folder;
+        QProcess program;
+        program.start(TILLER_PROGRAM, {"--simulator", "--demo", folder.path()});
+        QVERIFY(program.waitForFinished(150'000));
+        const QByteArray output = program.readAllStandardOutput();
+        QVERIFY2(program.exitStatus() == QProcess::NormalExit && program.exitCode() == 0,
+                 (output + program.readAllStandardError()).constData());
+        QVERIFY(!output.contains("FAILED"));
+        for (const char* line : {"jogged", "release to standstill", "packets", "recorded"}) {
+            QVERIFY2(output.contains(line), line);
+        }
+
+        for (const char* name : {"screenshot-light.png", "screenshot-dark.png"}) {
+            const QImage picture(folder.filePath(name));
+            QCOMPARE(picture.size(), QSize(1920, 1080));
+            // A picture of one colour would be an empty window.
+            QSet<QRgb> colours;
+            for (int y = 0; y < picture.height(); y += 7) {
+                for (int x = 0; x < picture.width(); x += 7) {
+                    colours.insert(picture.pixel(x, y));
+                }
+            }
+            QVERIFY(colours.size() > 50);
+        }
+
+        const Result<recording::CsvTable> table = recording::readCsv(folder.filePath("recording.csv"));
+        QVERIFY2(table.ok(), qPrintable(table.error().toString()));
+        QCOMPARE(QString::fromStdString(table->columns.front()), QString("timestamp"));
+        QVERIFY(table->indexOf("actual_q_5").has_value() && table->indexOf("actual_TCP_force_0").has_value());
+        QVERIFY(table->rows() > 500);
+        QVERIFY(QFile::exists(folder.filePath("summary.txt")));
+
+        const std::vector<double>& x = *table->column("actual_TCP_pose_0");
+        const auto [low, high] = std::minmax_element(x.begin(), x.end());
+        QVERIFY2(*high - *low > 0.049, "the recording shows the jog");
+    }
+
+    void pandasReadsTheRecordingAsItIs() {
+        const QString python = QFile::exists("/usr/bin/python3") ? "/usr/bin/python3" : "python3";
+        QProcess probe;
+        probe.start(python, {"-c", "import pandas"});
+        if (!probe.waitForFinished(60'000) || probe.exitCode() != 0) {
+            QSKIP("pandas is not installed");
+        }
+        QTemporaryDir folder;
+        QProcess program;
+        program.start(TILLER_PROGRAM, {"--simulator", "--demo", folder.path()});
+        QVERIFY(program.waitForFinished(150'000));
+        QCOMPARE(program.exitCode(), 0);
+        // The lines of the paper's listing 4 that touch the file.
+        const char* script = R"(
+import sys, pandas as pd
+demo = pd.read_csv(sys.argv[1])
+q = demo[['actual_q_0','actual_q_1','actual_q_2','actual_q_3','actual_q_4','actual_q_5']]
+time = demo['timestamp']-demo['timestamp'].iloc[0]
+tau = time.iloc[-1]
+assert q.to_numpy().shape[1] == 6 and q.to_numpy().dtype == float
+assert tau > 1.0 and (time.diff().dropna() > 0).all()
+print(len(demo), tau)
+)";
+        QProcess reader;
+        reader.start(python, {"-c", script, folder.filePath("recording.csv")});
+        QVERIFY(reader.waitForFinished(60'000));
+        QVERIFY2(reader.exitCode() == 0, reader.readAllStandardError().constData());
+    }
+
+    void aFolderThatCannotBeMadeFailsClearly() {
+        QProcess program;
+        program.start(TILLER_PROGRAM, {"--simulator", "--demo", "/proc/no/such/place"});
+        QVERIFY(program.waitForFinished(60'000));
+        QVERIFY(program.exitCode() != 0);
+        QVERIFY2(program.readAllStandardOutput().contains("/proc/no/such/place"), "the folder is named");
+    }
+};
+
+QTEST_GUILESS_MAIN(TestDemonstration)
+#include "tst_demonstration.moc"

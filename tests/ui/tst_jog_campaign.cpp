@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A thousand random hands: press, hold a while, and end it in some way. Whatever the way, the arm comes to
+// rest within the contract's bound and does not move again before a new press.
+
+#include <QRandomGenerator>
+#include <QTest>
+
+#include "tests/ui/jog_fixture.h"
+#include "widgets/jog/stop_keys.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+namespace {
+
+constexpr int kSequences = 1000;
+constexpr quint32 kSeed = 20261121;
+/// From the end of holding to standstill: a hung window needs 100 ms to be noticed, then 250 mm/s brake at 2
+/// m/s2.
+constexpr int kBoundMs = 250;
+/// What the arm may travel after the end [mm]: 100 ms at the fastest class, then the braking way.
+constexpr double kBoundMm = 0.1 * 250 + 0.25 * 0.25 / (2 * 2.0) * 1000 + 3.0;
+
+enum class End {
+    Release,
+    PointerLeft,
+    Escape,
+    Space,
+    SecondButton,
+    WindowDeactivated,
+    FocusLost,
+    FrozenInterface,
+    Disabled
+};
+constexpr int kEnds = 9;
+
+}  // namespace
+
+class TestJogCampaign : public QObject {
+    Q_OBJECT
+
+private:
+    static void apply(End end, JogColumn& column, HoldButton& key, VirtualCell& cell) {
+        switch (end) {
+            case End::Release:
+                release(key);
+                break;
+            case End::PointerLeft:
+                sendMouse(key, QEvent::MouseMove, Qt::LeftButton, QPointF(-35, -35));
+                break;
+            case End::Escape:
+                QTest::keyPress(&column, Qt::Key_Escape);
+                break;
+            case End::Space:
+                QTest::keyPress(&column, Qt::Key_Space);
+                break;
+            case End::SecondButton:
+                sendMouse(key, QEvent::MouseButtonPress, Qt::MiddleButton);
+                break;
+            case End::WindowDeactivated: {
+                QEvent event(QEvent::WindowDeactivate);
+                QApplication::sendEvent(column.window(), &event);
+                break;
+            }
+            case End::FocusLost: {
+                QFocusEvent event(QEvent::FocusOut);
+                QApplication::sendEvent(&key, &event);
+                break;
+            }
+            case End::FrozenInterface:
+                cell.advanceWithFrozenInterface(300);
+                break;
+            case End::Disabled:
+                key.setEnabled(false);
+                key.setEnabled(true);
+                break;
+        }
+    }
+
+private Q_SLOTS:
+    void noSequenceMovesBeyondTheBound() {
+        VirtualClock clock;
+        RobotSession session(clock);
+        VirtualCell cell(clock, session);
+        JogColumn column(session);
+        StopKeys stopKeys(session);
+        column.resize(390, 948);
+        column.show();
+        QVERIFY(QTest::qWaitForWindowActive(&column));
+        QVERIFY2(cell.bringUp(), qPrintable(cell.what()));
+        const QVector<HoldButton*> keys = column.holdKeys();
+        driveKeys(cell, keys);
+        QVector<HoldButton*> jogKeys;
+        for (HoldButton* key : keys) {
+            if (key->objectName().startsWith("jog.") || key->objectName().startsWith("joint.")) {
+                jogKeys << key;
+            }
+        }
+        QVERIFY2(jogKeys.size() >= 12, "the pad's twelve keys and those of the joints");
+
+        QRandomGenerator random(kSeed);
+        int moved = 0;
+        for (int sequence = 0; sequence < kSequences; ++sequence) {
+            column.setSpeedClass(static_cast<int>(random.bounded(5)));
+            HoldButton& key = *jogKeys[random.bounded(jogKeys.size())];
+            const auto end = static_cast<End>(random.bounded(kEnds));
+            const QString what = QStringLiteral("sequence %1: %2, end %3")
+                                     .arg(sequence)
+                                     .arg(key.objectName())
+                                     .arg(static_cast<int>(end));
+            press(key);
+            cell.advanceMs(20 + 2 * static_cast<int>(random.bounded(100)));
+            moved += standsStill(cell) ? 0 : 1;
+            const Pose atEnd = cell.truth().tcpPose;
+            apply(end, column, key, cell);
+            int ms = end == End::FrozenInterface ? 300 : 0;
+            while (ms < 1000 && !standsStill(cell)) {
+                cell.advanceMs(2);
+                ms += 2;
+            }
+            QVERIFY2(ms <= (end == End::FrozenInterface ? 300 : kBoundMs),
+                     qPrintable(what + ": no standstill"));
+            const Pose rest = cell.truth().tcpPose;
+            QVERIFY2(distanceMm(atEnd, rest) <= kBoundMm, qPrintable(what + ": too far"));
+            // Moves of the pointer on a key that is still down are no new press.
+            sendMouse(key, QEvent::MouseMove, Qt::LeftButton, QPointF(10, 10));
+            cell.advanceMs(100);
+            QVERIFY2(distanceMm(rest, cell.truth().tcpPose) < 0.05, qPrintable(what + ": moved again"));
+            release(key);
+            QVERIFY2(session.state().control == ControlState::InControl,
+                     qPrintable(what + ": " + session.state().controlReason));
+        }
+        QVERIFY2(moved > kSequences / 2,
+                 qPrintable(QStringLiteral("only %1 sequences moved the arm").arg(moved)));
+    }
+};
+
+QTEST_MAIN(TestJogCampaign)
+#include "tst_jog_campaign.moc"

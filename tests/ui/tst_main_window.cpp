@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The window as a whole: nothing clipped at the smallest size, every control has a name, connecting and
+// losing a robot.
+
+#include <QAbstractButton>
+#include <QLabel>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/main_window.h"
+#include "robot/simulator/controller.h"
+#include "tests/ui/jog_fixture.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+class TestMainWindow : public QObject {
+    Q_OBJECT
+
+private:
+    QTemporaryDir folder_;
+    app::Settings settings() const { return app::Settings(folder_.filePath("settings.ini")); }
+
+private Q_SLOTS:
+    void nothingIsCutOffAtTheSmallestSize_data() {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("1280x720") << QSize(1280, 720);
+        QTest::newRow("1920x1080") << QSize(1920, 1080);
+    }
+    void nothingIsCutOffAtTheSmallestSize() {
+        QFETCH(QSize, size);
+        app::MainWindow window(settings());
+        window.resize(size);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QCOMPARE(window.size(), size);
+        const QList<QWidget*> widgets = window.findChildren<QWidget*>();
+        int looked = 0;
+        for (QWidget* widget : widgets) {
+            if (!widget->isVisible() || widget->isWindow()) {
+                continue;
+            }
+            const bool control = qobject_cast<QAbstractButton*>(widget) != nullptr;
+            if (!control) {
+                continue;
+            }
+            ++looked;
+            const QRect inWindow(widget->mapTo(&window, QPoint(0, 0)), widget->size());
+            QVERIFY2(window.rect().contains(inWindow),
+                     qPrintable(QStringLiteral("%1 reaches out of the window").arg(widget->objectName())));
+            QVERIFY2(widget->width() >= widget->minimumSizeHint().width(),
+                     qPrintable(QStringLiteral("%1 is narrower than it can be").arg(widget->objectName())));
+            QVERIFY2(widget->visibleRegion().boundingRect().size() == widget->size(),
+                     qPrintable(QStringLiteral("%1 \"%2\" is partly covered")
+                                    .arg(widget->objectName(), widget->accessibleName())));
+        }
+        QVERIFY2(looked > 30, "the window has more controls than this");
+    }
+
+    void everyButtonHasANameForScreenReaders() {
+        app::MainWindow window(settings());
+        QStringList nameless;
+        const QList<QAbstractButton*> buttons = window.findChildren<QAbstractButton*>();
+        for (const QAbstractButton* button : buttons) {
+            if (button->objectName().startsWith("qt_") || button->objectName() == "ScrollLeftButton" ||
+                button->objectName() == "ScrollRightButton") {
+                continue;
+            }
+            if (button->accessibleName().isEmpty() && button->text().isEmpty()) {
+                nameless << button->metaObject()->className() + QStringLiteral(" ") + button->objectName();
+            }
+        }
+        QVERIFY2(nameless.isEmpty(), qPrintable(nameless.join(", ")));
+    }
+
+    void stopIsAlwaysThereAndLargeEnough() {
+        app::MainWindow window(settings());
+        window.resize(1280, 720);
+        window.show();
+        auto* stop = window.findChild<QAbstractButton*>("stopButton");
+        QVERIFY(stop != nullptr);
+        QVERIFY(stop->isVisible() && stop->isEnabled());
+        QVERIFY(stop->toolTip().contains("Not an emergency stop"));
+    }
+
+    void aLostRobotComesBackByItselfButMotionDoesNot() {
+        VirtualClock clock;
+        app::MainWindow window(settings(), clock);
+        window.show();
+        VirtualCell cell(clock, window.session());
+        QVERIFY2(cell.bringUp(), qPrintable(cell.what()));
+        driveKeys(cell, window.jogColumn().holdKeys());
+        auto* key = window.findChild<HoldButton*>("jog.X+");
+        QVERIFY(key != nullptr);
+        press(*key);
+        cell.advanceMs(200);
+        QVERIFY(!standsStill(cell));
+
+        cell.robot.closeClients();
+        QElapsedTimer patience;
+        patience.start();
+        while (window.session().state().control == ControlState::InControl && patience.elapsed() < 20'000) {
+            cell.clock.advanceNs(2 * kNsPerMs);
+            cell.robot.step();
+            window.session().refresh();
+            QTest::qWait(1);
+        }
+        QVERIFY(window.session().state().control != ControlState::InControl);
+        while (window.session().state().link != LinkState::Live && patience.elapsed() < 30'000) {
+            cell.clock.advanceNs(2 * kNsPerMs);
+            cell.robot.step();
+            window.session().refresh();
+            QTest::qWait(1);
+        }
+        QCOMPARE(window.session().state().link, LinkState::Live);
+        QVERIFY(standsStill(cell));
+        QVERIFY2(!window.session().state().canMove(), "control has to be taken again, by hand");
+        const Pose at = cell.truth().tcpPose;
+        cell.advanceMs(500);
+        QVERIFY(distanceMm(at, cell.truth().tcpPose) < 0.05);
+    }
+
+    void anAddressWhereNobodyListensSaysWhatToDo() {
+        app::MainWindow window(settings());
+        QStringList errors;
+        connect(&window.session(), &RobotSession::message, &window,
+                [&](Severity severity, const QString& text) {
+                    if (severity == Severity::Error) {
+                        errors << text;
+                    }
+                });
+        window.connectRobot({"Nobody", "127.0.0.254", 0, false});
+        QTRY_VERIFY_WITH_TIMEOUT(!errors.isEmpty(), 20'000);
+        QVERIFY2(errors.first().contains("127.0.0.254"), qPrintable(errors.first()));
+        QVERIFY2(errors.first().contains("Services"), qPrintable(errors.first()));
+    }
+};
+
+QTEST_MAIN(TestMainWindow)
+#include "tst_main_window.moc"
