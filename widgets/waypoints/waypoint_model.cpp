@@ -75,7 +75,7 @@ QString WaypointModel::reachAdvice(const program::Reach& reach) {
         case program::Reach::Obstacle::OutOfReach:
             break;
     }
-    return tr("The arm cannot reach this pose. Touch it up nearer to the base.");
+    return tr("Out of reach. Touch it up nearer to the base.");
 }
 
 // ---- edits by hand ---------------------------------------------------------------------------------

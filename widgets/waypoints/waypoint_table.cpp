@@ -148,9 +148,9 @@ void WaypointTable::resizeEvent(QResizeEvent* event) {
         int narrow;
     };
     static constexpr Width kWidths[] = {
-        {WaypointModel::Number, 36, 36}, {WaypointModel::Move, 56, 54},
-        {WaypointModel::Frame, 82, 76},  {WaypointModel::Speed, 100, 100},
-        {WaypointModel::Blend, 86, 86},  {WaypointModel::ReachColumn, 98, 92}};
+        {WaypointModel::Number, 34, 34}, {WaypointModel::Move, 52, 52},
+        {WaypointModel::Frame, 78, 76},  {WaypointModel::Speed, 100, 100},
+        {WaypointModel::Blend, 82, 82},  {WaypointModel::ReachColumn, 95, 92}};
     const int room = viewport()->width();
     for (const Width& width : kWidths) {
         setColumnWidth(width.column, room >= 520 ? width.wide : width.narrow);
