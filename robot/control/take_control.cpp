@@ -25,13 +25,13 @@ RegisterRange other(RegisterRange range) {
 
 // Which registers, whose they are, and what the operator can do.
 Error explainInUse(const Error& error, RegisterRange range) {
-    const QString owner =
+    const QString fieldbus =
         range == RegisterRange::Lower
-            ? QStringLiteral("Another program or a fieldbus (EtherNet/IP, PROFINET) on the robot owns")
-            : QStringLiteral("Another program owns");
-    return {ErrorCode::RegisterInUse, error.context,
-            QStringLiteral("%1 one of the %2 registers: %3. End that program, or use the %4 registers.")
-                .arg(owner, rangeText(range), error.controllerMessage, rangeText(other(range)))};
+            ? QStringLiteral("switch the fieldbus (EtherNet/IP, PROFINET) off on the robot, ")
+            : QString();
+    return {ErrorCode::RegisterInUse, QStringLiteral("take the %1 registers").arg(rangeText(range)),
+            QStringLiteral("%1. End the program that owns it, %2or use the %3 registers.")
+                .arg(error.context, fieldbus, rangeText(other(range)))};
 }
 
 Error explainUnknown(const QString& context, RegisterRange range) {
@@ -104,7 +104,14 @@ Result<void> Controller::Private::openRegisters(const Deadline& deadline) {
     wanted.port = static_cast<std::uint16_t>(rtdePort());
     wanted.request.outputs = outputNames(options.registers);
     wanted.request.inputs = {{inputNames(options.registers), true}};
+    // A controller may hold the registers of a connection that has just ended for a moment longer.
+    const Deadline grace = Deadline::after(std::min(milliseconds(1000), deadline.remaining() / 2));
     auto opened = rtde::Connection::open(wanted, deadline);
+    while (!opened && opened.error().code == ErrorCode::RegisterInUse && !grace.hasExpired() &&
+           !deadline.hasExpired()) {
+        std::this_thread::sleep_for(milliseconds(50));
+        opened = rtde::Connection::open(wanted, deadline);
+    }
     if (!opened) {
         const Error error = opened.error();
         return error.code == ErrorCode::RegisterInUse ? explainInUse(error, options.registers) : error;

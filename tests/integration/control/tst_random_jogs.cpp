@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// A thousand random hands on the jog pad, over real sockets and in virtual time: no motion beyond the bound.
+#include <random>
+
+#include "tests/integration/control/cell.h"
+
+using namespace tiller;
+using namespace tiller::control;
+using namespace tiller::test;
+
+namespace {
+
+// What may still happen after the moment a motion was ended: one package on its way, the next control
+// period, then braking at 2 m/s2; and what may happen before a silent holder is found out.
+constexpr double kReaction = 0.010;  // [s]
+constexpr double kHoldTime = 0.100;  // [s]
+constexpr double kBraking = 2.0;     // [m/s2]
+constexpr double kSlack = 0.0003;    // [m]
+
+}  // namespace
+
+class TestRandomJogs : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void noneOfAThousandSequencesMovesBeyondTheBound() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        std::mt19937 random(2026);
+        const auto pick = [&](int from, int to) {
+            return std::uniform_int_distribution<int>(from, to)(random);
+        };
+        double path = 0;
+        Eigen::Vector3d previous = cell.tcp().position;
+        cell.everyTick = [&] {
+            const Eigen::Vector3d now = cell.tcp().position;
+            path += (now - previous).norm();
+            previous = now;
+        };
+        const Eigen::Vector3d home = cell.tcp().position;
+        int moved = 0;
+        double worst = 0;
+        for (int sequence = 0; sequence < 1000; ++sequence) {
+            // Towards home on the whole, so that a thousand of them stay within reach.
+            Eigen::Vector3d direction = Eigen::Vector3d::Random() + 20 * (home - cell.tcp().position);
+            const double speeds[] = {0.005, 0.02, 0.05, 0.1};
+            const double speed = speeds[pick(0, 3)];
+            direction = direction.normalized() * speed;
+            const auto jog =
+                cell.controller->startJog(linearJog(direction.x(), direction.y(), direction.z()));
+            QVERIFY(jog.ok());
+            const double before = path;
+            const int refreshes = pick(0, 4);
+            for (int i = 0; i < refreshes; ++i) {
+                QVERIFY(cell.step(pick(1, 20)));
+                QVERIFY(cell.controller->refreshJog(*jog));
+            }
+            // Now the hand does one of the things a hand can do.
+            double mayStillTake = kReaction;
+            path = 0;
+            switch (pick(0, 4)) {
+                case 0:
+                    QVERIFY(cell.step(pick(0, 40)));
+                    path = 0;
+                    QVERIFY(cell.controller->end(*jog, StopCause::Released));
+                    break;
+                case 1:
+                    cell.controller->stop(StopCause::FocusLost);
+                    break;
+                case 2:  // the interface hangs
+                    mayStillTake += kHoldTime;
+                    break;
+                case 3:  // hangs, and comes back too late
+                    mayStillTake += kHoldTime;
+                    QVERIFY(cell.step(52));
+                    QVERIFY(!cell.controller->refreshJog(*jog));
+                    break;
+                case 4:  // another key, then both go
+                    QVERIFY(cell.controller->startJog(linearJog(0, 0, speed)).ok());
+                    QVERIFY(!cell.controller->refreshJog(*jog));
+                    QVERIFY(cell.step(pick(0, 20)));
+                    path = 0;
+                    cell.controller->stop(StopCause::Space);
+                    break;
+            }
+            // Whoever still holds the old key achieves nothing, however hard it tries.
+            const double braking = speed / kBraking;
+            const int patience = static_cast<int>((mayStillTake + braking + 0.02) / 0.002);
+            for (int tick = 0; tick < patience && !(cell.isStanding() && tick > 52); ++tick) {
+                QVERIFY(cell.step());
+                if (mayStillTake <= kReaction) {
+                    QVERIFY(!cell.controller->refreshJog(*jog, linearJog(0.25, 0, 0)));
+                }
+            }
+            QVERIFY2(cell.isStanding(), qPrintable(QStringLiteral("sequence %1").arg(sequence)));
+            const double bound = speed * mayStillTake + speed * speed / (2 * kBraking) + kSlack;
+            QVERIFY2(path <= bound, qPrintable(QStringLiteral("sequence %1: %2 mm, allowed %3 mm")
+                                                   .arg(sequence)
+                                                   .arg(path * 1000)
+                                                   .arg(bound * 1000)));
+            worst = std::max(worst, path / bound);
+            moved += before > 0 || path > 0.0005;
+            QVERIFY(cell.controller->motionState(*jog).phase == MotionPhase::Ended);
+        }
+        QVERIFY(cell.controller->status().inControl);
+        qInfo("%d sequences moved; worst after-run %.0f %% of its bound", moved, worst * 100);
+        QVERIFY(moved > 500);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestRandomJogs)
+#include "tst_random_jogs.moc"

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+// Every way in which taking control can fail, and what is said about it.
+#include <QTest>
+
+#include "robot/control/controller.h"
+#include "robot/rtde/connection.h"
+#include "robot/simulator/controller.h"
+#include "tests/support/raw_peer.h"
+#include "tests/support/rtde_peer.h"
+#include "tests/unit/script/primary_bytes.h"
+
+using namespace tiller;
+using namespace tiller::control;
+using namespace tiller::test;
+using std::chrono::milliseconds;
+
+namespace {
+
+Deadline soon() {
+    return Deadline::after(std::chrono::seconds(30));
+}
+
+ControllerOptions to(int primary, int rtde) {
+    ControllerOptions options;
+    options.primaryPort = primary;
+    options.rtdePort = rtde;
+    options.priority = 0;
+    return options;
+}
+
+simulator::ControllerOptions robotOptions() {
+    simulator::ControllerOptions options;
+    options.anyFreePorts = true;
+    options.poweredOn = true;
+    return options;
+}
+
+ControllerOptions to(const simulator::Controller& robot) {
+    return to(robot.ports().primary, robot.ports().rtde);
+}
+
+void makeRunning(RtdePeer& peer) {
+    peer.set("robot_mode", {7});
+    peer.set("safety_mode", {1});
+    peer.set("runtime_state", {1});
+    for (int i = 1; i <= 20; ++i) {
+        peer.send(60 + 0.002 * i);
+    }
+}
+
+}  // namespace
+
+class TestTakeControl : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aRunningRobotIsTakenInRealTime() {
+        simulator::Controller robot(robotOptions());
+        QVERIFY(robot.start().ok());
+        Controller controller(to(robot));
+        QCOMPARE(controller.status().loss, ControlLoss::NotTaken);
+        const auto taken = controller.takeControl(soon());
+        QVERIFY2(taken.ok(), qPrintable(taken.error().toString()));
+        QVERIFY(controller.status().inControl);
+        QTRY_VERIFY(controller.status().roundTripMs > 0);
+        const bool sameVersion = controller.version() == robot.options().software;
+        QVERIFY(sameVersion);
+        controller.release();
+        QTRY_COMPARE(robot.truth().runtimeState, RuntimeState::Stopped);
+    }
+
+    void registersInUseAreExplainedAndTheOtherRangeWorks() {
+        simulator::Controller robot(robotOptions());
+        QVERIFY(robot.start().ok());
+        rtde::ConnectionOptions owner;
+        owner.host = robot.listenAddress();
+        owner.port = robot.ports().rtde;
+        owner.request.inputs = {{{"input_int_register_25"}, true}};
+        const auto owned = rtde::Connection::open(owner, soon());
+        QVERIFY(owned.ok());
+
+        Controller controller(to(robot));
+        const Error error = controller.takeControl(soon()).error();
+        QCOMPARE(error.code, ErrorCode::RegisterInUse);
+        QVERIFY2(error.controllerMessage.contains(QStringLiteral("input_int_register_25")),
+                 qPrintable(error.toString()));
+        QVERIFY(error.controllerMessage.contains(QStringLiteral("lower (0-23)")));
+        QVERIFY(!controller.status().inControl);
+
+        ControllerOptions lower = to(robot);
+        lower.registers = RegisterRange::Lower;
+        Controller second(lower);
+        const auto taken = second.takeControl(soon());
+        QVERIFY2(taken.ok(), qPrintable(taken.error().toString()));
+    }
+
+    void twoControllersCannotHoldTheSameRegisters() {
+        simulator::Controller robot(robotOptions());
+        QVERIFY(robot.start().ok());
+        Controller first(to(robot));
+        QVERIFY(first.takeControl(soon()).ok());
+        Controller second(to(robot));
+        QCOMPARE(second.takeControl(soon()).error().code, ErrorCode::RegisterInUse);
+        QVERIFY(first.status().inControl);
+        first.release();
+        // Free again, and the same object may try again.
+        const auto taken = second.takeControl(soon());
+        QVERIFY2(taken.ok(), qPrintable(taken.error().toString()));
+    }
+
+    void softwareWithoutTheUpperRegistersIsExplained() {
+        RtdePeerOptions options;
+        options.version = {5, 2, 0, 0};
+        for (int i = 24; i < 48; ++i) {
+            for (const char* kind : {"input_int", "input_double", "output_int", "output_double"}) {
+                options.missing.insert(std::string(kind) + "_register_" + std::to_string(i));
+            }
+        }
+        RtdePeer peer(options);
+        RawPeer primary([](RawPeer::Link& link) { link.beMute(); });
+        Controller controller(to(primary.port(), peer.port()));
+        const Error error = controller.takeControl(soon()).error();
+        QCOMPARE(error.code, ErrorCode::FieldUnknown);
+        QVERIFY2(error.controllerMessage.contains(QStringLiteral("lower (0-23)")),
+                 qPrintable(error.toString()));
+    }
+
+    void anArmThatIsOffIsNotTaken() {
+        simulator::ControllerOptions options = robotOptions();
+        options.poweredOn = false;
+        simulator::Controller robot(options);
+        QVERIFY(robot.start().ok());
+        Controller controller(to(robot));
+        const Error error = controller.takeControl(soon()).error();
+        QCOMPARE(error.code, ErrorCode::UnsafeState);
+        QVERIFY(error.controllerMessage.contains(QStringLiteral("POWER_OFF")));
+        QCOMPARE(robot.truth().runtimeState, RuntimeState::Stopped);
+    }
+
+    void aRobotInLocalSaysSo() {
+        simulator::ControllerOptions options = robotOptions();
+        options.remoteControl = false;
+        options.gateLocalControl = true;
+        simulator::Controller robot(options);
+        QVERIFY(robot.start().ok());
+        Controller controller(to(robot));
+        const Error error = controller.takeControl(soon()).error();
+        QVERIFY2(error.code == ErrorCode::RemoteControlRequired, qPrintable(error.toString()));
+    }
+
+    void aRefusedPortNamesIt() {
+        RawPeer primary([](RawPeer::Link& link) { link.beMute(); });
+        const int dead = RawPeer::deadPort();
+        Controller noRtde(to(primary.port(), dead));
+        const Error rtde = noRtde.takeControl(soon()).error();
+        QCOMPARE(rtde.code, ErrorCode::ConnectionRefused);
+        QVERIFY(rtde.context.contains(QString::number(dead)));
+
+        RtdePeer peer;
+        makeRunning(peer);
+        Controller noPrimary(to(dead, peer.port()));
+        const Error script = noPrimary.takeControl(soon()).error();
+        QCOMPARE(script.code, ErrorCode::ConnectionRefused);
+        QVERIFY(script.context.contains(QString::number(dead)));
+    }
+
+    void muteServersAreTimeouts() {
+        RawPeer mute([](RawPeer::Link& link) { link.beMute(); });
+        Controller muteRtde(to(mute.port(), mute.port()));
+        QCOMPARE(muteRtde.takeControl(Deadline::after(milliseconds(200))).error().code, ErrorCode::Timeout);
+
+        RtdePeer peer;
+        makeRunning(peer);
+        Controller mutePrimary(to(mute.port(), peer.port()));
+        QCOMPARE(mutePrimary.takeControl(Deadline::after(milliseconds(500))).error().code,
+                 ErrorCode::Timeout);
+    }
+
+    void aCompileErrorIsToldWithItsPlace() {
+        RtdePeer peer;
+        makeRunning(peer);
+        RawPeer primary([](RawPeer::Link& link) {
+            link.send(versionMessage() + robotState(robotModeData(7, false)));
+            while (!link.isOver()) {
+                link.send(
+                    message(10, Wire().i32(12).i32(5).text("compile_error_name_not_found:speedl:").bytes()));
+                std::this_thread::sleep_for(milliseconds(5));
+            }
+        });
+        Controller controller(to(primary.port(), peer.port()));
+        const Error error = controller.takeControl(soon()).error();
+        QCOMPARE(error.code, ErrorCode::ScriptError);
+        QVERIFY2(error.controllerMessage.contains(QStringLiteral("compile_error_name_not_found:speedl:")),
+                 qPrintable(error.toString()));
+        QVERIFY(error.controllerMessage.contains(QStringLiteral("line 13, column 5")));
+    }
+
+    void aProgramThatNeverAnswersIsATimeoutWithAHint() {
+        RtdePeer peer;
+        makeRunning(peer);
+        RawPeer primary([](RawPeer::Link& link) {
+            link.send(versionMessage() + robotState(robotModeData(7, false)));
+            link.beMute();
+        });
+        Controller controller(to(primary.port(), peer.port()));
+        const Error error = controller.takeControl(Deadline::after(milliseconds(500))).error();
+        QCOMPARE(error.code, ErrorCode::Timeout);
+        QVERIFY(error.controllerMessage.contains(QStringLiteral("Remote control")));
+    }
+
+    void cancellingEndsTheAttemptAtOnce() {
+        RawPeer mute([](RawPeer::Link& link) { link.beMute(); });
+        Controller controller(to(mute.port(), mute.port()));
+        const CancelToken token;
+        std::thread impatient([&] {
+            std::this_thread::sleep_for(milliseconds(20));
+            token.cancel();
+        });
+        const auto result = controller.takeControl(Deadline::after(std::chrono::minutes(10), token));
+        impatient.join();
+        QCOMPARE(result.error().code, ErrorCode::Cancelled);
+    }
+
+    void aControllerThatHangsUpIsALostLink() {
+        simulator::Controller robot(robotOptions());
+        QVERIFY(robot.start().ok());
+        Controller controller(to(robot));
+        QVERIFY(controller.takeControl(soon()).ok());
+        const auto jog = controller.startJog(JogTarget{});
+        QVERIFY(jog.ok());
+        robot.closeClients();
+        QTRY_VERIFY(!controller.status().inControl);
+        QCOMPARE(controller.status().loss, ControlLoss::LinkLost);
+        QCOMPARE(controller.motionState(*jog).phase, MotionPhase::Ended);
+        QCOMPARE(controller.startJog(JogTarget{}).error().code, ErrorCode::NotInControl);
+        const auto again = controller.takeControl(soon());
+        QVERIFY2(again.ok(), qPrintable(again.error().toString()));
+    }
+
+    void withoutControlNothingCanBeStartedAndEverythingCanBeStopped() {
+        Controller controller(to(1, 1));
+        QCOMPARE(controller.startJog(JogTarget{}).error().code, ErrorCode::NotInControl);
+        QCOMPARE(controller.moveJ(JointPositions{}, {0.5, 1}).error().code, ErrorCode::NotInControl);
+        controller.stop(StopCause::Escape);
+        QVERIFY(!controller.end(1, StopCause::Escape));
+        controller.release();
+    }
+};
+
+QTEST_GUILESS_MAIN(TestTakeControl)
+#include "tst_take_control.moc"
