@@ -235,7 +235,10 @@ private Q_SLOTS:
                      ",-1.7,-2.2,-0.8,1.6,0], a=3, v=0.5)\nend\n");
             const double begin = robot.controller.truth().timestamp;
             robot.controller.step(2);
-            robot.stepUntil([&] { return robot.programState() == RuntimeState::Stopped; }, 60);
+            while (robot.programState() != RuntimeState::Stopped &&
+                   robot.controller.truth().timestamp < begin + 60) {
+                robot.controller.step(10);
+            }
             return robot.controller.truth().timestamp - begin;
         };
         duration(1.0, 0.0);
