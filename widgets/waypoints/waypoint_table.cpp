@@ -113,6 +113,8 @@ WaypointTable::WaypointTable(WaypointModel& model, QWidget* parent) : QTableView
     horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     horizontalHeader()->setSectionResizeMode(WaypointModel::Name, QHeaderView::Stretch);
     horizontalHeader()->setMinimumSectionSize(24);
+    // The headings may use the gap to the next column.
+    horizontalHeader()->setStyleSheet(QStringLiteral("QHeaderView::section { padding: 6px 0 6px 12px; }"));
 }
 
 QList<int> WaypointTable::selectedRows() const {
