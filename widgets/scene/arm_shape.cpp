@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scene/arm_shape.h"
 
+#include <cmath>
+
 #include "robot/kinematics/arm_kinematics.h"
 
 namespace tiller {
+
+double uprightHeight(const RobotModel& model) {
+    return model.dh.d[0] + std::abs(model.dh.a[1]) + std::abs(model.dh.a[2]) + model.dh.d[4];
+}
 
 std::array<ArmPart, kArmPartCount> armParts(const RobotModel& model, const JointPositions& q) {
     const auto frames = kinematics::linkFrames(model.dh, q);

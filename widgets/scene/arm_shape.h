@@ -27,6 +27,9 @@ struct ArmPart {
 
 inline constexpr int kArmPartCount = 13;
 
+/// From the ground to the flange's axis, with the arm straight up [m].
+double uprightHeight(const RobotModel& model);
+
 /// Threads  any
 std::array<ArmPart, kArmPartCount> armParts(const RobotModel& model, const JointPositions& q);
 

@@ -21,12 +21,12 @@ constexpr double kNear = 0.05;        // [m]
 
 }  // namespace
 
-void Camera::reset(double reach) {
-    reach_ = reach;
+void Camera::reset(double height) {
+    height_ = height;
     azimuth_ = kStartAzimuth;
     elevation_ = kStartElevation;
-    distance_ = 3.15 * reach;
-    target_ = Eigen::Vector3d(0, 0, 0.55 * reach);
+    distance_ = 2.5 * height;
+    target_ = Eigen::Vector3d(0, 0, 0.435 * height);
 }
 
 void Camera::setViewport(const QSizeF& size) {
@@ -39,7 +39,7 @@ void Camera::orbit(double azimuth, double elevation) {
 }
 
 void Camera::zoom(double factor) {
-    distance_ = std::clamp(distance_ * factor, 0.7 * reach_, 12 * reach_);
+    distance_ = std::clamp(distance_ * factor, 0.5 * height_, 10 * height_);
 }
 
 Eigen::Matrix3d Camera::viewRotation() const {

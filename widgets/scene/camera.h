@@ -11,8 +11,8 @@ namespace tiller {
 
 class Camera {
 public:
-    /// The view the program starts with, for an arm of this reach [m].
-    void reset(double reach);
+    /// The view the program starts with, for an arm that is so high when upright [m].
+    void reset(double height);
     void setViewport(const QSizeF& size);
     QSizeF viewport() const { return viewport_; }
 
@@ -43,7 +43,7 @@ private:
     double azimuth_ = 0;
     double elevation_ = 0.3;
     double distance_ = 2.5;
-    double reach_ = 0.85;
+    double height_ = 1.08;
     QSizeF viewport_{640, 480};
 };
 

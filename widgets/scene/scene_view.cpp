@@ -46,7 +46,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), model_(&robotModel(Robo
         "Drag or use the arrow keys to look from another side, the wheel or plus and minus to come nearer, "
         "double click or Home for the first view. Nothing here moves the robot."));
     setFocusPolicy(Qt::StrongFocus);
-    camera_.reset(model_->reach);
+    camera_.reset(uprightHeight(*model_));
     frameTimer_.setSingleShot(true);
     frameTimer_.setTimerType(Qt::PreciseTimer);
     connect(&frameTimer_, &QTimer::timeout, this, [this] { update(); });
@@ -67,7 +67,7 @@ void SceneView::setModel(RobotModelId model) {
         return;
     }
     model_ = &robotModel(model);
-    camera_.reset(model_->reach);
+    camera_.reset(uprightHeight(*model_));
     trace_.clear();
     updateGhost();
     changed();
@@ -253,7 +253,7 @@ void SceneView::resizeEvent(QResizeEvent*) {
 }
 
 void SceneView::resetView() {
-    camera_.reset(model_->reach);
+    camera_.reset(uprightHeight(*model_));
     changed();
     Q_EMIT viewChanged();
 }

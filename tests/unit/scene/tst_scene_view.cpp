@@ -77,14 +77,14 @@ private Q_SLOTS:
 
     void aPointStraightAheadIsInTheMiddle() {
         Camera camera;
-        camera.reset(0.85);
+        camera.reset(1.08);
         camera.setViewport({800, 600});
         const Eigen::Matrix3d R = camera.viewRotation();
         QVERIFY((R.transpose() * R - Eigen::Matrix3d::Identity()).norm() < 1e-12);
         QVERIFY(std::abs(R.determinant() - 1) < 1e-12);
-        const auto middle = camera.project({0, 0, 0.55 * 0.85});
+        const auto middle = camera.project({0, 0, 0.435 * 1.08});
         QVERIFY(std::hypot(middle.point.x() - 400, middle.point.y() - 300) < 1e-6);
-        const Eigen::Vector3d target(0, 0, 0.55 * 0.85);
+        const Eigen::Vector3d target(0, 0, 0.435 * 1.08);
         // The view's X is right, its Y up, its Z nearer: the jog frame "View" rests on it.
         QVERIFY(camera.project(target + 0.1 * R.col(0)).point.x() > middle.point.x() + 10);
         QVERIFY(camera.project(target + 0.1 * R.col(1)).point.y() < middle.point.y() - 10);
@@ -95,7 +95,7 @@ private Q_SLOTS:
 
     void whatIsBehindTheEyeIsNotDrawn() {
         Camera camera;
-        camera.reset(0.85);
+        camera.reset(1.08);
         const Eigen::Vector3d behind = 100 * camera.viewRotation().col(2);
         QVERIFY(!camera.project(behind).visible());
     }
@@ -103,7 +103,7 @@ private Q_SLOTS:
     void theWholeReachOfAnUprightArmIsOnTheScreen() {
         for (const RobotModel& model : robotModels()) {
             Camera camera;
-            camera.reset(model.reach);
+            camera.reset(uprightHeight(model));
             camera.setViewport({930, 520});
             const auto frames =
                 kinematics::linkFrames(model.dh, JointPositions(0, -M_PI_2, 0, -M_PI_2, 0, 0));
@@ -230,7 +230,7 @@ private Q_SLOTS:
 
     void theEyeNeverGoesUnderTheGround() {
         Camera camera;
-        camera.reset(0.85);
+        camera.reset(1.08);
         camera.orbit(0, -10);
         QVERIFY(camera.elevation() > 0);
         camera.orbit(0, 10);
