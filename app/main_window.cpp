@@ -40,6 +40,15 @@ constexpr QSize kStart{1600, 900};
 /// Between panels [px], as in the design.
 constexpr int kGap = 10;
 
+/// The room around a panel, so that the header and the status line can reach from edge to edge.
+QWidget* withMargins(QWidget* panel, const QMargins& margins) {
+    auto* frame = new QWidget;
+    auto* layout = new QVBoxLayout(frame);
+    layout->setContentsMargins(margins);
+    layout->addWidget(panel);
+    return frame;
+}
+
 /// A dock without a title bar of its own: the panel inside has one. It floats and comes back through the View
 /// menu.
 QDockWidget* dockFor(QWidget* content, const QString& name, const QString& title, QMainWindow* window) {
@@ -96,24 +105,24 @@ MainWindow::~MainWindow() {
 
 void MainWindow::buildDocks() {
     setMenuWidget(header_);
-    setCentralWidget(scene_);
+    setCentralWidget(withMargins(scene_, {0, kGap, 0, 0}));
 
     setCorner(Qt::TopLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::TopRightCorner, Qt::RightDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
 
-    QDockWidget* jogDock = dockFor(jog_, "jogDock", tr("Jog"), this);
+    QDockWidget* jogDock = dockFor(withMargins(jog_, {kGap, kGap, 0, kGap}), "jogDock", tr("Jog"), this);
     jogDock->setFeatures(QDockWidget::NoDockWidgetFeatures);  // never hidden
     addDockWidget(Qt::LeftDockWidgetArea, jogDock);
 
     buildTabs();
-    addDockWidget(Qt::BottomDockWidgetArea, dockFor(plots_, "plotsDock", tr("Plots"), this));
+    addDockWidget(Qt::BottomDockWidgetArea,
+                  dockFor(withMargins(plots_, {0, 0, kGap, kGap}), "plotsDock", tr("Plots"), this));
 
     statusBar()->setSizeGripEnabled(false);
     statusBar()->addWidget(status_, 1);
     statusBar()->setContentsMargins(0, 0, 0, 0);
-    setContentsMargins(kGap, 0, kGap, 0);
 }
 
 void MainWindow::buildTabs() {
@@ -137,7 +146,8 @@ void MainWindow::buildTabs() {
         stopMotion(control::StopCause::SelectionChanged);
         pages_->setCurrentIndex(index);
     });
-    addDockWidget(Qt::RightDockWidgetArea, dockFor(panel, "tabsDock", tr("Waypoints, I/O, Log"), this));
+    addDockWidget(Qt::RightDockWidgetArea, dockFor(withMargins(panel, {0, kGap, kGap, 0}), "tabsDock",
+                                                   tr("Waypoints, I/O, Log"), this));
 }
 
 void MainWindow::buildActions() {
