@@ -49,7 +49,6 @@ private Q_SLOTS:
             const auto jog =
                 cell.controller->startJog(linearJog(direction.x(), direction.y(), direction.z()));
             QVERIFY(jog.ok());
-            const double before = path;
             const int refreshes = pick(0, 4);
             for (int i = 0; i < refreshes; ++i) {
                 QVERIFY(cell.step(pick(1, 20)));
@@ -99,12 +98,12 @@ private Q_SLOTS:
                                                    .arg(path * 1000)
                                                    .arg(bound * 1000)));
             worst = std::max(worst, path / bound);
-            moved += before > 0 || path > 0.0005;
+            moved += path > 0.0001;
             QVERIFY(cell.controller->motionState(*jog).phase == MotionPhase::Ended);
         }
         QVERIFY(cell.controller->status().inControl);
         qInfo("%d sequences moved; worst after-run %.0f %% of its bound", moved, worst * 100);
-        QVERIFY(moved > 500);
+        QVERIFY(moved > 300);
     }
 };
 
