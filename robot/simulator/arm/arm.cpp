@@ -178,7 +178,7 @@ std::optional<MotionWarning> Arm::takeWarning() {
 void Arm::setTcp(const Pose& T_flange_tcp) {
     if (T_flange_tcp.allFinite()) {
         parts_->geometry.setTcp(T_flange_tcp);
-        parts_->generator.toolChanged();
+        parts_->generator.setTcp(T_flange_tcp);
     }
 }
 

@@ -122,6 +122,9 @@ const JointTarget& ComplianceController::apply(const Wrench& measured, const Wre
                                                bool operational) {
     if (!operational) {
         drop();
+    } else if (forceMode_ && generator_.protectiveStop()) {
+        forceMode_ = false;
+        generator_.raiseFrom(command_, generator_.protectiveStop()->reason);
     }
     if (forceMode_) {
         stepForceMode(measured);
@@ -203,8 +206,7 @@ void ComplianceController::stepForceMode(const Wrench& measured) {
     twist << R * wanted.head<3>(), R * wanted.tail<3>();
     if (!takeTwist(twist)) {
         forceMode_ = false;
-        generator_.relocate(command_);
-        generator_.raise(StopReason::Singularity, -1);
+        generator_.raiseFrom(command_, StopReason::Singularity);
         command_ = generator_.target();
         return;
     }
@@ -235,7 +237,10 @@ void ComplianceController::stepFreedrive(const Wrench& external) {
         Vector6 body;
         body << push.head<3>() / kMass, push.tail<3>() / kInertia;
         if (!takeTwist(masked((twist + period_ * body) / slowing))) {
-            command_.qd.setZero();
+            Vector6 rest = Vector6::Zero();
+            generator_.limits().cutToAcceleration(command_.qd, rest, period_);
+            command_.q += 0.5 * (command_.qd + rest) * period_;
+            command_.qd = rest;
         }
     } else {
         const Vector6 torque = posture_.jacobian.transpose() * push;
@@ -272,9 +277,8 @@ bool ComplianceController::takeTwist(const Vector6& twist) {
         const ToolPoint next(now.p + mean.head<3>(), quaternionFromVector(mean.tail<3>()) * now.R);
         Vector6 q = command_.q;
         Vector6 there = Vector6::Zero();
-        if (geometry_.follow(next.transform(), q, posture_) &&
-            geometry_.jointRates(posture_, twist, there) && limits.speedFactor(there) >= 1 &&
-            !limits.cutToAcceleration(command_.qd, there, period_)) {
+        if (geometry_.follow(next.transform(), q, posture_) && geometry_.jointRates(posture_, twist, there) &&
+            limits.speedFactor(there) >= 1 && !limits.cutToAcceleration(command_.qd, there, period_)) {
             command_.q = q;
             command_.qd = there;
             return true;

@@ -46,4 +46,9 @@ bool JointLimits::cutToAcceleration(const Vector6& from, Vector6& to, double per
     return true;
 }
 
+bool JointLimits::continuous(const JointTarget& from, const JointTarget& to, double period) const {
+    const Vector6 jump = to.q - from.q - 0.5 * (from.qd + to.qd) * period;
+    return jump.cwiseAbs().maxCoeff() <= acceleration * period * period;
+}
+
 }  // namespace tiller::simulator::arm

@@ -8,6 +8,12 @@
 
 namespace tiller::simulator::arm {
 
+/// Joint state asked of the drives.
+struct JointTarget {
+    Vector6 q = Vector6::Zero();   ///< [rad]
+    Vector6 qd = Vector6::Zero();  ///< [rad/s]
+};
+
 struct JointLimits {
     Vector6 speed = Vector6::Constant(3.14);        ///< [rad/s]
     double acceleration = kJointAccelerationLimit;  ///< [rad/s2]
@@ -26,12 +32,8 @@ struct JointLimits {
     /// Cuts the change from one velocity to the next to what the acceleration allows within `period`, all
     /// joints alike. Returns true if something was cut.
     bool cutToAcceleration(const Vector6& from, Vector6& to, double period) const;
-};
-
-/// Joint state asked of the drives.
-struct JointTarget {
-    Vector6 q = Vector6::Zero();   ///< [rad]
-    Vector6 qd = Vector6::Zero();  ///< [rad/s]
+    /// The positions move as the velocities say; false means a jump, to another branch for instance.
+    bool continuous(const JointTarget& from, const JointTarget& to, double period) const;
 };
 
 }  // namespace tiller::simulator::arm

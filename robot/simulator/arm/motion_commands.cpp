@@ -104,13 +104,17 @@ MotionStart MotionGenerator::move(Segment::Kind kind, const MoveTarget& target,
     if (ignoring_) {
         return ignored();
     }
-    if (mode_ == Mode::Path && path_.nextWaiting()) {
+    // With another TCP the old path has no corner in common with the new one.
+    const bool sameTool = !tcpToCome_;
+    if (mode_ == Mode::Path && path_.nextWaiting() && sameTool) {
         return refuse(MotionError::Busy);
     }
-    if (mode_ == Mode::Path && path_.acceptsNext() && progress(activeId_) == MotionProgress::Returned) {
+    if (mode_ == Mode::Path && path_.acceptsNext() && sameTool &&
+        progress(activeId_) == MotionProgress::Returned) {
         return queueMove(kind, target, parameters, via, orientation);
     }
     // From rest, or from whatever else moves the arm: that runs out while the move sets in.
+    adoptTcp();
     const double least = kind == Segment::Kind::Joint ? std::max(p.a, kRunOutLeast) : kRunOutLeast;
     const bool runsOut = jointRunOut(least, runOut_);
     const Vector6 fromQ = runsOut ? runOut_.endQ : state_.q;
@@ -252,6 +256,7 @@ MotionStart MotionGenerator::servoC(const Pose& target, double a, double v, doub
     if (ignoring_) {
         return ignored();
     }
+    adoptTcp();
     const ToolPoint point(target.transform());
     const MotionStart start = begin();
     startVelocity(start.id, std::nullopt);
@@ -295,6 +300,7 @@ MotionStart MotionGenerator::speedL(const Twist& twist, double a, std::optional<
     if (ignoring_) {
         return ignored();
     }
+    adoptTcp();
     const MotionStart start = begin();
     startVelocity(start.id, t);
     velocity_.speedL(state_, programScale_, x, a, rotation);
@@ -317,6 +323,7 @@ MotionStart MotionGenerator::stopL(double a, std::optional<double> aRot) {
         return refuse(MotionError::InvalidArgument);
     }
     supersede();
+    adoptTcp();
     const MotionStart start = begin();
     geometry_.evaluate(state_.q, posture_);
     const Vector6 twist = posture_.jacobian * state_.qd;

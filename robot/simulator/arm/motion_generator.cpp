@@ -28,6 +28,24 @@ MotionGenerator::MotionGenerator(const ArmGeometry& geometry, double period, con
     state_.q = start.values;
 }
 
+void MotionGenerator::setTcp(const Pose& T_flange_tcp) {
+    tcpToCome_ = T_flange_tcp;
+    if (mode_ != Mode::Path || !path_.followsTool()) {
+        adoptTcp();
+    }
+}
+
+void MotionGenerator::adoptTcp() {
+    if (!tcpToCome_) {
+        return;
+    }
+    geometry_.setTcp(*tcpToCome_);
+    tcpToCome_.reset();
+    if (mode_ == Mode::Velocity) {
+        velocity_.toolChanged(state_, programScale_);
+    }
+}
+
 MotionStart MotionGenerator::begin() {
     MotionStart start;
     start.id = ++lastId_;
@@ -148,6 +166,12 @@ void MotionGenerator::raise(StopReason reason, int joint) {
     startStop(kEmergencyDeceleration, 0);
 }
 
+void MotionGenerator::raiseFrom(const JointTarget& state, StopReason reason) {
+    state_ = state;
+    raise(reason, -1);
+    stepStop();
+}
+
 // What is left of the present velocity, braked in joint space: all joints together.
 bool MotionGenerator::jointRunOut(double deceleration, Segment& segment) const {
     const double fastest = state_.qd.cwiseAbs().maxCoeff();
@@ -206,6 +230,9 @@ void MotionGenerator::step() {
             abandonedFor_ = -1;
             startStop(kAbandonedDeceleration, 0);
         }
+    }
+    if (mode_ == Mode::Rest) {
+        adoptTcp();
     }
     switch (mode_) {
         case Mode::Rest:
@@ -271,6 +298,9 @@ std::optional<StopReason> MotionGenerator::chooseStep(double target, double& sca
     const double slack = 1 + kAccelerationTolerance;
     // Joints stop together: the fastest decides how long it takes.
     const double stopTime = period_ + qd.cwiseAbs().maxCoeff() / (2 * limits_.acceleration);
+    if (!limits_.continuous(state_, {candidate.q, qd}, period_)) {
+        return StopReason::Singularity;
+    }
     for (int j = 0; j < kJointCount; ++j) {
         if (std::abs(qd[j] - state_.qd[j]) > possible * slack + 1e-9 ||
             std::abs(qd[j]) > limits_.speed[j] * slack + 1e-9) {

@@ -56,13 +56,15 @@ public:
     void relocate(const JointTarget& state);
     /// The target is moved by somebody else (force mode, freedrive); speed commands go on from there.
     void rebase(const JointTarget& state);
-    /// The TCP offset changed: speed commands turn about the new TCP from now on.
-    void toolChanged() { velocity_.relocated(state_.q); }
+    /// Speed commands turn about the new TCP at once; a tool path under way is finished with the old one.
+    void setTcp(const Pose& T_flange_tcp);
     void setTorqueMotion(TorqueMotion* torque) { torque_ = torque; }
     /// Freedrive: commands return without effect.
     void setIgnoringCommands(bool ignoring) { ignoring_ = ignoring; }
 
     void raise(StopReason reason, int joint);
+    /// The same from within a step: the arm is in `state`, and the first period of the stop is taken at once.
+    void raiseFrom(const JointTarget& state, StopReason reason);
     const std::optional<ProtectiveStop>& protectiveStop() const { return protectiveStop_; }
     void clearProtectiveStop() { protectiveStop_.reset(); }
     std::optional<MotionWarning> takeWarning();
@@ -88,6 +90,7 @@ private:
                              ArcOrientation orientation, int& joint);
     MotionStart queueMove(Segment::Kind kind, const MoveTarget& target, const MoveParameters& parameters,
                           const MoveTarget* via, ArcOrientation orientation);
+    void adoptTcp();
     ToolPoint toolPoint(const MoveTarget& target) const;
     bool reachable(const ToolPoint& point) const;
     bool jointRunOut(double deceleration, Segment& segment) const;
@@ -103,7 +106,8 @@ private:
     void pathFailed(StopReason reason, int joint);
     void startVelocity(MotionId id, std::optional<double> t);
 
-    const ArmGeometry& geometry_;
+    ArmGeometry geometry_;  // own: with the TCP of the motion under way
+    std::optional<Pose> tcpToCome_;
     double period_;
     JointLimits limits_;
     PathPlanner planner_;

@@ -49,6 +49,10 @@ public:
     /// The command that ordered `current` may go on: its blend zone begins within the coming period or two.
     bool currentReturned(double timeScale) const;
     bool finished() const;
+    bool followsTool() const {
+        return active_ && (current_.inToolSpace || (tailActive_ && tail_.inToolSpace) ||
+                           (nextWaiting_ && next_.inToolSpace));
+    }
     /// A joint move or joint stop by itself: every joint stays between where it was and where it goes.
     bool withinItsEnds() const { return !tailActive_ && !current_.inToolSpace; }
 

@@ -37,6 +37,14 @@ void VelocityMotion::begin(Kind kind, const JointTarget& now, double timeScale) 
     running_ = true;
 }
 
+void VelocityMotion::toolChanged(const JointTarget& now, double timeScale) {
+    if (running_ && (kind_ == Kind::SpeedL || kind_ == Kind::ServoC)) {
+        geometry_.evaluate(now.q, posture_);
+        tool_ = ToolPoint(posture_.T_base_tcp);
+        velocity_ = posture_.jacobian * now.qd / std::max(timeScale, kNoScale);
+    }
+}
+
 void VelocityMotion::speedJ(const JointTarget& now, double timeScale, const Vector6& qd, double a) {
     begin(Kind::SpeedJ, now, timeScale);
     targetVelocity_ = qd;
@@ -227,6 +235,9 @@ std::optional<StopReason> VelocityMotion::stepCartesian(double timeScale, JointT
             velocity_ = posture.jacobian * qd / timeScale;
         }
     } else {
+        if (!limits_.continuous(state, {q, qd}, period_)) {
+            return StopReason::Singularity;
+        }
         state.q = q;
     }
     state.qd = qd;
@@ -261,7 +272,8 @@ std::optional<StopReason> VelocityMotion::stepServoJ(double timeScale, JointTarg
         next[j] = std::clamp(next[j], velocity_[j] - reachable, velocity_[j] + reachable);
     }
     Vector6 wanted = next * timeScale;
-    const double factor = limits_.rangeFactor(state.q, wanted, period_, joint);
+    double factor = limits_.speedFactor(wanted);
+    factor *= limits_.rangeFactor(state.q, wanted * factor, period_, joint);
     joint = -1;
     slowedBy_ = factor;
     wanted *= factor;

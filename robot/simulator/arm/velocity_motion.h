@@ -37,6 +37,8 @@ public:
     bool running() const { return running_; }
     /// Somebody else moved the arm to q.
     void relocated(const Vector6& q) { tool_ = ToolPoint(geometry_.tcpPose(q)); }
+    /// The TCP offset changed while the arm moves.
+    void toolChanged(const JointTarget& now, double timeScale);
     /// At rest and with nothing left to do.
     bool settled(const JointTarget& state) const;
     Kind kind() const { return kind_; }
