@@ -147,18 +147,42 @@ std::int64_t SeriesBuffer::nearest(double time, double tolerance) const {
 
 void SeriesBuffer::cut(double start, double width, int columns, ColumnGrid& grid) const {
     const auto count = static_cast<std::size_t>(std::max(columns, 0));
+    const double shift = (start - grid.start) / width;
+    const bool sameRaster = grid.width == width && grid.columns() == columns &&
+                            std::abs(shift - std::round(shift)) < 1e-6 &&
+                            std::abs(shift) < static_cast<double>(count) && grid.end <= end_;
+    const auto by = sameRaster ? static_cast<std::ptrdiff_t>(std::lround(shift)) : 0;
+    // An edge stays where it was if it had samples on both sides and still has.
+    const auto keeps = [&](std::int64_t edge) {
+        return edge > first() && edge > grid.first && edge < grid.end;
+    };
+    std::vector<std::int64_t> edges(count + 1);
+    std::vector<std::uint8_t> gaps(count);
+    for (std::size_t i = 0; i <= count; ++i) {
+        const std::ptrdiff_t old = static_cast<std::ptrdiff_t>(i) + by;
+        const bool known = sameRaster && old >= 0 && old <= static_cast<std::ptrdiff_t>(count) &&
+                           keeps(grid.edges[static_cast<std::size_t>(old)]);
+        if (known) {
+            edges[i] = grid.edges[static_cast<std::size_t>(old)];
+        } else if (i == 0) {
+            edges[i] = lowerBound(start);
+        } else {
+            // This column holds about as many samples as the one before.
+            const std::int64_t previous = i == 1 ? 0 : edges[i - 1] - edges[i - 2];
+            edges[i] = lowerBoundNear(start + static_cast<double>(i) * width, edges[i - 1] + previous);
+        }
+        if (i > 0) {
+            const auto j = static_cast<std::size_t>(std::max<std::ptrdiff_t>(old - 1, 0));
+            const bool sameColumn = known && old > 0 && grid.edges[j] == edges[i - 1] && keeps(edges[i - 1]);
+            gaps[i - 1] = sameColumn ? grid.gapBefore[j] : (hasGap(edges[i - 1], edges[i]) ? 1 : 0);
+        }
+    }
+    grid.edges.swap(edges);
+    grid.gapBefore.swap(gaps);
     grid.start = start;
     grid.width = width;
-    grid.edges.resize(count + 1);
-    grid.gapBefore.resize(count);
-    grid.edges[0] = lowerBound(start);
-    for (std::size_t i = 0; i < count; ++i) {
-        // The next column holds about as many samples as this one did.
-        const std::int64_t previous = i == 0 ? 0 : grid.edges[i] - grid.edges[i - 1];
-        grid.edges[i + 1] =
-            lowerBoundNear(start + static_cast<double>(i + 1) * width, grid.edges[i] + previous);
-        grid.gapBefore[i] = hasGap(grid.edges[i], grid.edges[i + 1]) ? 1 : 0;
-    }
+    grid.first = first();
+    grid.end = end_;
 }
 
 MinMax SeriesBuffer::minMax(int signal, std::int64_t begin, std::int64_t end) const {

@@ -22,6 +22,9 @@ struct ColumnGrid {
     std::vector<std::int64_t> edges;
     std::vector<std::uint8_t> gapBefore;  ///< samples were lost right before one of this column's samples
 
+    std::int64_t first = 0;  ///< of the history when the grid was cut
+    std::int64_t end = 0;
+
     int columns() const { return static_cast<int>(gapBefore.size()); }
     bool empty() const { return edges.empty() || edges.front() == edges.back(); }
 };
@@ -81,7 +84,8 @@ public:
     /// The sample nearest to this time, or -1 if none is within `tolerance` [s].
     std::int64_t nearest(double time, double tolerance) const;
 
-    /// Cuts start ... start + columns * width into columns.
+    /// Cuts start ... start + columns * width into columns. A grid that was cut from this history before and
+    /// lies on the same raster of time keeps what has not changed: a moving view costs only its new columns.
     void cut(double start, double width, int columns, ColumnGrid& grid) const;
     /// Minimum and maximum per column of the grid, exactly.
     void envelope(int signal, const ColumnGrid& grid, std::vector<MinMax>& out) const;

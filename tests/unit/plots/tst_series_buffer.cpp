@@ -110,6 +110,25 @@ private Q_SLOTS:
         }
     }
 
+    void aGridThatMovesOnEqualsOneCutAnew() {
+        std::mt19937 random(11);
+        SeriesBuffer buffer(2, 4096);
+        Plain plain;
+        fill(buffer, plain, 4000, random);
+        ColumnGrid moving;
+        std::uniform_int_distribution<int> more(0, 60);
+        const double width = 0.0371;
+        for (int round = 0; round < 120; ++round) {
+            fill(buffer, plain, more(random), random);
+            const double start = std::floor((buffer.lastTime() - 9 + 3 * (round % 5)) / width) * width;
+            buffer.cut(start, width, 150, moving);
+            ColumnGrid anew;
+            buffer.cut(start, width, 150, anew);
+            QVERIFY(moving.edges == anew.edges);
+            QVERIFY(moving.gapBefore == anew.gapBefore);
+        }
+    }
+
     void rangesOfEveryAlignmentAreExact() {
         std::mt19937 random(7);
         SeriesBuffer buffer(2, 4096);
