@@ -62,7 +62,8 @@ void Demonstration::start() {
 void Demonstration::addSteps() {
     const auto state = [this]() -> const SessionState& { return window_.session().state(); };
 
-    steps_.push_back({tr("connect"), [this] { window_.connectSimulator(); }, [=] { return state().link == LinkState::Live; }});
+    steps_.push_back({tr("connect"), [this] { window_.connectSimulator(); },
+                      [=] { return state().link == LinkState::Live; }});
     steps_.push_back(
         {tr("power on"), [this] { window_.session().powerOn(); },
          [=] { return state().robotMode == RobotMode::Idle || state().robotMode == RobotMode::Running; },

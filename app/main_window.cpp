@@ -11,6 +11,7 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabBar>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "app/connect_dialog.h"
@@ -94,7 +95,8 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     connectParts();
 
     restoreGeometry(settings_.windowGeometry());
-    restoreState(settings_.windowState());
+    layoutRemembered_ = restoreState(settings_.windowState());
+    QTimer::singleShot(0, this, &MainWindow::proportion);
 }
 
 MainWindow::~MainWindow() {
@@ -117,12 +119,26 @@ void MainWindow::buildDocks() {
     addDockWidget(Qt::LeftDockWidgetArea, jogDock);
 
     buildTabs();
-    addDockWidget(Qt::BottomDockWidgetArea,
-                  dockFor(withMargins(plots_, {0, 0, kGap, kGap}), "plotsDock", tr("Plots"), this));
+    plotsDock_ = dockFor(withMargins(plots_, {0, 0, kGap, kGap}), "plotsDock", tr("Plots"), this);
+    addDockWidget(Qt::BottomDockWidgetArea, plotsDock_);
 
     statusBar()->setSizeGripEnabled(false);
     statusBar()->addWidget(status_, 1);
     statusBar()->setContentsMargins(0, 0, 0, 0);
+}
+
+void MainWindow::proportion() {
+    if (layoutRemembered_) {
+        return;
+    }
+    // The shares of the design: plots 36 % of the height, tabs 29 % of the width.
+    resizeDocks({plotsDock_}, {height() * 36 / 100}, Qt::Vertical);
+    resizeDocks({tabsDock_}, {width() * 29 / 100}, Qt::Horizontal);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    proportion();
 }
 
 void MainWindow::buildTabs() {
@@ -146,8 +162,8 @@ void MainWindow::buildTabs() {
         stopMotion(control::StopCause::SelectionChanged);
         pages_->setCurrentIndex(index);
     });
-    addDockWidget(Qt::RightDockWidgetArea, dockFor(withMargins(panel, {0, kGap, kGap, 0}), "tabsDock",
-                                                   tr("Waypoints, I/O, Log"), this));
+    tabsDock_ = dockFor(withMargins(panel, {0, kGap, kGap, 0}), "tabsDock", tr("Waypoints, I/O, Log"), this);
+    addDockWidget(Qt::RightDockWidgetArea, tabsDock_);
 }
 
 void MainWindow::buildActions() {
@@ -173,7 +189,11 @@ void MainWindow::buildActions() {
         }
     }
     const QByteArray defaultLayout = saveState();
-    view->addAction(tr("Reset layout"), this, [this, defaultLayout] { restoreState(defaultLayout); });
+    view->addAction(tr("Reset layout"), this, [this, defaultLayout] {
+        restoreState(defaultLayout);
+        layoutRemembered_ = false;
+        proportion();
+    });
     QMenu* theme = menu->addMenu(tr("Colours"));
     for (const auto& [name, title] :
          {std::pair<QString, QString>{"light", tr("Light")}, {"dark", tr("Dark")}}) {
@@ -188,7 +208,6 @@ void MainWindow::buildActions() {
         stopMotion(control::StopCause::DialogOpened);
         menu->popup(header_->robotChip()->mapToGlobal(QPoint(0, header_->robotChip()->height())));
     });
-    addActions(waypoints_->commandActions());
     addAction(connectAction);
 }
 

@@ -11,6 +11,7 @@
 #include "app/settings.h"
 #include "widgets/session/robot_session.h"
 
+class QDockWidget;
 class QTabBar;
 class QStackedWidget;
 
@@ -59,11 +60,13 @@ public:
 protected:
     void changeEvent(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void buildDocks();
     void buildTabs();
     void buildActions();
+    void proportion();
     void connectParts();
     void followJog();
     void updateScene();
@@ -82,6 +85,9 @@ private:
     LogTab* log_ = nullptr;
     StatusLine* status_ = nullptr;
     StopKeys* stopKeys_ = nullptr;
+    QDockWidget* plotsDock_ = nullptr;
+    QDockWidget* tabsDock_ = nullptr;
+    bool layoutRemembered_ = false;  ///< the operator's own layout is kept as it is
     QTabBar* tabs_ = nullptr;
     QStackedWidget* pages_ = nullptr;
 };

@@ -10,8 +10,10 @@
 #include <QTest>
 
 #include "app/main_window.h"
+#include "resources/resources.h"
 #include "robot/simulator/controller.h"
 #include "tests/ui/jog_fixture.h"
+#include "widgets/waypoints/waypoints_tab.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -23,7 +25,22 @@ private:
     QTemporaryDir folder_;
     app::Settings settings() const { return app::Settings(folder_.filePath("settings.ini")); }
 
+    /// To look at: TILLER_SCREENSHOTS names the folder they go to.
+    static void saveScreenshots(app::MainWindow& window, const QString& name) {
+        const QString folder = qEnvironmentVariable("TILLER_SCREENSHOTS");
+        if (folder.isEmpty()) {
+            return;
+        }
+        for (const char* theme : {"dark", "light"}) {
+            window.setTheme(QString::fromLatin1(theme));
+            QCoreApplication::processEvents();
+            QVERIFY(window.grab().save(QStringLiteral("%1/main-%2-%3.png").arg(folder, name, theme)));
+        }
+    }
+
 private Q_SLOTS:
+    void initTestCase() { initResources(); }
+
     void nothingIsCutOffAtTheSmallestSize_data() {
         QTest::addColumn<QSize>("size");
         QTest::newRow("1280x720") << QSize(1280, 720);
@@ -31,11 +48,16 @@ private Q_SLOTS:
     }
     void nothingIsCutOffAtTheSmallestSize() {
         QFETCH(QSize, size);
-        app::MainWindow window(settings());
+        VirtualClock clock;
+        app::MainWindow window(settings(), clock);
+        VirtualCell cell(clock, window.session());
         window.resize(size);
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         QCOMPARE(window.size(), size);
+        QVERIFY2(cell.bringUp(), qPrintable(cell.what()));
+        window.waypoints().teach();
+        cell.advanceMs(200);
         const QList<QWidget*> widgets = window.findChildren<QWidget*>();
         int looked = 0;
         for (QWidget* widget : widgets) {
@@ -57,6 +79,7 @@ private Q_SLOTS:
                                     .arg(widget->objectName(), widget->accessibleName())));
         }
         QVERIFY2(looked > 30, "the window has more controls than this");
+        saveScreenshots(window, QStringLiteral("%1x%2").arg(size.width()).arg(size.height()));
     }
 
     void everyButtonHasANameForScreenReaders() {

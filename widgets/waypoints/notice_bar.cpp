@@ -27,8 +27,10 @@ NoticeBar::NoticeBar(QWidget* parent)
     text_->setWordWrap(true);
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     accept_->setObjectName(QStringLiteral("notice.accept"));
+    accept_->setAccessibleName(tr("Accept"));
     accept_->setProperty("primary", true);
     dismiss_->setObjectName(QStringLiteral("notice.dismiss"));
+    dismiss_->setAccessibleName(tr("Dismiss"));
 
     auto* keys = new QHBoxLayout;
     keys->addStretch();
