@@ -4,9 +4,12 @@
 
 #include <QApplication>
 #include <QDir>
+#include <QFile>
+#include <QLocale>
 #include <QStandardPaths>
 #include <QTextStream>
 #include <QTimer>
+#include <QTranslator>
 
 #include "app/command_line.h"
 #include "app/demonstration.h"
@@ -32,7 +35,10 @@ void print(FILE* to, const QString& text) {
 /// What was asked for, or what was open last, or a file of one's own to begin with.
 QString sessionFile(const app::CommandLine& line, const app::Settings& settings) {
     if (!line.demoDirectory.isEmpty()) {
-        return line.demoDirectory + QStringLiteral("/demo.tiller");
+        // The demonstration's own product, as the recording is: it begins anew every time.
+        const QString file = line.demoDirectory + QStringLiteral("/demo.tiller");
+        QFile::remove(file);
+        return file;
     }
     if (!line.sessionFile.isEmpty()) {
         return line.sessionFile;
@@ -78,6 +84,10 @@ int main(int argc, char* argv[]) {
         return 0;
     }
 
+    QTranslator translator;
+    if (translator.load(QLocale(), QStringLiteral("tiller"), QStringLiteral("_"), QStringLiteral(":/i18n"))) {
+        QApplication::installTranslator(&translator);
+    }
     initResources();
     const bool demonstration = !line->demoDirectory.isEmpty();
     // The demonstration shows the default layout and leaves no traces in the user's settings.

@@ -223,6 +223,8 @@ void MainWindow::connectParts() {
     };
     connect(&waypoints_->store(), &SessionStore::statusChanged, this, showFile);
     showFile();
+    io_->setNames(settings_.ioNames());
+    connect(io_, &IoTab::namesChanged, this, [this] { settings_.setIoNames(io_->names()); });
     followJog();
 
     const auto followView = [this] {

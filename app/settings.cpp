@@ -57,6 +57,26 @@ void Settings::setWindow(const QByteArray& geometry, const QByteArray& state) {
     settings.setValue("window/version", kLayoutVersion);
 }
 
+QMap<QString, QString> Settings::ioNames() const {
+    QMap<QString, QString> names;
+    QSettings settings = open(file_);
+    settings.beginGroup("io");
+    const QStringList terminals = settings.childKeys();
+    for (const QString& terminal : terminals) {
+        names[terminal] = settings.value(terminal).toString();
+    }
+    return names;
+}
+
+void Settings::setIoNames(const QMap<QString, QString>& names) {
+    QSettings settings = open(file_);
+    settings.remove("io");
+    settings.beginGroup("io");
+    for (auto it = names.constBegin(); it != names.constEnd(); ++it) {
+        settings.setValue(it.key(), it.value());
+    }
+}
+
 QString Settings::sessionFile() const {
     return open(file_).value("session/file").toString();
 }

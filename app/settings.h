@@ -4,6 +4,7 @@
 // What the program remembers between two starts. Never a speed: every start begins slowly.
 
 #include <QByteArray>
+#include <QMap>
 #include <QString>
 #include <QStringList>
 
@@ -21,6 +22,9 @@ public:
     QByteArray windowState() const;
     QByteArray windowGeometry() const;
     void setWindow(const QByteArray& geometry, const QByteArray& state);
+    /// The operator's names of inputs and outputs, by terminal: "DI 0".
+    QMap<QString, QString> ioNames() const;
+    void setIoNames(const QMap<QString, QString>& names);
     QString sessionFile() const;
     void setSessionFile(const QString& path);
 

@@ -4,7 +4,7 @@
 // against the simulated controller on this machine. Prints a table and, with --json, one JSON object; asserts
 // nothing.
 //
-//   link_latency [--seconds 10] [--jogs 20] [--json]
+//   link_latency [--seconds 10] [--jogs 20] [--record FILE] [--json]
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
@@ -17,6 +17,7 @@
 
 #include "robot/control/controller.h"
 #include "robot/receive/receiver.h"
+#include "robot/recording/recorder.h"
 #include "robot/simulator/controller.h"
 
 using namespace tiller;
@@ -84,11 +85,11 @@ int main(int argc, char* argv[]) {
     parser.addHelpOption();
     parser.addOptions({{"seconds", "How long packages are watched.", "s", "10"},
                        {"jogs", "How many holds and releases.", "n", "20"},
+                       {"record", "Record to this CSV file meanwhile.", "file"},
                        {"json", "One JSON object instead of a table."}});
     parser.process(application);
 
     simulator::ControllerOptions options;
-    options.anyFreePorts = false;
     options.listenAddress = QStringLiteral("127.0.7.1");
     options.poweredOn = true;
     options.priority = 95;
@@ -111,8 +112,20 @@ int main(int argc, char* argv[]) {
     }
     std::this_thread::sleep_for(500ms);
     receiver.resetCounters();
+    std::this_thread::sleep_for(10ms);  // taken over with the next package
+    recording::Recorder recorder;
+    if (parser.isSet("record")) {
+        recording::RecorderOptions recorderOptions;
+        recorderOptions.path = parser.value("record");
+        if (const Result<void> recording = recorder.start(recorderOptions, receiver); !recording) {
+            err << recording.error().toString() << '\n';
+            return 1;
+        }
+    }
     std::this_thread::sleep_for(std::chrono::seconds(parser.value("seconds").toInt()));
     const receive::ReceiverCounters counters = receiver.counters();
+    recorder.stop();
+    const recording::RecorderProgress recorded = recorder.progress();
     const realtime::Histogram intervals = receiver.intervals();
 
     JogTimes times;
@@ -128,6 +141,8 @@ int main(int argc, char* argv[]) {
             {"packages", static_cast<qint64>(counters.packets)},
             {"late", static_cast<qint64>(counters.late)},
             {"lost", static_cast<qint64>(counters.lost)},
+            {"recorded_rows", static_cast<qint64>(recorded.rows)},
+            {"recorded_lost", static_cast<qint64>(recorded.lost)},
             {"interval_us_p50", us(intervals.percentileNs(50))},
             {"interval_us_p99", us(intervals.percentileNs(99))},
             {"interval_us_p99_9", us(intervals.percentileNs(99.9))},
@@ -149,6 +164,8 @@ int main(int argc, char* argv[]) {
         << receiver.priority().requested << "\n  interval us   p50 " << us(intervals.percentileNs(50))
         << "  p99 " << us(intervals.percentileNs(99)) << "  p99.9 " << us(intervals.percentileNs(99.9))
         << "  max " << us(intervals.maxNs()) << '\n'
+        << "record: " << recorded.rows << " rows over " << recorded.seconds << " s of robot time, "
+        << recorded.lost << " packages missing\n"
         << "jog: " << times.releaseToStandstillMs.size() << " holds at 100 mm/s\n"
         << "  press to motion confirmed ms   p50 " << percentile(times.pressToMotionMs, 50) << "  p99 "
         << percentile(times.pressToMotionMs, 99) << "\n  release to standstill ms       p50 "

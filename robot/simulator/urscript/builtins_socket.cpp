@@ -21,8 +21,8 @@ bool expired(const Call& c, std::size_t timeoutArgument) {
     return seconds > 0 && static_cast<double>(c.waitedNs) >= seconds * 1e9 - 1.0;
 }
 
-// No more bytes can come: to be asked only when those that came were not enough. A read that fails at once takes the
-// rest of the frame, so that a loop around it on a closed socket does not spin.
+// No more bytes can come: to be asked only when those that came were not enough. A read that fails at once
+// takes the rest of the frame, so that a loop around it on a closed socket does not spin.
 bool over(Call& c, const std::string& socket, std::size_t timeoutArgument) {
     const bool ended = c.host.socketState(socket) != SocketHost::State::Open || expired(c, timeoutArgument);
     c.endFrame = ended && c.first;

@@ -1,0 +1,2248 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>ConnectDialog</name>
+    <message>
+        <source>Enter the robot&apos;s address, as shown on the teach pendant under About.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An address has four numbers of 0 to 255, as in 192.168.0.10.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A host name has letters, digits, dots and hyphens only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try the simulator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A simulated UR5e inside this program. Everything works, nothing can be hurt.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start the simulated robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect a robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Address or host name of the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name shown for the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lab UR5e</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robots connected to before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before you move a real arm: keep everybody out of its reach, have the emergency stop at hand, check payload and TCP, start slowly. The STOP of this window is not an emergency stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Demonstration</name>
+    <message>
+        <source>make the folder %1: choose one that may be written to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>connect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>power on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>release the brakes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>take control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>start recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>teach the first waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>jog X+ in Base for 50 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>let go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>teach the second waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to the first waypoint (held)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>let go of Go to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>digital output 0 on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>digital output 0 off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>take the screenshots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write the screenshots to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stop recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: did not happen within %2 s (%3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot reports no reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>jogged               </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>release to standstill </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>packets              </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> received, </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> late, </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> lost
+</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recorded             </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> rows, </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>files                </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no key &quot;%1&quot; in the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>HeaderBar</name>
+    <message>
+        <source>ROBOT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ROBOT MODE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SAFETY</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CONTROL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LINK</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LAST STOP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State of the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NO DATA</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ms · %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the stop to standstill, measured. Cause: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No stop measured yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>IoChannel</name>
+    <message>
+        <source>no data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pending…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, old data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>
+Cannot be switched while no data come from the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>
+Click to switch it %1. Right click to rename.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>IoTab</name>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Digital outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Digital inputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Configurable outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Configurable inputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool inputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ The robot did not confirm %1. Another program or the installation may own it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>JogColumn</name>
+    <message>
+        <source>Jog</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hold to move · stops by itself in 150 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown below the pad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves while the key is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One step a press: 0.1 mm, turns 0.1°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One step a press: 1 mm, turns 1°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One step a press: 10 mm, turns 5°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm/s · turns %2 °/s · joints %3 °/s · Ctrl × 0.1, Shift × 3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Freedrive (hold)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Freedrive from the PC is not built yet: use the teach pendant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Home (hold)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves every joint to the home position while held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Going back over the last moves is not built yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axes of the picture: X right, Y away from you, Z up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Needs the 3D view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No frame taught yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last stop: %1, standstill after %2 ms, %3 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>JogPad</name>
+    <message>
+        <source>Jog keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>JointRow</name>
+    <message>
+        <source>%1 minus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 plus</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>JointRows</name>
+    <message>
+        <source>Joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LimiterLine</name>
+    <message>
+        <source>Limiter</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LocalSimulator</name>
+    <message>
+        <source>Simulated UR5e</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LogModel</name>
+    <message>
+        <source>Info</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Warning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>⬣ Error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1
+%2 times between %3 and %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LogTab</name>
+    <message>
+        <source>All</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show from severity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter the log by words</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the selected lines, or all that are shown (Ctrl+C)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the lines that are shown to a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Log written to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>MainWindow</name>
+    <message>
+        <source>Tiller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waypoints, I/O, Log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>I/O</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+K, Ctrl+C</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power off the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give control back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Float %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset layout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>NoticeBar</name>
+    <message>
+        <source>Notice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PlotDock</name>
+    <message>
+        <source>Plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP force [N] · joint current [A]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cursor read-out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click in the plots to place the cursors A and B; drag them, or use the keys A, B and the arrows. Click a name in a legend to read that signal.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much time the plots show. The wheel over the plots zooms.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause the plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the shown range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save what is shown as a picture (PNG) or as values (CSV)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record to a CSV file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record every packet of the robot to a CSV file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paused · %1 s back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold the plots still; data and recording go on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the newest samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>● REC %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>● Record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>export to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the folder does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exported the shown range to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was exported: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture (*.png)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is recorded: connect to a robot first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PlotView</name>
+    <message>
+        <source>Plots of TCP force and joint current over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; plus and minus change the time window; End goes back to the newest samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A–B Δt %1 s · Δ%2 %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 s · %3 %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No samples yet: connect to a robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PoseView</name>
+    <message>
+        <source>TCP pose in Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP pose in Base, orientation as RPY. Click: zero here</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RobotSession</name>
+    <message>
+        <source>Stopped: %1 (%2 ms, %3 mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connecting to %1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disconnected from %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brake release</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Protective stop unlocked by the operator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Output %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>record to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorded %1 rows to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connected to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safety is normal again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Controller: %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program error in line %1, column %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Popup on the robot: %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RobotSession::Backend</name>
+    <message>
+        <source>Not connected to a robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting for data from %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connecting to %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No data from the robot. Reconnecting by itself; motion does not resume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Data from the robot are late.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SceneDock</name>
+    <message>
+        <source>View</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SceneView</name>
+    <message>
+        <source>View of the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag or use the arrow keys to look from another side, the wheel or plus and minus to come nearer, double click or Home for the first view. Nothing here moves the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NO DATA</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ghost “%1” · out of reach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ghost “%1” · reachable · largest turn %2 %3 · %4 s at %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SessionStore</name>
+    <message>
+        <source>waypoints not saved to a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>disk full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 — not saved: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 — saving…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 — saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no file chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SimulationChip</name>
+    <message>
+        <source>Simulation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This robot is simulated. Nothing moves but pixels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SIMULATION</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SpeedChip</name>
+    <message>
+        <source>Speed slider</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed slider of the robot, 2 to 100 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SPEED</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StatusLine</name>
+    <message>
+        <source>Recording, session and last message</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 — %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>REC %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 samples · %2 · %3 free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording ended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StopButton</name>
+    <message>
+        <source>STOP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Software stop. Not an emergency stop. Power stays on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Space / Esc
+not an e-stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>WaypointDetails</name>
+    <message>
+        <source>Selected waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>used in 1 step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>used in %1 steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 from the live pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joints rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pose rules</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>WaypointModel</name>
+    <message>
+        <source>✕ joint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ reach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A joint would leave its range. Touch the waypoint up from another arm posture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its frame is not in this session. Choose another frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The straight line from here leaves the arm&apos;s reach. Use MoveJ, or start elsewhere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Out of reach. Touch it up nearer to the base.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete %1 waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MoveJ: all joints start and stop together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MoveL: the TCP goes along a straight line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The joints rule: the arm comes back in the same posture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pose rules: it moves with its frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Can be reached</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blend mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A waypoint needs a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is taken by waypoint %2. Choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make “%1” a Move%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the joints of “%1” rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no frame “%1” in this session.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give “%1” in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is not a number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is outside %2 to %3 %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the blend of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the speed of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>WaypointTable</name>
+    <message>
+        <source>Waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>WaypointsTab</name>
+    <message>
+        <source>Waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The damaged session file was kept as %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The waypoints could not be saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach here  T</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up  U</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to (hold)  G</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to, hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No waypoints yet.
+Jog the arm to a place and press Teach here (T).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a waypoint to go to.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add the place where the arm stands, after the selection (T)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace the selected place by where the arm stands (U)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a waypoint to touch up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves the arm to the selected waypoint while the key is held (G)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy as table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open session…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save session as…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The frame of “%1” is not in this session. Choose another frame first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The live place is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate %1 waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was pasted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are no waypoints on the clipboard.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paste %1 waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tiller sessions (*.tiller)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The session could not be opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. %2 of its waypoints can be read, %3 cannot. The damaged file is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the %1 readable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The session could not be saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>program</name>
+    <message>
+        <source>is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is neither J nor L</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is neither joints nor pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no frame “%1” in this session</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller</name>
+    <message>
+        <source>Protective stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safeguard stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enabling device released</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safety violation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safety fault</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brakes on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Backdrive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No controller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm off line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Confirm safety</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Booting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MOVING</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot confirms that the arm moves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brakes are released. The arm stands still.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Updating firmware</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No safety function is active.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot keeps to its reduced limits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undefined</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remote</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Local</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not in control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Local · monitoring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 packets, %2 late, %3 lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No robot connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Late: %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NO DATA</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 Hz · %2 late</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> · %1 lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Release brakes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unlock…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the simulator or the address of a robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Powers the arm. Brakes stay engaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm may sag by a few millimetres. Keep clear.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the arm first: clear what it ran into. Possible five seconds after the stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot, which stops any other program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotDock</name>
+    <message>
+        <source>5 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>10 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>30 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2 min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>10 min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>30 min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>export to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>export: there are no samples in this range</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app</name>
+    <message>
+        <source>Jog, teach, run and monitor a Universal Robots arm from a PC.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start with the built-in simulated UR5e.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect to the robot at this address or host name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run the scripted demonstration on the simulated robot, leave its files in this folder, exit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open this session file (waypoints).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours: light or dark.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>see tiller --help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was not expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--theme takes light or dark, not &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--robot and --simulator exclude each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--demo runs on the simulated robot only, not with --robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--demo needs a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--robot needs an address, as in --robot 192.168.0.10</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::texts</name>
+    <message>
+        <source>Check the address: four numbers as in 192.168.0.10, or a name the network knows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check that the robot is switched on, the cable is plugged in, and this PC is in the same network.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch the interface on at the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot ended the connection: it may be restarting, or was switched between Local and Remote.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot does not answer. Check the cable and that the address is the robot&apos;s own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Data stopped coming. Check the cable; the connection comes back by itself, motion does not.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What answers there does not speak RTDE as it should. Check address and port.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot&apos;s software is too old for this.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot&apos;s software does not have this value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program or a fieldbus on the robot owns these registers: close the other program, or switch the fieldbus off in the installation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect to a robot first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take control first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring the robot to Running and its safety to Normal first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch the robot to Remote control on the teach pendant, at the top right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a target inside the arm&apos;s range and a speed within the cap.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm cannot reach this pose: move the point nearer or turn the tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot could not run the program it was sent. See the log for its own words.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check that the file exists and may be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a folder you may write to.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file was left as it is. Open a backup, or repair the named place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The disk is full: what was recorded so far is kept. Free some space and record anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Address not found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot not reachable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connection refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connection ended by the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No answer in time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Link lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not understood</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not supported by this robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value not available</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Registers in use</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not in control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not possible in this state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot is in Local control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outside the limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not a valid value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Out of reach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused by the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program error on the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File cannot be written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File is damaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disk full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Internal error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pointer left the key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>focus lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>window no longer active</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>window closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a dialog or menu opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>selection changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>second button</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>input device lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>robot data too old</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>robot or safety mode changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not refreshed in time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PC going to sleep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>link lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>limit reached</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>control lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>target reached</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped by a program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller has no connection to the arm. See the teach pendant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Confirm the safety configuration on the teach pendant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is starting.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is off. Power it on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The brakes are on. Release them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is in backdrive. Let go of the Freedrive button.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The joints&apos; firmware is being updated. Wait until it is done.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unknown robot mode %1. See the teach pendant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Protective stop. Find out what stopped the arm, then unlock (after 5 s).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recovery mode. Move the arm back within its limits on the teach pendant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safeguard stop. Close the safeguard.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Emergency stop of the system. Release it, then power on and release the brakes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Emergency stop. Pull the button out, then power on and release the brakes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safety violation. Check the cause, then restart the safety system.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safety fault. Check the robot&apos;s log, then restart the safety system.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joints must be validated on the teach pendant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The safety mode is not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safeguard stop of automatic mode. Close the safeguard, or change to manual mode.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enabling device not held. Hold it in its middle position.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Emergency stop of the machine. Release it, then power on and release the brakes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safeguard stop of the machine. Close its safeguard.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting for the PROFIsafe controller. Check the fieldbus.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unknown safety mode %1. See the teach pendant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only watching. Take control to move the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Control was given back. Take control to move the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The control program was stopped on the robot. Take control again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The control program does not answer. Take control again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link was lost. Take control again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::waypoint_clipboard</name>
+    <message>
+        <source>This is not a table of waypoints. Copy one from the list to see its columns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::waypoint_clipboard::Line</name>
+    <message>
+        <source>is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is outside %2 to %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line %1, %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+</TS>
