@@ -258,7 +258,10 @@ QString PlotView::readout() const {
     if (a && b) {
         const auto va = valueAt(readoutSignal_, *a);
         const auto vb = valueAt(readoutSignal_, *b);
-        const auto difference = va && vb ? std::optional<double>(*vb - *va) : std::nullopt;
+        std::optional<double> difference;
+        if (va && vb) {
+            difference = *vb - *va;
+        }
         return tr("A–B Δt %1 s · Δ%2 %3").arg(format::number(*b - *a, 3), name, valueText(difference));
     }
     const double time = a ? *a : *b;
