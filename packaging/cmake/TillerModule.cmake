@@ -8,9 +8,7 @@ target_include_directories(tiller_options INTERFACE ${CMAKE_SOURCE_DIR})
 target_compile_definitions(tiller_options INTERFACE QT_NO_KEYWORDS QT_NO_FOREACH)
 if(NOT MSVC)
     target_compile_options(tiller_options INTERFACE
-        -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
-        # gcc 12 sees uninitialized values inside std::optional that are not: worth reading, no error.
-        $<$<CXX_COMPILER_ID:GNU>:-Wno-error=maybe-uninitialized>)
+        -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
 else()
     target_compile_options(tiller_options INTERFACE /W4 /WX /permissive-)
 endif()
