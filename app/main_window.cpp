@@ -100,9 +100,15 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
 }
 
 MainWindow::~MainWindow() {
-    // The parts look at the session: they go first.
-    delete takeCentralWidget();
+    disconnect(qApp, nullptr, this, nullptr);
+    // While all parts still live: the session tells them that it ends. Then they go, and it goes last.
     session_->shutDown();
+    delete takeCentralWidget();
+    const QList<QDockWidget*> docks = findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly);
+    qDeleteAll(docks);
+    setMenuWidget(nullptr);
+    setStatusBar(nullptr);
+    delete stopKeys_;
 }
 
 void MainWindow::buildDocks() {

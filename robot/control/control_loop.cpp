@@ -115,6 +115,10 @@ void ControlLoop::followEcho(const Feedback& data) {
     echoed_ = echo.sequence;
     unansweredSinceNs_ = 0;
     const std::int32_t behind = sequence_ - echo.sequence;
+    if (behind >= 0 && static_cast<std::size_t>(behind) >= kSentMemory) {
+        // Older than what is remembered: at least as long as all of it took.
+        status_.roundTripMs = static_cast<double>(kSentMemory) * period_ * 1000.0;
+    }
     if (behind >= 0 && static_cast<std::size_t>(behind) < kSentMemory) {
         const auto slot = static_cast<std::size_t>(echo.sequence) % kSentMemory;
         status_.roundTripMs =
@@ -135,6 +139,8 @@ void ControlLoop::watch(const Feedback& data) {
     status_.safetyMode = data.safetyMode;
     status_.speedFraction = data.speedFraction;
     status_.dataTimeNs = data.hostNs;
+    status_.q = data.q.array();
+    status_.tcpOffset = data.tcpOffset.array();
     if (data.robotMode != RobotMode::Running || !allowsMotion(data.safetyMode)) {
         endActive(StopCause::UnsafeMode, data.hostNs);
     }
@@ -155,6 +161,10 @@ void ControlLoop::watch(const Feedback& data) {
     }
     if (unanswered > kEchoNs) {
         endActive(StopCause::ControlLost, data.hostNs);
+    }
+    // Everything flows, but late: a stop would reach the arm as late.
+    if (status_.roundTripMs > kMaxRoundTripMs) {
+        endActive(StopCause::LinkLost, data.hostNs);
     }
     const MotionId motion = mailbox_.epoch().activeMotion();
     const bool answersThis = motion != kNoMotion && data.echo.epoch == static_cast<std::int32_t>(motion);
@@ -203,6 +213,8 @@ void ControlLoop::compose(const Feedback& data, Command& command) {
         followed_ = motion->id;
         followedTcp_ = data.tcpOffset;
         status_.limiter = {};
+        // What is still being measured belongs to a motion that another one has followed before standstill.
+        meter_.cancel();
     }
     if (motion->kind == MotionCommand::Kind::Jog) {
         composeJog(*motion, data, command);

@@ -20,6 +20,8 @@ namespace tiller::control {
 
 /// Data older than this are no ground to move on.
 inline constexpr std::int64_t kMaxDataAgeNs = 100'000'000;
+/// A link on which a command takes longer than this to the robot and back is none to move on either.
+inline constexpr double kMaxRoundTripMs = 100.0;
 
 /// Threads  tick(), fallback(), lost(): the control thread. requestEnd(), status(), isInControl(): any.
 ///          begin(): before the control thread starts.

@@ -3,6 +3,7 @@
 
 // What the controller tells about itself: one consistent copy, cheap enough to take in every frame.
 
+#include <array>
 #include <cstdint>
 
 #include "robot/control/motion_types.h"
@@ -71,13 +72,15 @@ struct ControllerStatus {
     StopCause lastCause = StopCause::None;  ///< and why
     StopMeasurement lastStop;
 
-    std::uint64_t epoch = 0;       ///< moves on with every stop
-    double roundTripMs = 0;        ///< command out to echo back; 0 = not known yet
-    double speedFraction = 1;      ///< speed slider
-    std::uint64_t ticks = 0;       ///< data packages answered
-    std::uint64_t late = 0;        ///< of those, more than half a period late by the host's clock
-    std::int64_t dataTimeNs = 0;   ///< when the newest data arrived; by the controller's Clock
-    bool priorityGranted = false;  ///< the control thread got the priority it asked for
+    std::uint64_t epoch = 0;            ///< moves on with every stop
+    double roundTripMs = 0;             ///< command out to echo back; 0 = not known yet
+    double speedFraction = 1;           ///< speed slider
+    std::array<double, 6> q{};          ///< actual joint positions of the newest data [rad]
+    std::array<double, 6> tcpOffset{};  ///< flange to TCP [m, rad]
+    std::uint64_t ticks = 0;            ///< data packages answered
+    std::uint64_t late = 0;             ///< of those, more than half a period late by the host's clock
+    std::int64_t dataTimeNs = 0;        ///< when the newest data arrived; by the controller's Clock
+    bool priorityGranted = false;       ///< the control thread got the priority it asked for
 };
 
 }  // namespace tiller::control

@@ -2,9 +2,11 @@
 #include "robot/control/controller.h"
 
 #include <QStringList>
+#include <algorithm>
 #include <cmath>
 
 #include "robot/control/controller_private.h"
+#include "robot/kinematics/speed_bounds.h"
 #include "robot/realtime/thread_priority.h"
 
 namespace tiller::control {
@@ -122,6 +124,11 @@ Error Controller::Private::obstacle(const QString& context) const {
     if (now() - status.dataTimeNs > kMaxDataAgeNs) {
         return {ErrorCode::LinkLost, context, QStringLiteral("no data for more than 100 ms")};
     }
+    if (status.roundTripMs > kMaxRoundTripMs) {
+        return {
+            ErrorCode::LinkLost, context,
+            QStringLiteral("commands take %1 ms to the robot and back").arg(status.roundTripMs, 0, 'f', 0)};
+    }
     return {};
 }
 
@@ -179,10 +186,14 @@ Result<MoveId> Controller::moveJ(const JointPositions& target, const MoveParamet
         return error;
     }
     MotionCommand command;
+    const ControllerStatus status = d_->loop.status();
     command.kind = MotionCommand::Kind::MoveJ;
     command.held = parameters.holding == Holding::Held;
     command.target = target.array();
-    command.speed = parameters.speed;
+    command.speed =
+        std::min(parameters.speed,
+                 kinematics::jointSpeedBound(arm.dh, JointPositions(status.q), target,
+                                             Pose::fromArray(status.tcpOffset), d_->options.limits.tcpSpeed));
     command.acceleration = parameters.acceleration;
     return d_->mailbox.start(command, d_->now());
 }
@@ -203,10 +214,20 @@ Result<MoveId> Controller::moveL(const Pose& target, const MoveParameters& param
         return error;
     }
     MotionCommand command;
+    ArmLimits arm;
+    {
+        const std::lock_guard lock(d_->arm);
+        arm = d_->armLimits;
+    }
+    const ControllerStatus status = d_->loop.status();
+    const MotionLimits& limits = d_->options.limits;
     command.kind = MotionCommand::Kind::MoveL;
     command.held = parameters.holding == Holding::Held;
     command.target = target.array();
-    command.speed = parameters.speed;
+    command.speed =
+        std::min(parameters.speed, kinematics::lineSpeedBound(arm.dh, JointPositions(status.q), target,
+                                                              Pose::fromArray(status.tcpOffset),
+                                                              limits.tcpSpeed, limits.tcpRotationSpeed));
     command.acceleration = parameters.acceleration;
     return d_->mailbox.start(command, d_->now());
 }

@@ -116,7 +116,7 @@ void Plant::stepPower() {
     }
     power_.step(stepTime());
     if (driveState(power_.mode()) != arm_.driveState()) {
-        if (power_.mode() != RobotMode::Running) {
+        if (arm_.driveState() == arm::DriveState::Running) {
             programs_->stopNow();
         }
         arm_.setDriveState(driveState(power_.mode()));

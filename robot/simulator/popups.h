@@ -30,6 +30,13 @@ public:
         return true;
     }
     bool any() const { return !shown_.empty(); }
+    bool anyBlocking() const {
+        return std::any_of(shown_.begin(), shown_.end(), [](const Shown& p) { return p.blocking; });
+    }
+    /// What a program waited for goes with the program.
+    void closeBlocking() {
+        std::erase_if(shown_, [](const Shown& p) { return p.blocking; });
+    }
 
 private:
     struct Shown {

@@ -90,7 +90,6 @@ void ProgramRunner::takeRequests() {
 }
 
 void ProgramRunner::startMain(std::shared_ptr<const Program> program) {
-    stopNow();
     const SafetyMode safety = plant_.safety().mode();
     if (!allowsMotion(safety)) {
         plant_.publish(primary::runtimeException(
@@ -98,6 +97,7 @@ void ProgramRunner::startMain(std::shared_ptr<const Program> program) {
             "program " + program->name() + " not started: " + safetyModeName(safety).toStdString()));
         return;
     }
+    stopNow();
     name_ = program->name();
     urscript::Limits limits;
     limits.randomSeed = plant_.options().seed;

@@ -196,6 +196,7 @@ void ScriptHost::programEnded(urscript::ProgramKind kind) {
         return;
     }
     motions_.clear();
+    plant_.popups().closeBlocking();
     plant_.arm().compliance().endForceMode();
     plant_.arm().compliance().endFreedrive();
     plant_.arm().abort(kProgramEndDeceleration);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "robot/kinematics/arm_kinematics.h"
+#include "robot/kinematics/speed_bounds.h"
 
 namespace tiller {
 
@@ -152,22 +152,8 @@ MoveRequest homeMove(const JogSelection& selection, const JointPositions& from, 
     request.q = home;
     request.speed = capped(speedOf(selection).joint, limits.jointSpeed);
     request.acceleration = limits.jointAcceleration;
-    const Vector6 way = home.values - from.values;
-    const double longest = way.cwiseAbs().maxCoeff();
-    if (longest < 1e-6) {
-        return request;
-    }
-    // The leading joint's speed sets the others; look along the way for where the TCP is fastest.
-    constexpr int kSamples = 24;
-    double fastest = 0;  // [m] of TCP path per [rad] of the leading joint
-    for (int i = 0; i <= kSamples; ++i) {
-        const JointPositions q(Vector6(from.values + way * (static_cast<double>(i) / kSamples)));
-        const Matrix6 jacobian = kinematics::jacobian(model.dh, q, tcpOffset);
-        fastest = std::max(fastest, (jacobian.topRows<3>() * way).norm() / longest);
-    }
-    if (fastest > 0) {
-        request.speed = std::min(request.speed, 0.95 * limits.tcpSpeed / fastest);
-    }
+    request.speed = std::min(
+        request.speed, kinematics::jointSpeedBound(model.dh, from, home, tcpOffset, 0.95 * limits.tcpSpeed));
     return request;
 }
 

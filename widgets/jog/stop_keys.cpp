@@ -34,11 +34,25 @@ StopKeys::StopKeys(std::function<void(StopCause)> stop, std::function<bool()> mo
 
 StopKeys::StopKeys(RobotSession& session, QObject* parent)
     : StopKeys([&session](StopCause cause) { session.stop(cause); },
-               [&session] {
+               [this, &session] {
+                   // The state is a picture some milliseconds old, and none at all without data: a reflex
+                   // just after standstill means stop as well.
                    const SessionState& state = session.state();
-                   return state.moving || state.jogActive;
+                   const bool unknown = state.link == LinkState::Stale || state.link == LinkState::Lost;
+                   return unknown || mayMove(state) ||
+                          (lastMotion_.isValid() && lastMotion_.elapsed() < kReflexMs);
                },
-               parent) {}
+               parent) {
+    connect(&session, &RobotSession::stateChanged, this, [this](const SessionState& state) {
+        if (mayMove(state)) {
+            lastMotion_.start();
+        }
+    });
+}
+
+bool StopKeys::mayMove(const SessionState& state) {
+    return state.moving || state.motionActive;
+}
 
 StopKeys::~StopKeys() {
     qApp->removeEventFilter(this);

@@ -4,6 +4,7 @@
 // Esc and Space stop the arm from anywhere in the application, whatever has the focus. One object serves the
 // whole application; while it lives, it sees every key first.
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <functional>
 
@@ -12,6 +13,7 @@
 namespace tiller {
 
 class RobotSession;
+struct SessionState;
 
 class StopKeys : public QObject {
     Q_OBJECT
@@ -27,8 +29,13 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    /// How long after a motion the keys still mean nothing but stop [ms].
+    static constexpr int kReflexMs = 1000;
+    static bool mayMove(const SessionState& state);
+
     std::function<void(control::StopCause)> stop_;
     std::function<bool()> moving_;
+    QElapsedTimer lastMotion_;
 };
 
 }  // namespace tiller

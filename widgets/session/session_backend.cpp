@@ -104,6 +104,7 @@ void RobotSession::Backend::readControl() {
     state.quality.roundTripMs = status.roundTripMs;
     state.limiter = status.limiter;
     state.lastStop = status.lastStop;
+    state.motionActive = status.motion != control::kNoMotion;
     state.jogActive = status.motion != control::kNoMotion && status.motion == jogMotion;
     // Standing still is judged by the robot's own data, with or without control: 0.1 deg/s is above its
     // noise.

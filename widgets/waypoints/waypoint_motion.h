@@ -17,9 +17,4 @@ Result<MoveRequest> moveRequestFor(const RobotModel& model, const program::Waypo
                                    const program::FrameList& frames, const JointPositions& from,
                                    const Pose& tcpOffset, const control::MotionLimits& limits);
 
-/// The highest speed of the joint that turns most [rad/s] at which neither the TCP nor the elbow exceeds
-/// `tcpSpeed` on a MoveJ from `from` to `to`.
-double jointSpeedWithin(const RobotModel& model, const JointPositions& from, const JointPositions& to,
-                        const Pose& tcpOffset, double tcpSpeed);
-
 }  // namespace tiller

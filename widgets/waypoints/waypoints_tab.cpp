@@ -87,6 +87,7 @@ WaypointsTab::WaypointsTab(RobotSession& session, WaypointPort port, QWidget* pa
 
 WaypointsTab::~WaypointsTab() {
     qApp->removeEventFilter(this);
+    goTo_->guard().stop(control::StopCause::WindowClosed);
     // The store saves on its way out and still needs the model.
     store_.reset();
 }
@@ -319,6 +320,20 @@ bool WaypointsTab::typingSomewhere() const {
 
 bool WaypointsTab::goToKey(QEvent* event) {
     const auto* key = static_cast<QKeyEvent*>(event);
+    if (goToScanCode_ != 0 && !key->isAutoRepeat()) {
+        // The key that holds is up again, whatever modifier or layout it now comes with; or another key went
+        // down, and two hands on the keyboard are no hold.
+        const bool sameKey = key->nativeScanCode() == goToScanCode_ || key->key() == Qt::Key_G;
+        if (sameKey == (event->type() == QEvent::KeyRelease)) {
+            goToScanCode_ = 0;
+            if (sameKey) {
+                goTo_->guard().release();
+            } else {
+                goTo_->guard().stop(control::StopCause::SecondButton);
+            }
+            return sameKey;
+        }
+    }
     if (key->key() != Qt::Key_G || key->modifiers() != Qt::NoModifier || !window()->isActiveWindow() ||
         QApplication::activeModalWidget() != nullptr || QApplication::activePopupWidget() != nullptr) {
         return false;
@@ -333,7 +348,8 @@ bool WaypointsTab::goToKey(QEvent* event) {
         return false;
     }
     if (!key->isAutoRepeat() && !goTo_->isHolding()) {
-        goTo_->guard().press();
+        // 0 where the platform tells no scan codes; any other number then stands for "held by the keyboard".
+        goToScanCode_ = goTo_->guard().press() ? std::max<quint32>(key->nativeScanCode(), 1) : 0;
     }
     return true;
 }

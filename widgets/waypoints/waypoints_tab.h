@@ -138,6 +138,7 @@ private:
     QList<QAction*> actions_;
     QTimer detailsTimer_;
     QUuid lastSelected_;
+    quint32 goToScanCode_ = 0;  ///< of the key that holds "Go to"; 0: none does
 
     QPushButton* teach_ = nullptr;
     QPushButton* touchUp_ = nullptr;

@@ -268,7 +268,17 @@ MotionStart MotionGenerator::servoC(const Pose& target, double a, double v, doub
     return start;
 }
 
+namespace {
+
+/// An acceleration worked out by a program as a difference over a vanishing time: as much as there is.
+double finiteAcceleration(double a) {
+    return std::isfinite(a) ? a : kJointAccelerationLimit;
+}
+
+}  // namespace
+
 MotionStart MotionGenerator::speedJ(const JointVelocities& qd, double a, std::optional<double> t) {
+    a = finiteAcceleration(a);
     if (const auto error = refusal()) {
         return refuse(*error);
     }
@@ -288,6 +298,10 @@ MotionStart MotionGenerator::speedJ(const JointVelocities& qd, double a, std::op
 
 MotionStart MotionGenerator::speedL(const Twist& twist, double a, std::optional<double> t,
                                     std::optional<double> aRot) {
+    a = finiteAcceleration(a);
+    if (aRot) {
+        aRot = finiteAcceleration(*aRot);
+    }
     if (const auto error = refusal()) {
         return refuse(*error);
     }

@@ -151,7 +151,8 @@ std::string DashboardCommands::load(const std::string& name) {
     if (!QFileInfo(path).isReadable()) {
         return "Error while loading program: " + name;
     }
-    plant_.programs().requestStop();
+    // The reply means "loaded": what ran before has ended by then.
+    plant_.programs().stopNow();
     loadedPath_ = path;
     loadedName_ = QFileInfo(path).fileName().toStdString();
     return "Loading program: " + name;
@@ -170,12 +171,15 @@ std::string DashboardCommands::play(const std::string&) {
     constexpr const char* kFailed = "Failed to execute: play";
     ProgramRunner& programs = plant_.programs();
     if (plant_.power().mode() != RobotMode::Running || !allowsMotion(plant_.safety().mode()) ||
-        plant_.popups().any()) {
+        plant_.popups().anyBlocking()) {
         return kFailed;
     }
-    if (programs.isPaused()) {
+    if (programs.isPaused() || programs.state() == RuntimeState::Pausing) {
         programs.resume();
         return "Starting program";
+    }
+    if (programs.state() == RuntimeState::Stopping) {
+        programs.stopNow();  // "stop" has been answered: "play" may follow at once
     }
     QFile file(loadedPath_);
     if (loadedPath_.isEmpty() || programs.isActive() || !file.open(QIODevice::ReadOnly)) {
@@ -212,7 +216,8 @@ std::string DashboardCommands::running(const std::string&) {
 
 std::string DashboardCommands::programState(const std::string&) {
     if (loadedName_.empty()) {
-        return "STOPPED";
+        // A name always follows: there are clients that wait for one, and none that minds.
+        return "STOPPED <unnamed>";
     }
     const ProgramRunner& programs = plant_.programs();
     // Scripts sent over a socket are not what this command is about.

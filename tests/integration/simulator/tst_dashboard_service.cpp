@@ -39,7 +39,7 @@ private Q_SLOTS:
         row("safetymode", "Safetymode: NORMAL");
         row("safetystatus", "Safetystatus: NORMAL");
         row("running", "Program running: false");
-        row("programState", "STOPPED");
+        row("programState", "STOPPED <unnamed>");
         row("get loaded program", "No program loaded");
         row("load missing.urp", "File not found: missing.urp");
         row("load installation x.installation", "File not found: x.installation");

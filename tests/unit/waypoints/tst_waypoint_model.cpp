@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "robot/kinematics/arm_kinematics.h"
+#include "robot/kinematics/speed_bounds.h"
 #include "widgets/waypoints/waypoint_clipboard.h"
 #include "widgets/waypoints/waypoint_model.h"
 #include "widgets/waypoints/waypoint_motion.h"
@@ -263,12 +264,15 @@ private Q_SLOTS:
         const JointPositions stretched(0, -0.1, 0.05, 0, 0.5, 0);
         JointPositions turned = stretched;
         turned[0] += 0.5;
-        const double near = jointSpeedWithin(robotModel(RobotModelId::UR5e), stretched, turned, {}, 0.25);
+        const double near =
+            kinematics::jointSpeedBound(robotModel(RobotModelId::UR5e).dh, stretched, turned, {}, 0.25);
         QVERIFY(near < 0.25 / 0.7);
         QVERIFY(near > 0.2);
-        const double far = jointSpeedWithin(robotModel(RobotModelId::UR20), stretched, turned, {}, 0.25);
+        const double far =
+            kinematics::jointSpeedBound(robotModel(RobotModelId::UR20).dh, stretched, turned, {}, 0.25);
         QVERIFY(far < near);
-        QVERIFY(std::isinf(jointSpeedWithin(robotModel(RobotModelId::UR5e), kStart, kStart, {}, 0.25)));
+        QVERIFY(std::isinf(
+            kinematics::jointSpeedBound(robotModel(RobotModelId::UR5e).dh, kStart, kStart, {}, 0.25)));
     }
 
 private:
