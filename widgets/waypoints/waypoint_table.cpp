@@ -151,8 +151,8 @@ void WaypointTable::resizeEvent(QResizeEvent* event) {
     };
     static constexpr Width kWidths[] = {
         {WaypointModel::Number, 34, 34}, {WaypointModel::Move, 52, 52},
-        {WaypointModel::Frame, 78, 76},  {WaypointModel::Speed, 100, 100},
-        {WaypointModel::Blend, 82, 82},  {WaypointModel::ReachColumn, 95, 92}};
+        {WaypointModel::Frame, 70, 66},  {WaypointModel::Speed, 90, 88},
+        {WaypointModel::Blend, 80, 80},  {WaypointModel::ReachColumn, 78, 76}};
     const int room = viewport()->width();
     for (const Width& width : kWidths) {
         setColumnWidth(width.column, room >= 520 ? width.wide : width.narrow);
