@@ -11,6 +11,7 @@
 #include "app/main_window.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/segmented_control.h"
+#include "widgets/waypoints/waypoints_tab.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -74,7 +75,9 @@ private Q_SLOTS:
         bench_->window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&bench_->window));
         QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
-        driveKeys(cell(), bench_->window.jogColumn().holdKeys());
+        QVector<HoldButton*> keys = bench_->window.jogColumn().holdKeys();
+        keys << bench_->window.findChild<HoldButton*>("waypoint.goTo");
+        driveKeys(cell(), keys);
         bench_->window.jogColumn().setSpeedClass(kReferenceSpeedClass);
         cell().advanceMs(40);
     }
@@ -286,6 +289,37 @@ private Q_SLOTS:
         QVERIFY2(std::abs(after.position.x() - before.position.x() - 0.001) < 2e-5,
                  qPrintable(QString::number(1000 * (after.position.x() - before.position.x()))));
         expectStandstillFor(300);
+    }
+
+    void goingToAWaypointByKeyEndsWithTheKeyWhateverModifierCame_data() {
+        QTest::addColumn<bool>("modifierFirst");
+        QTest::newRow("let go") << false;
+        QTest::newRow("a modifier, then let go") << true;
+    }
+    void goingToAWaypointByKeyEndsWithTheKeyWhateverModifierCame() {
+        QFETCH(bool, modifierFirst);
+        app::MainWindow& window = bench_->window;
+        window.waypoints().teach();
+        startJog();
+        cell().advanceMs(600);
+        release(key());
+        QVERIFY(timeToStandstill() >= 0);
+        window.selectWaypoint(0);
+        window.waypoints().setFocus();
+        QTest::keyPress(&window, Qt::Key_G);
+        cell().advanceMs(200);
+        QVERIFY(!standsStill(cell()));
+        if (modifierFirst) {
+            QTest::keyPress(&window, Qt::Key_Control, Qt::ControlModifier);
+            cell().advanceMs(20);
+            QTest::keyRelease(&window, Qt::Key_G, Qt::ControlModifier);
+            QTest::keyRelease(&window, Qt::Key_Control);
+        } else {
+            QTest::keyRelease(&window, Qt::Key_G);
+        }
+        const int ms = timeToStandstill();
+        QVERIFY2(ms >= 0 && ms <= kDeathToStandstillMs, qPrintable(QString::number(ms)));
+        expectStandstillFor(500);
     }
 
     void aRotationKeepsTheTcpWhereItIs() {

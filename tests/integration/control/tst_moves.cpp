@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Bounded motions, and everything around being in control, in virtual time.
+#include <optional>
+
+#include "robot/kinematics/arm_kinematics.h"
 #include "robot/script/script_client.h"
 #include "tests/integration/control/cell.h"
 
@@ -36,6 +39,45 @@ private Q_SLOTS:
         QVERIFY(cell.stepMs(20));
         QVERIFY(distance(cell.robot.truth().q, target) < 1e-3);
         QCOMPARE(cell.controller->status().motion, kNoMotion);
+    }
+
+    void aFastMoveKeepsTcpAndElbowUnderTheCap_data() {
+        QTest::addColumn<bool>("linear");
+        QTest::newRow("MoveJ, arm stretched") << false;
+        QTest::newRow("MoveL, elbow runs ahead") << true;
+    }
+    void aFastMoveKeepsTcpAndElbowUnderTheCap() {
+        QFETCH(bool, linear);
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        const DhParameters& dh = robotModel(RobotModelId::UR5e).dh;
+        const double cap = cell.controller->limits().tcpSpeed;
+        double fastest = 0;
+        std::optional<Eigen::Vector3d> elbow;
+        cell.everyTick = [&] {
+            const simulator::Truth truth = cell.robot.truth();
+            const Eigen::Vector3d now = kinematics::linkFrames(dh, truth.q)[2].translation();
+            fastest = std::max(fastest, truth.tcpSpeed.linear.norm());
+            if (elbow) {
+                fastest = std::max(fastest, (now - *elbow).norm() / 0.002);
+            }
+            elbow = now;
+        };
+        const JointPositions stretched(0, -20 * kDeg, 30 * kDeg, -90 * kDeg, -90 * kDeg, 0);
+        const auto there = cell.controller->moveJ(stretched, {3.0, 10.0, Holding::Free});
+        QVERIFY(there.ok());
+        QVERIFY(cell.stepMs(15'000));
+        QCOMPARE(cell.controller->motionState(*there).cause, StopCause::Completed);
+        if (linear) {
+            Pose in = cell.tcp();
+            in.position.head<2>() *= 0.75;
+            const auto back = cell.controller->moveL(in, {cap, 2.0, Holding::Free});
+            QVERIFY(back.ok());
+            QVERIFY(cell.stepMs(6000));
+            QCOMPARE(cell.controller->motionState(*back).cause, StopCause::Completed);
+        }
+        QVERIFY2(fastest < cap * 1.02, qPrintable(QString::number(fastest)));
+        QVERIFY2(fastest > cap * 0.5, "it was not slowed down more than needed");
     }
 
     void aHeldMoveLReachesItsPoseOnAStraightLine() {
