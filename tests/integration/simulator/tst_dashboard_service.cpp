@@ -173,7 +173,8 @@ private Q_SLOTS:
         robot.controller.drainSockets();
         robot.controller.step(2);
         QCOMPARE(dashboard.ask("running"), QByteArray("Program running: true\n"));
-        QCOMPARE(dashboard.ask("programState"), QByteArray("STOPPED <unnamed>\n"));  // speaks of the loaded program
+        QCOMPARE(dashboard.ask("programState"),
+                 QByteArray("STOPPED <unnamed>\n"));  // speaks of the loaded program
         QCOMPARE(dashboard.ask("stop"), QByteArray("Stopped\n"));
         QVERIFY(robot.stepUntil([&] { return robot.programState() == RuntimeState::Stopped; }, 1));
     }
