@@ -85,7 +85,7 @@ std::string_view asText(ByteView bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-QString quoted(std::string_view text) {
+QString inQuotes(std::string_view text) {
     constexpr std::size_t kLongest = 60;
     return QStringLiteral("\"%1\"").arg(
         QString::fromLatin1(text.data(), static_cast<qsizetype>(std::min(text.size(), kLongest))));
@@ -101,7 +101,7 @@ Result<std::vector<FieldAnswer>> readAnswers(std::string_view list, PackageType 
         } else if (const auto known = dataTypeByName(word)) {
             answers.push_back(FieldAnswer::of(*known));
         } else {
-            return malformed(type, QStringLiteral("no data type is called ") + quoted(word));
+            return malformed(type, QStringLiteral("no data type is called ") + inQuotes(word));
         }
     }
     return answers;

@@ -241,7 +241,7 @@ private Q_SLOTS:
     void theViewHasNoWayToMoveTheRobot() {
         // It cannot even name the session; only the dock does, and listens.
         for (const char* file : {"scene_view.h", "scene_view.cpp", "scene_painter.cpp", "scene_dock.cpp"}) {
-            QFile source(QFINDTESTDATA(QStringLiteral("../../../widgets/scene/") + QLatin1String(file)));
+            QFile source(qEnvironmentVariable("TILLER_TEST_DATA") + "/../../widgets/scene/" + QLatin1String(file));
             QVERIFY2(source.open(QIODevice::ReadOnly), file);
             const QByteArray text = source.readAll();
             QVERIFY2(qstrcmp(file, "scene_dock.cpp") == 0 || !text.contains("robot_session.h"), file);

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+// Parsed once for the tests of robot/.
+// A convenience of the build only: every file still names what it includes (the fuzz preset builds without
+// this).
+#pragma once
+
+#include "packaging/cmake/precompiled/robot.h"
+
+#include <QtTest>

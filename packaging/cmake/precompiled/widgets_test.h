@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+// Parsed once for the tests with a window.
+// A convenience of the build only: every file still names what it includes (the fuzz preset builds without
+// this).
+#pragma once
+
+#include "packaging/cmake/precompiled/widgets.h"
+
+#include <QtTest>
