@@ -27,6 +27,7 @@ enum class ControlLoss : std::uint8_t {
                     ///< stop
     EchoStalled,    ///< the program is said to run but answers no more
     LinkLost,       ///< the connection broke, or data stopped coming
+    OwnScript,      ///< a script of the user's runs in place of the control program
 };
 
 /// What holds the asked-for speed down.
@@ -72,10 +73,14 @@ struct ControllerStatus {
     StopCause lastCause = StopCause::None;  ///< and why
     StopMeasurement lastStop;
 
-    std::uint64_t epoch = 0;            ///< moves on with every stop
-    double roundTripMs = 0;             ///< command out to echo back; 0 = not known yet
-    double speedFraction = 1;           ///< speed slider
+    std::uint64_t epoch = 0;   ///< moves on with every stop
+    double roundTripMs = 0;    ///< command out to echo back; 0 = not known yet
+    double speedFraction = 1;  ///< speed slider
+    double speedScaling = 1;   ///< what the controller's own limits leave of it
+    RuntimeState runtimeState = RuntimeState::Stopped;
+    int waypoint = 0;                   ///< of a path, counted from 1: the one headed for
     std::array<double, 6> q{};          ///< actual joint positions of the newest data [rad]
+    std::array<double, 6> tcpPose{};    ///< actual TCP pose in the base frame [m, rad]
     std::array<double, 6> tcpOffset{};  ///< flange to TCP [m, rad]
     std::uint64_t ticks = 0;            ///< data packages answered
     std::uint64_t late = 0;             ///< of those, more than half a period late by the host's clock

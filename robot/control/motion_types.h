@@ -51,9 +51,11 @@ enum class StopCause : std::uint8_t {
     LinkLost,
     LimitReached,
     ControlLost,
-    Completed,   ///< a bounded motion reached its target
-    ApiCall,     ///< a program called stop()
-    Superseded,  ///< a newer command took the one slot
+    Completed,    ///< a bounded motion reached its target
+    ApiCall,      ///< a program called stop()
+    Superseded,   ///< a newer command took the one slot
+    Contact,      ///< contact detection found what it was started for
+    Unreachable,  ///< a target for which the robot finds no joint positions
 };
 
 /// From the moment the stop was asked for to standstill, measured on the data received from the robot.

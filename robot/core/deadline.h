@@ -34,11 +34,19 @@ public:
         return Deadline(Clock::now() + time, token);
     }
 
+    /// For waits that only the event itself, or the token, may end: a move at 2 % speed takes its time.
+    static Deadline never(const CancelToken& token = CancelToken()) {
+        return Deadline(Clock::time_point::max(), token);
+    }
+
     bool hasExpired() const { return token_.isCancelled() || Clock::now() >= end_; }
     bool isCancelled() const { return token_.isCancelled(); }
     std::chrono::milliseconds remaining() const {
         if (token_.isCancelled()) {
             return std::chrono::milliseconds(0);
+        }
+        if (end_ == Clock::time_point::max()) {
+            return std::chrono::hours(24);
         }
         const auto left = std::chrono::ceil<std::chrono::milliseconds>(end_ - Clock::now());
         return std::max(left, std::chrono::milliseconds(0));

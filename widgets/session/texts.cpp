@@ -200,6 +200,10 @@ QString stopCauseText(control::StopCause cause) {
             return tr("target reached");
         case StopCause::ApiCall:
             return tr("stopped by a program");
+        case StopCause::Contact:
+            return tr("contact");
+        case StopCause::Unreachable:
+            return tr("target cannot be reached");
         default:
             return tr("ended");
     }
@@ -289,6 +293,8 @@ QString controlLossText(control::ControlLoss loss) {
             return tr("The control program does not answer. Take control again.");
         case ControlLoss::LinkLost:
             return tr("The link was lost. Take control again.");
+        case ControlLoss::OwnScript:
+            return tr("A script of your own is running. Control comes back when it ends.");
     }
     return {};
 }

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A control loop locked to the robot's own clock: for each packet received one call, whose target goes out
+// with the answer to that very packet. No timer that would beat against the robot's.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "robot/control/motions.h"
+#include "robot/realtime/histogram.h"
+
+namespace tiller::control {
+
+/// What the robot reported in the packet a cycle answers.
+struct CycleState {
+    std::uint64_t cycle = 0;   ///< 0, 1, 2 ... without the missed ones
+    std::uint64_t missed = 0;  ///< packets that did not come in time since the beginning
+    double time = 0;           ///< since the first cycle, by the robot's clock [s]
+    double period = 0.002;     ///< [s]
+    JointPositions q;
+    JointVelocities qd;
+    Pose tcpPose;
+    Twist tcpSpeed;
+    double speedFraction = 1;  ///< slider, 0 ... 1
+    double speedScaling = 1;   ///< the controller's own, 0 ... 1
+};
+
+struct CycleReport {
+    std::uint64_t cycles = 0;
+    std::uint64_t missed = 0;       ///< control periods without a cycle, by the robot's time stamps
+    std::uint64_t late = 0;         ///< cycles more than half a period late by the host's clock
+    std::uint64_t overruns = 0;     ///< calls that took longer than a period
+    realtime::Histogram intervals;  ///< between cycles on the host
+    realtime::Histogram calls;      ///< time the callback took
+    Motion motion;                  ///< how it ended: motion.state()
+};
+
+/// Returns the target of this cycle, or nothing to end the loop (the arm brakes).
+/// Threads  called in the control thread, at its priority: it must return within the period, and not wait,
+///          lock or allocate. While it runs no heartbeat leaves: one that hangs stops the arm within 100 ms.
+template <class Target>
+using CycleCallback = std::function<std::optional<Target>(const CycleState&)>;
+
+/// Each runs until the callback ends it, the stream is stopped from elsewhere, or the deadline.
+/// Errors   as Motions::startServo..., and as Motion::wait. The report is filled in any case.
+/// Threads  any but the control thread; one loop at a time. Blocks: until the loop has ended
+class PacketLoop {
+public:
+    explicit PacketLoop(Controller& controller) : controller_(&controller) {}
+
+    Result<void> servoJ(const CycleCallback<JointPositions>& callback, const ServoParameters& parameters,
+                        const Deadline& deadline, CycleReport* report = nullptr);
+    Result<void> servoL(const CycleCallback<Pose>& callback, const ServoParameters& parameters,
+                        const Deadline& deadline, CycleReport* report = nullptr);
+    Result<void> speedJ(const CycleCallback<JointVelocities>& callback, const SpeedParameters& parameters,
+                        const Deadline& deadline, CycleReport* report = nullptr);
+    Result<void> speedL(const CycleCallback<Twist>& callback, const SpeedParameters& parameters,
+                        const Deadline& deadline, CycleReport* report = nullptr);
+
+private:
+    Controller* controller_;
+};
+
+}  // namespace tiller::control

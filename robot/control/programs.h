@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Script of the user's own, and the coming and going of the control program.
+
+#include <QString>
+
+#include "robot/control/controller.h"
+#include "robot/control/motion.h"
+
+namespace tiller::control {
+
+/// Errors   of every call: NotInControl, UnsafeState, LinkLost, Timeout, Cancelled, ConnectionRefused,
+///          HostUnreachable, RemoteControlRequired, ScriptError (with the line of the user's text and the
+///          controller's words)
+/// Threads  any. Blocks: at most until the deadline
+class Programs {
+public:
+    explicit Programs(Controller& controller) : controller_(&controller) {}
+
+    /// Runs the body of a function under the control program: stop and time-to-live hold for it too. The
+    /// handle completes when it returns.
+    /// name   of the function in messages: letters, digits and _, not beginning with a digit
+    /// body   script lines without def and end. It must not use names beginning with tiller_
+    Result<Motion> startFunction(const QString& name, const QString& body, const Deadline& start,
+                                 Holding holding = Holding::Free);
+
+    /// Runs a whole program in place of the control program, waits for its end and takes control again. While
+    /// it runs nothing watches over the link: only Controller::stop() and the deadline end it.
+    Result<void> runScript(const QString& program, const Deadline& deadline);
+
+    /// Ends the control program; data go on coming. reupload() brings it back.
+    Result<void> endControlProgram(const Deadline& deadline);
+    /// Sends the control program anew, whether or not it runs.
+    Result<void> reupload(const Deadline& deadline);
+    /// Whether any program runs on the robot, by the newest data.
+    bool isProgramRunning() const;
+
+private:
+    Controller* controller_;
+};
+
+}  // namespace tiller::control

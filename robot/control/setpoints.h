@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A stream of targets, one a control cycle: servo (positions) and speed (velocities). The newest target wins;
+// the arm goes on with the last one until it is replaced, and brakes when the stream ends.
+
+#include "robot/control/motion.h"
+#include "robot/core/joints.h"
+#include "robot/core/spatial.h"
+
+namespace tiller::control {
+
+struct ServoParameters {
+    double duration = 0;     ///< time one target rules [s]; 0: the control period
+    double lookahead = 0.1;  ///< 0.03 ... 0.2 [s]; larger is smoother and lags more
+    double gain = 300;       ///< 100 ... 2000; larger is stiffer
+};
+
+struct CircularServoParameters {
+    double speed = 0.25;        ///< of the tool [m/s]
+    double acceleration = 1.2;  ///< [m/s2]
+    double blend = 0;           ///< 0 ... 2 [m]
+};
+
+struct SpeedParameters {
+    double acceleration = 0.5;        ///< joints [rad/s2], tool [m/s2]
+    double rotationAcceleration = 0;  ///< tool [rad/s2]; 0: the same number as acceleration
+};
+
+/// Made by Motions::start...; ends like any motion, through motion().cancel(), Motions::stopJ/stopL or a new
+/// motion. A stream that was ended can never move the arm again: it takes a new start.
+/// Threads  any, also several at once
+template <class Target, class Parameters>
+class Setpoints {
+public:
+    Setpoints() = default;
+    const Motion& motion() const { return motion_; }
+    bool isActive() const { return motion_.isActive(); }
+
+    /// Errors   Stopped (the stream has ended), InvalidArgument (not a number, wrong unit by magnitude),
+    ///          LimitExceeded
+    /// Blocks   never. Real-time: yes, as long as there is no error to tell
+    Result<void> send(const Target& target);
+    Result<void> send(const Target& target, const Parameters& parameters);
+
+private:
+    friend class Motions;
+    Setpoints(const Motion& motion, const Parameters& parameters)
+        : motion_(motion), parameters_(parameters) {}
+    Motion motion_;
+    Parameters parameters_;
+};
+
+using JointServo = Setpoints<JointPositions, ServoParameters>;   ///< [rad]
+using PoseServo = Setpoints<Pose, ServoParameters>;              ///< base frame [m, rad]
+using CircularServo = Setpoints<Pose, CircularServoParameters>;  ///< base frame [m, rad]
+using JointSpeed = Setpoints<JointVelocities, SpeedParameters>;  ///< [rad/s]
+using ToolSpeed = Setpoints<Twist, SpeedParameters>;             ///< base frame [m/s, rad/s]
+
+}  // namespace tiller::control
