@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
+#include <QDir>
 #include <QFile>
 #include <QImage>
 #include <QPainter>
@@ -241,7 +242,8 @@ private Q_SLOTS:
     void theViewHasNoWayToMoveTheRobot() {
         // It cannot even name the session; only the dock does, and listens.
         for (const char* file : {"scene_view.h", "scene_view.cpp", "scene_painter.cpp", "scene_dock.cpp"}) {
-            QFile source(qEnvironmentVariable("TILLER_TEST_DATA") + "/../../widgets/scene/" + QLatin1String(file));
+            const QString folder = qEnvironmentVariable("TILLER_TEST_DATA") + "/../../widgets/scene/";
+            QFile source(QDir::cleanPath(folder) + '/' + QLatin1String(file));
             QVERIFY2(source.open(QIODevice::ReadOnly), file);
             const QByteArray text = source.readAll();
             QVERIFY2(qstrcmp(file, "scene_dock.cpp") == 0 || !text.contains("robot_session.h"), file);
