@@ -20,11 +20,18 @@ namespace tiller::simulator::urscript {
 /// A runtime exception on its way to the interpreter, which adds the position.
 struct Fault {
     std::string text;
+    bool overrun = false;  ///< a thread would not let go
 };
 [[noreturn]] void fault(std::string text);
 
 struct Builtin;
-enum class Status { Done, Again };
+enum class Status {
+    Done,
+    Again,  ///< not yet: execute me again in the next frame
+    Line,   ///< interpreter_mode() only: run the next line, then execute me again
+};
+
+class InterpreterMode;
 
 /// What all calls of a program share.
 struct CallContext {
@@ -33,9 +40,11 @@ struct CallContext {
     ProgramKind kind = ProgramKind::Main;
     std::int64_t stepNs = 2'000'000;  ///< length of a frame
     std::uint64_t random = 1;         ///< generator state
-    ThreadId motionOwner = -1;        ///< whose motion command is unfinished
-    int motionVersion = 1;            ///< remembered for motion_version_get
-    double jerkGain = 1.0;            ///< remembered for jerk_gain_scaling_get
+    InterpreterMode* mode = nullptr;
+    ThreadId motionOwner = -1;  ///< whose motion command is unfinished
+    bool abortable = false;     ///< that command is a movej or movel
+    int motionVersion = 1;      ///< remembered for motion_version_get
+    double jerkGain = 1.0;      ///< remembered for jerk_gain_scaling_get
 };
 
 inline constexpr const char* kTooMuchBehind = "Runtime is too much behind";
@@ -67,6 +76,7 @@ public:
     double random();
 
     const std::string& name() const;
+    const char* needs() const;  ///< equipment, of an absent() builtin
     CallContext& context() { return context_; }
 
     /// A motion builtin: starts the command when first executed, then waits for its end.
@@ -106,7 +116,7 @@ private:
     const Builtin& builtin_;
 };
 
-/// "<name> is not simulated".
+/// "<name> needs <equipment>, which is not simulated".
 [[noreturn]] Status absent(Call& c);
 /// Passes the numbers to SetupHost::applySetting.
 Status setting(Call& c);
@@ -120,6 +130,7 @@ using BuiltinFunction = Status (*)(Call&);
 
 struct BuiltinParameter {
     std::string name;
+    std::string alias;  ///< another name that clients use, or empty
     bool required = true;
     Value defaultValue;  ///< Unset when the default depends on the robot's state
     std::string defaultText;
@@ -129,22 +140,27 @@ enum BuiltinFlags : unsigned {
     kPlain = 0,
     kMotion = 1,        ///< commands the arm
     kAnyArguments = 2,  ///< parameters are not checked
+    kClearsInterpreter = 4,
 };
 
-/// First version with the function: 5.x and 10.x; {0, 0} = always.
+/// First version with the function: 5.x and 10.x; {0, 0} = always. Series 3 got its functions in step with
+/// series 5 (3.14 with 5.9, 3.15 with 5.10) unless it never had them.
 inline constexpr int kNever = 1000;
 struct Since {
     int minor5 = 0;
     int minor10 = 0;
+    bool series3 = true;
 };
+inline constexpr Since kPolyScopeX{kNever, 0};
 
 /// A row as written in the tables.
 struct BuiltinRow {
-    const char*
-        signature;  ///< "movej(q, a=1.4, v=1.05, t=0, r=0)"; a `?` behind a name: optional, no fixed default
+    const char* signature;  ///< "movej(q, a=1.4, v=1.05, t=0, r=0)"; a `?` behind a name: optional, no fixed
+                            ///< default; `t|t_min`: a second name
     BuiltinFunction function;
     unsigned flags = kPlain;
     Since since = {};
+    const char* needs = nullptr;  ///< with absent(): the equipment, "a Modbus device"
 };
 
 struct Builtin {
@@ -154,6 +170,7 @@ struct Builtin {
     BuiltinFunction function = nullptr;
     unsigned flags = kPlain;
     Since since;
+    const char* needs = nullptr;
     bool availableIn(const SoftwareVersion& version) const;
 };
 
@@ -177,6 +194,8 @@ std::span<const BuiltinRow> poseBuiltins();
 std::span<const BuiltinRow> socketBuiltins();
 std::span<const BuiltinRow> registerBuiltins();
 std::span<const BuiltinRow> ioBuiltins();
+std::span<const BuiltinRow> worldBuiltins();
+std::span<const BuiltinRow> interpreterBuiltins();
 std::span<const BuiltinRow> absentBuiltins();
 
 }  // namespace tiller::simulator::urscript

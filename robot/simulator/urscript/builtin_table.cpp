@@ -45,6 +45,7 @@ Builtin parseRow(const BuiltinRow& row) {
     b.function = row.function;
     b.flags = row.flags;
     b.since = row.since;
+    b.needs = row.needs;
     std::string_view rest = text.substr(open + 1, text.rfind(')') - open - 1);
     while (!trimmed(rest).empty() && (row.flags & kAnyArguments) == 0) {
         const std::size_t comma = std::min(rest.find(','), rest.size());
@@ -61,7 +62,9 @@ Builtin parseRow(const BuiltinRow& row) {
             parameter.required = false;
             item.remove_suffix(1);
         }
-        parameter.name = std::string(item);
+        const std::size_t bar = std::min(item.find('|'), item.size());
+        parameter.name = std::string(item.substr(0, bar));
+        parameter.alias = std::string(item.substr(std::min(bar + 1, item.size())));
         b.parameters.push_back(std::move(parameter));
     }
     return b;
@@ -72,7 +75,8 @@ std::vector<Builtin> allRows() {
     for (const auto table :
          {motionBuiltins(), forceBuiltins(), superpositionBuiltins(), stateBuiltins(), kinematicsBuiltins(),
           setupBuiltins(), programBuiltins(), stringBuiltins(), mathBuiltins(), listBuiltins(),
-          poseBuiltins(), socketBuiltins(), registerBuiltins(), ioBuiltins(), absentBuiltins()}) {
+          poseBuiltins(), socketBuiltins(), registerBuiltins(), ioBuiltins(), worldBuiltins(),
+          interpreterBuiltins(), absentBuiltins()}) {
         for (const BuiltinRow& row : table) {
             out.push_back(parseRow(row));
         }
@@ -87,7 +91,9 @@ bool Builtin::availableIn(const SoftwareVersion& version) const {
     if (version.major >= 10) {
         return static_cast<int>(version.minor) >= since.minor10;
     }
-    // Series 3 got the same functions in step with series 5: 3.14 with 5.9, 3.15 with 5.10.
+    if (version.major < 5 && !since.series3) {
+        return false;
+    }
     const int minor = static_cast<int>(version.minor) - (version.major >= 5 ? 0 : 5);
     return std::max(minor, 0) >= since.minor5;
 }

@@ -105,12 +105,24 @@ Status setToolCommunication(Call& c) {
     return Status::Done;
 }
 
+template <RuledInput input, int last>
 Status inputAction(Call& c) {
     const std::string& action = c.string(1);
     if (action != "default" && action != "freedrive") {
         fault(c.name() + ": action must be \"default\" or \"freedrive\"");
     }
-    return setting(c);
+    c.host.setFreedriveInput(input, c.integerIn(0, 0, last), action == "freedrive");
+    return Status::Done;
+}
+Status resetInputActions(Call& c) {
+    c.host.resetInputActions();
+    return Status::Done;
+}
+
+template <RuledOutput output, int last>
+Status runState(Call& c) {
+    c.host.setRunState(output, c.integerIn(0, 0, last), c.integerIn(1, 0, 3));
+    return Status::Done;
 }
 
 constexpr BuiltinRow kRows[] = {
@@ -139,19 +151,22 @@ constexpr BuiltinRow kRows[] = {
     {"set_tool_analog_input_domain(port, domain)", setDomain<AnalogPort::ToolInput>},
     {"set_tool_voltage(voltage)", setToolVoltage},
     {"set_tool_communication(enabled, baud_rate, parity, stop_bits, rx_idle_chars, tx_idle_chars)",
-     setToolCommunication},
+     setToolCommunication,
+     kPlain,
+     {0, 0, false}},
     {"set_tool_digital_output_mode(n, mode)", setting},
     {"set_tool_output_mode(mode)", setting},
-    {"set_runstate_standard_digital_output_to_value(outputId, state)", setting},
-    {"set_runstate_configurable_digital_output_to_value(outputId, state)", setting},
-    {"set_runstate_tool_digital_output_to_value(outputId, state)", setting},
-    {"set_runstate_standard_analog_output_to_value(outputId, state)", setting},
-    {"set_runstate_gp_boolean_output_to_value(outputId, state)", setting},
-    {"set_standard_digital_input_action(port, action)", inputAction},
-    {"set_configurable_digital_input_action(port, action)", inputAction},
-    {"set_tool_digital_input_action(port, action)", inputAction},
-    {"set_gp_boolean_input_action(port, action)", inputAction},
-    {"set_input_actions_to_default()", setting},
+    {"set_runstate_standard_digital_output_to_value(outputId, state)", runState<RuledOutput::Standard, 7>},
+    {"set_runstate_configurable_digital_output_to_value(outputId, state)",
+     runState<RuledOutput::Configurable, 7>},
+    {"set_runstate_tool_digital_output_to_value(outputId, state)", runState<RuledOutput::Tool, 1>},
+    {"set_runstate_standard_analog_output_to_value(outputId, state)", runState<RuledOutput::Analog, 1>},
+    {"set_runstate_gp_boolean_output_to_value(outputId, state)", runState<RuledOutput::Register, 127>},
+    {"set_standard_digital_input_action(port, action)", inputAction<RuledInput::Standard, 7>},
+    {"set_configurable_digital_input_action(port, action)", inputAction<RuledInput::Configurable, 7>},
+    {"set_tool_digital_input_action(port, action)", inputAction<RuledInput::Tool, 1>},
+    {"set_gp_boolean_input_action(port, action)", inputAction<RuledInput::Register, 127>},
+    {"set_input_actions_to_default()", resetInputActions},
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Moves, servo and speed commands, stops.
 
+#include <algorithm>
 #include <cmath>
 
 #include "robot/simulator/urscript/builtin.h"
@@ -71,9 +72,26 @@ Status movec(Call& c) {
     });
 }
 
+Value frameInBase(const Call& c, const std::string& frame, const Pose& inFrame) {
+    const Result<Pose> pose = c.host.convertPose(inFrame, frame, "base");
+    if (!pose.ok()) {
+        fault(pose.error());
+    }
+    return *pose;
+}
+
 MotionCommand optimove(Call& c, Move::Kind kind) {
-    if (c.args[0].is(Value::Type::String) || c.args[0].is(Value::Type::Struct)) {
-        fault(c.name() + ": goals in named frames are not simulated");
+    // A goal may be the name of a frame, or struct(pose, frame).
+    if (c.args[0].is(Value::Type::String)) {
+        c.args[0] = frameInBase(c, c.string(0), {});
+    } else if (c.args[0].is(Value::Type::Struct)) {
+        const Value* pose = c.args[0].structure().find("pose");
+        const Value* frame = c.args[0].structure().find("frame");
+        if (pose == nullptr || frame == nullptr || !pose->is(Value::Type::Pose) ||
+            !frame->is(Value::Type::String)) {
+            c.badArgument(0, "struct(pose, frame)");
+        }
+        c.args[0] = frameInBase(c, frame->string(), Pose::fromArray(pose->pose()));
     }
     Move move = moveOf(c, kind);
     move.blend = c.finite(3);
@@ -112,21 +130,37 @@ std::optional<double> duration(const Call& c, std::size_t i) {
     return c.given(i) ? std::optional(std::max(c.finite(i), 0.0)) : std::nullopt;
 }
 
-// The acceleration is not checked for finiteness: scripts compute it by dividing by a remaining time.
+// It may be infinite: scripts compute it by dividing by a remaining time.
+double acceleration(const Call& c, std::size_t i) {
+    const double a = c.number(i);
+    if (std::isnan(a)) {
+        c.badArgument(i, "a number");
+    }
+    return std::abs(a);
+}
+
+std::array<double, 6> speeds(const Call& c) {
+    const std::array<double, 6> v = c.six(0);
+    if (!std::all_of(v.begin(), v.end(), [](double d) { return std::isfinite(d); })) {
+        c.badArgument(0, "a list of six finite numbers");
+    }
+    return v;
+}
+
 Status speedj(Call& c) {
     return c.motion([&] {
-        return MotionCommand(SpeedJ{JointVelocities(c.six(0)), std::abs(c.number(1)), duration(c, 2)});
+        return MotionCommand(SpeedJ{JointVelocities(speeds(c)), acceleration(c, 1), duration(c, 2)});
     });
 }
 
 Status speedl(Call& c) {
     return c.motion([&] {
-        const std::array<double, 6> v = c.six(0);
+        const std::array<double, 6> v = speeds(c);
         SpeedL speed;
         speed.xd = Twist::fromVector(Eigen::Map<const Vector6>(v.data()));
-        speed.acceleration = std::abs(c.number(1));
+        speed.acceleration = acceleration(c, 1);
         speed.duration = duration(c, 2);
-        speed.rotationAcceleration = c.given(3) ? std::abs(c.number(3)) : speed.acceleration;
+        speed.rotationAcceleration = c.given(3) ? acceleration(c, 3) : speed.acceleration;
         return MotionCommand(speed);
     });
 }
@@ -207,11 +241,11 @@ constexpr BuiltinRow kRows[] = {
     {"optimovel(goal, a=0.3, v=0.3, r=0)", optimovel, kMotion, {21, 8}},
     {"servoj(q, a?, v?, t?, lookahead_time=0.1, gain=300)", servoj, kMotion},
     {"servoc(pose, a=1.2, v=0.25, r=0)", servoc, kMotion},
-    {"speedj(qd, a, t?)", speedj, kMotion},
-    {"speedl(xd, a, t?, aRot?)", speedl, kMotion},
+    {"speedj(qd, a, t|t_min?)", speedj, kMotion},
+    {"speedl(xd, a, t|t_min?, aRot?)", speedl, kMotion},
     {"stopj(a)", stopj, kMotion},
     {"stopl(a, aRot?)", stopl, kMotion},
-    {"direct_torque(torque, viscous_scale?, coulomb_scale?, friction_comp?)",
+    {"direct_torque(torque|torques, viscous_scale?, coulomb_scale?, friction_comp?)",
      directTorque,
      kMotion,
      {23, 10}},
@@ -226,8 +260,8 @@ constexpr BuiltinRow kRows[] = {
     {"motion_version_get()", motionVersionGet},
     {"jerk_gain_scaling_set(gain)", jerkGainSet},
     {"jerk_gain_scaling_get()", jerkGainGet},
-    {"frame_tracking_enable(frame_name)", absent, kPlain, {kNever, 0}},
-    {"frame_tracking_disable()", absent, kPlain, {kNever, 0}},
+    {"frame_tracking_enable(frame_name)", absent, kPlain, kPolyScopeX, "a frame that moves"},
+    {"frame_tracking_disable()", absent, kPlain, kPolyScopeX, "a frame that moves"},
 };
 
 }  // namespace

@@ -48,6 +48,25 @@ Status setFlag(Call& c) {
     return Status::Done;
 }
 
+Status readPortBit(Call& c) {
+    c.result = c.host.portBit(c.integerIn(0, 0, RegisterHost::kPorts - 1));
+    return Status::Done;
+}
+Status writePortBit(Call& c) {
+    c.host.setPortBit(c.integerIn(0, 0, RegisterHost::kPorts - 1), c.boolean(1));
+    return Status::Done;
+}
+Status readPortRegister(Call& c) {
+    c.result = std::int32_t{c.host.portRegister(c.integerIn(0, 0, RegisterHost::kPorts - 1))};
+    return Status::Done;
+}
+// 16 bits, however the script counts them.
+Status writePortRegister(Call& c) {
+    c.host.setPortRegister(c.integerIn(0, 0, RegisterHost::kPorts - 1),
+                           static_cast<std::int16_t>(c.integerIn(1, -32768, 65535)));
+    return Status::Done;
+}
+
 constexpr BuiltinRow kRows[] = {
     {"read_input_boolean_register(address)", readBool<RegisterSide::Input>},
     {"read_input_integer_register(address)", readInt<RegisterSide::Input>},
@@ -60,6 +79,10 @@ constexpr BuiltinRow kRows[] = {
     {"write_output_float_register(address, value)", writeFloat},
     {"get_flag(n)", getFlag},
     {"set_flag(n, b)", setFlag},
+    {"read_port_bit(address)", readPortBit},
+    {"read_port_register(address)", readPortRegister},
+    {"write_port_bit(address, value)", writePortBit},
+    {"write_port_register(address, value)", writePortRegister},
 };
 
 }  // namespace

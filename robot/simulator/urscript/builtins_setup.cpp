@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // TCP, payload, gravity, force sensor.
 
+#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "robot/simulator/urscript/builtin.h"
@@ -91,6 +93,61 @@ Status targetPayloadInertia(Call& c) {
     return Status::Done;
 }
 
+// Rows of six numbers: a list of poses (get_tcp_force() gives one), or a matrix.
+std::vector<Vector6> rowsAt(const Call& c, std::size_t i) {
+    std::vector<Vector6> out;
+    if (c.args[i].is(Value::Type::Matrix) && c.args[i].matrix().cols == 6) {
+        for (std::size_t r = 0; r < c.args[i].matrix().rows; ++r) {
+            out.emplace_back(Eigen::Map<const Vector6>(c.args[i].matrix().numbers.data() + 6 * r));
+        }
+    } else if (c.args[i].is(Value::Type::List)) {
+        for (const Value& v : c.args[i].list().values) {
+            if (!v.is(Value::Type::Pose)) {
+                c.badArgument(i, "a list of poses");
+            }
+            out.emplace_back(Eigen::Map<const Vector6>(v.pose().data()));
+        }
+    }
+    if (out.size() < 4 ||
+        !std::all_of(out.begin(), out.end(), [](const Vector6& v) { return v.allFinite(); })) {
+        c.badArgument(i, "a list of at least four");
+    }
+    return out;
+}
+
+// Weight and where it hangs, from wrenches in base orientation about the flange: F = -m g, and
+// tau = (R cog) x F = -[F]x R cog, solved for the least sum of squares.
+Status estimatePayload(Call& c) {
+    const std::vector<Vector6> poses = rowsAt(c, 0);
+    const std::vector<Vector6> wrenches = rowsAt(c, 1);
+    const Eigen::Vector3d g = c.host.gravity();
+    if (poses.size() != wrenches.size() || g.norm() < 1e-6) {
+        fault("estimate_payload: needs as many wrenches as poses, and gravity");
+    }
+    double mass = 0;
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        const Eigen::Vector3d force = wrenches[i].head<3>();
+        mass -= force.dot(g) / g.squaredNorm() / static_cast<double>(poses.size());
+        Eigen::Matrix3d cross;
+        cross << 0, -force.z(), force.y(), force.z(), 0, -force.x(), -force.y(), force.x(), 0;
+        const Eigen::Matrix3d A = -cross * rotationMatrix(poses[i].tail<3>());
+        normal += A.transpose() * A;
+        right += A.transpose() * wrenches[i].tail<3>();
+    }
+    const Eigen::FullPivLU<Eigen::Matrix3d> lu(normal);
+    if (!lu.isInvertible()) {
+        fault("estimate_payload: the poses must differ in orientation");
+    }
+    const Eigen::Vector3d cog = lu.solve(right);
+    StructData data;
+    data.members.emplace_back("mass", mass);
+    data.members.emplace_back("cog", Value::floats(cog.data(), 3));
+    c.result = Value::structure(std::move(data));
+    return Status::Done;
+}
+
 Status setGravity(Call& c) {
     c.check(c.host.setGravity(finiteThree(c, 0)));
     return Status::Done;
@@ -145,9 +202,7 @@ constexpr BuiltinRow kRows[] = {
     {"set_payload_mass(m)", setPayloadMass},
     {"set_payload_cog(cog)", setPayloadCog},
     {"set_target_payload(m, cog, inertia?, transition_time=0)", setTargetPayload, kPlain, {10, 0}},
-    {"set_payload_from_attached_frames()", absent, kPlain, {kNever, 0}},
-    {"set_mass_properties(frame, m, cog, inertia)", absent, kPlain, {kNever, 0}},
-    {"estimate_payload(poses, wrenches)", absent},
+    {"estimate_payload(poses, wrenches)", estimatePayload},
     {"set_gravity(d)", setGravity},
     {"get_gravity()", getGravity, kPlain, {17, 0}},
     {"set_base_acceleration(a)", setBaseAcceleration},

@@ -5,9 +5,11 @@
 // number, every callee an index; nothing is looked up by name while running.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "robot/core/version.h"
 #include "robot/simulator/urscript/ast.h"
 #include "robot/simulator/urscript/host.h"
 #include "robot/simulator/urscript/value.h"
@@ -111,6 +113,8 @@ struct FunctionCode {
     std::vector<Instruction> code;
     std::vector<ast::Position> positions;  ///< parallel to code
     std::vector<std::string> localNames;
+    std::vector<bool> optional;  ///< parameters that have a default
+    bool outermost = false;      ///< defined directly in the program, or a line of interpreter mode
 };
 
 struct Bytecode {
@@ -118,9 +122,11 @@ struct Bytecode {
     ProgramKind kind = ProgramKind::Main;
     bool raw = false;
     bool commandsMotion = false;
+    bool clearsInterpreter = false;  ///< calls clear_interpreter() somewhere
+    std::optional<SoftwareVersion> version;
     std::vector<FunctionCode> functions;  ///< [0] is the main body
     std::vector<Value> constants;
-    std::vector<std::string> globals;
+    std::vector<std::string> globals;  ///< a line of interpreter mode: those it adds
     std::vector<Path> paths;
     std::vector<MethodCall> methods;
     std::vector<std::vector<std::string>> shapes;  ///< member names of struct literals

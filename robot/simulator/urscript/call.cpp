@@ -18,7 +18,7 @@ void fault(const Error& error) {
 }
 
 Status absent(Call& c) {
-    fault(c.name() + " is not simulated");
+    fault(c.name() + " needs " + c.needs() + ", which is not simulated");
 }
 
 Status setting(Call& c) {
@@ -42,6 +42,10 @@ const std::string& Call::name() const {
     return builtin_.name;
 }
 
+const char* Call::needs() const {
+    return builtin_.needs;
+}
+
 double Call::random() {
     // splitmix64: small, and the same numbers on every machine for the same seed.
     std::uint64_t z = (context_.random += 0x9E3779B97F4A7C15ULL);
@@ -59,6 +63,8 @@ void Call::startMotion(const MotionCommand& command) {
     }
     check(host.startMotion(thread, command));
     context_.motionOwner = thread;
+    const Move* move = std::get_if<Move>(&command);
+    context_.abortable = move != nullptr && (move->kind == Move::Kind::J || move->kind == Move::Kind::L);
 }
 
 void Call::badArgument(std::size_t i, const char* expected) const {

@@ -23,6 +23,7 @@ std::unique_ptr<Bytecode> Compiler::run() {
     out_->raw = main.kind == FunctionKind::Raw;
     out_->kind = main.kind == FunctionKind::Sec ? ProgramKind::Secondary : ProgramKind::Main;
     out_->name = out_->raw ? options_.rawName : std::string(main.name);
+    out_->version = options_.version;
     collectGlobals();
     out_->functions.resize(tree_.functions.size());
     for (const Function& f : tree_.functions) {
@@ -36,6 +37,10 @@ void Compiler::function(const Function& f) {
     code_ = &out_->functions[static_cast<std::size_t>(f.index)];
     code_->name = std::string(f.name);
     code_->kind = f.kind;
+    code_->outermost = isOutermost(f);
+    for (const auto& parameter : f.parameters) {
+        code_->optional.push_back(parameter.defaultValue != nullptr);
+    }
     locals_.clear();
     explicitLocals_.clear();
     depth_ = 0;
@@ -173,6 +178,16 @@ void Compiler::whileStatement(const Stmt& s) {
 void Compiler::assign(const Stmt& s) {
     const bool outermost = function_->index == 0;
     const Expr* root = rootOf(s.target);
+    if (root != s.target && root->text == "digital_out" && s.target->kind == ExprKind::Index &&
+        s.target->children.size() == 2 && s.scope == AssignScope::Unqualified &&
+        resolve(root->text).index < 0) {
+        // `digital_out[n] = True`: how old controllers wrote outputs, and python-urx still does.
+        expression(s.target->children[1]);
+        expression(s.value);
+        emit(Op::CallBuiltin, s.at, findBuiltin("set_digital_out"), 2, -1);
+        emit(Op::Pop, s.at, 0, 0, -1);
+        return;
+    }
     if (root != s.target) {
         Path path = pathOf(s.target, s.scope == AssignScope::Global);
         expression(s.value);
@@ -206,6 +221,24 @@ bool Program::isRaw() const {
 }
 bool Program::commandsMotion() const {
     return code_->commandsMotion;
+}
+
+LineOutcome compileLine(std::string_view text, const LinkedCode& surroundings) {
+    LineOutcome out;
+    ParseOutcome parsed = parseStatements(text);
+    if (parsed.error) {
+        out.error = *parsed.error;
+        return out;
+    }
+    CompileOptions options;
+    options.version = surroundings.program.code->version;
+    Compiler compiler(parsed.tree, options, &surroundings);
+    out.code = compiler.run();
+    if (compiler.error()) {
+        out.error = *compiler.error();
+        out.code.reset();
+    }
+    return out;
 }
 
 CompileOutcome compile(std::string_view source, const CompileOptions& options) {

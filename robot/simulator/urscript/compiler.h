@@ -11,13 +11,16 @@
 
 #include "robot/simulator/urscript/builtin.h"
 #include "robot/simulator/urscript/bytecode.h"
+#include "robot/simulator/urscript/linked_code.h"
 #include "robot/simulator/urscript/program.h"
 
 namespace tiller::simulator::urscript {
 
 class Compiler {
 public:
-    Compiler(const ast::Tree& tree, const CompileOptions& options) : tree_(tree), options_(options) {}
+    /// surroundings  what a line of interpreter mode is added to; null: a whole program
+    Compiler(const ast::Tree& tree, const CompileOptions& options, const LinkedCode* surroundings = nullptr)
+        : tree_(tree), options_(options), surroundings_(surroundings) {}
 
     std::unique_ptr<Bytecode> run();
 
@@ -33,10 +36,22 @@ private:
     void collectGlobals(const ast::Block& block, bool outermost);
     void collectLocals(const ast::Block& block);
     static const ast::Expr* rootOf(const ast::Expr* target);
+    /// -1: there is none of that name.
+    int findGlobal(std::string_view name) const;
     int globalSlot(std::string_view name);
     int localSlot(std::string_view name);
     Slot resolve(std::string_view name);
-    const ast::Function* findFunction(std::string_view name) const;
+    /// A function that can be called or run, wherever it was defined.
+    struct Callee {
+        int index = -1;
+        ast::FunctionKind kind = ast::FunctionKind::Def;
+        const ast::Function* here = nullptr;      // in this text, or
+        const FunctionCode* elsewhere = nullptr;  // compiled before
+        explicit operator bool() const { return index >= 0; }
+    };
+    Callee findFunction(std::string_view name) const;
+    int indexOf(const ast::Function& f) const;
+    bool isOutermost(const ast::Function& f) const;
     void report(ast::Position at, std::string text);
     void nameNotFound(ast::Position at, std::string_view name);
 
@@ -81,6 +96,7 @@ private:
     // ---- calls
     struct Formal {
         std::string_view name;
+        std::string_view alias;
         bool required;
         const Value* value;  // of a builtin's default
     };
@@ -90,6 +106,7 @@ private:
 
     const ast::Tree& tree_;
     const CompileOptions& options_;
+    const LinkedCode* surroundings_;
     std::unique_ptr<Bytecode> out_ = std::make_unique<Bytecode>();
     std::map<std::string_view, int> globals_;
     std::map<std::string, int, std::less<>> texts_;
@@ -104,5 +121,14 @@ private:
     int loopStart_ = 0;
     std::vector<int> breaks_;
 };
+
+/// A line of interpreter mode: either code or an error.
+struct LineOutcome {
+    std::unique_ptr<Bytecode> code;
+    CompileError error;
+};
+/// Compiles statements that are added to a running program: they see its globals and outermost functions,
+/// and what earlier lines defined; new variables are theirs, new globals an error.
+LineOutcome compileLine(std::string_view text, const LinkedCode& surroundings);
 
 }  // namespace tiller::simulator::urscript

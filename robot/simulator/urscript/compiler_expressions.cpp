@@ -112,11 +112,11 @@ void Compiler::expression(const Expr* e) {
             method(e);
             return;
         case ExprKind::Run: {
-            const Function* f = findFunction(e->text);
-            if (f == nullptr || f->kind != FunctionKind::Thread) {
+            const Callee f = findFunction(e->text);
+            if (!f || f.kind != FunctionKind::Thread) {
                 nameNotFound(e->at, e->text);
             }
-            emit(Op::Run, e->at, f == nullptr ? 0 : f->index, 0, 1);
+            emit(Op::Run, e->at, std::max(f.index, 0), 0, 1);
             return;
         }
         default:
@@ -211,11 +211,15 @@ void Compiler::call(const Expr* e) {
         return;
     }
     std::vector<Formal> formals;
-    const Function* f = findFunction(e->text);
+    const Callee f = findFunction(e->text);
     int builtin = -1;
-    if (f != nullptr && f->kind != FunctionKind::Thread) {
-        for (const auto& parameter : f->parameters) {
-            formals.push_back({parameter.name, parameter.defaultValue == nullptr, nullptr});
+    if (f && f.kind != FunctionKind::Thread && f.here != nullptr) {
+        for (const auto& parameter : f.here->parameters) {
+            formals.push_back({parameter.name, {}, parameter.defaultValue == nullptr, nullptr});
+        }
+    } else if (f && f.kind != FunctionKind::Thread) {
+        for (std::size_t i = 0; i < f.elsewhere->optional.size(); ++i) {
+            formals.push_back({f.elsewhere->localNames[i], {}, !f.elsewhere->optional[i], nullptr});
         }
     } else {
         builtin = findBuiltin(e->text);
@@ -224,8 +228,10 @@ void Compiler::call(const Expr* e) {
             builtin = -1;
         } else {
             out_->commandsMotion |= (row(builtin).flags & kMotion) != 0;
+            out_->clearsInterpreter |= (row(builtin).flags & kClearsInterpreter) != 0;
             for (const auto& parameter : row(builtin).parameters) {
-                formals.push_back({parameter.name, parameter.required, &parameter.defaultValue});
+                formals.push_back(
+                    {parameter.name, parameter.alias, parameter.required, &parameter.defaultValue});
             }
         }
     }
@@ -238,10 +244,7 @@ void Compiler::call(const Expr* e) {
     } else {
         pushed = arguments(e, formals);
     }
-    emit(builtin >= 0 ? Op::CallBuiltin : Op::Call, e->at,
-         builtin >= 0 ? builtin
-         : f          ? f->index
-                      : 0,
+    emit(builtin >= 0 ? Op::CallBuiltin : Op::Call, e->at, builtin >= 0 ? builtin : std::max(f.index, 0),
          pushed, 1 - pushed);
 }
 
@@ -253,10 +256,12 @@ int Compiler::arguments(const Expr* e, const std::vector<Formal>& formals) {
     for (std::size_t i = 0; i < e->children.size(); ++i) {
         std::size_t place = i;
         if (!e->names[i].empty()) {
-            place = static_cast<std::size_t>(
-                std::find_if(formals.begin(), formals.end(),
-                             [&](const Formal& formal) { return formal.name == e->names[i]; }) -
-                formals.begin());
+            place = static_cast<std::size_t>(std::find_if(formals.begin(), formals.end(),
+                                                          [&](const Formal& formal) {
+                                                              return formal.name == e->names[i] ||
+                                                                     formal.alias == e->names[i];
+                                                          }) -
+                                             formals.begin());
         }
         if (place >= formals.size()) {
             problem = e->names[i].empty() ? "takes at most " + std::to_string(formals.size()) + " arguments"

@@ -30,6 +30,10 @@ void Compiler::collectGlobals(const Block& block, bool outermost) {
             const Expr* target = rootOf(s->target);
             // An element assignment declares nothing, unless it says `global`.
             if (target == s->target || s->scope == AssignScope::Global) {
+                if (surroundings_ != nullptr && s->scope == AssignScope::Global &&
+                    findGlobal(target->text) < 0) {
+                    report(s->at, "new globals cannot be created in interpreter mode");
+                }
                 globalSlot(target->text);
             }
         }
@@ -45,7 +49,7 @@ void Compiler::collectLocals(const Block& block) {
             const std::string_view name = s->target->text;
             if (s->scope == AssignScope::Local) {
                 explicitLocals_.insert(name);
-            } else if (s->scope == AssignScope::Unqualified && !globals_.contains(name)) {
+            } else if (s->scope == AssignScope::Unqualified && findGlobal(name) < 0) {
                 localSlot(name);
             }
         }
@@ -62,12 +66,27 @@ const Expr* Compiler::rootOf(const Expr* target) {
     return target;
 }
 
-int Compiler::globalSlot(std::string_view name) {
-    const auto [it, added] = globals_.try_emplace(name, static_cast<int>(out_->globals.size()));
-    if (added) {
-        out_->globals.emplace_back(name);
+int Compiler::findGlobal(std::string_view name) const {
+    if (const auto it = globals_.find(name); it != globals_.end()) {
+        return it->second;
     }
-    return it->second;
+    if (surroundings_ != nullptr) {
+        if (const auto it = surroundings_->slots.find(name); it != surroundings_->slots.end()) {
+            return it->second;
+        }
+    }
+    return -1;
+}
+
+int Compiler::globalSlot(std::string_view name) {
+    if (const int slot = findGlobal(name); slot >= 0) {
+        return slot;
+    }
+    const std::size_t before = surroundings_ == nullptr ? 0 : surroundings_->globals.size();
+    const int slot = static_cast<int>(before + out_->globals.size());
+    globals_.emplace(name, slot);
+    out_->globals.emplace_back(name);
+    return slot;
 }
 
 int Compiler::localSlot(std::string_view name) {
@@ -82,8 +101,8 @@ Compiler::Slot Compiler::resolve(std::string_view name) {
     if (const auto it = locals_.find(name); it != locals_.end()) {
         return {false, it->second};
     }
-    if (const auto it = globals_.find(name); it != globals_.end()) {
-        return {true, it->second};
+    if (const int slot = findGlobal(name); slot >= 0) {
+        return {true, slot};
     }
     // `local x` further down, read here: in a loop it may have a value by now.
     if (explicitLocals_.contains(name)) {
@@ -92,18 +111,37 @@ Compiler::Slot Compiler::resolve(std::string_view name) {
     return {};
 }
 
-const Function* Compiler::findFunction(std::string_view name) const {
+Compiler::Callee Compiler::findFunction(std::string_view name) const {
+    const auto here = [this](const Function* f) { return Callee{indexOf(*f), f->kind, f, nullptr}; };
     for (const Function* scope = function_; scope != nullptr; scope = scope->parent) {
         for (const Function* f : scope->nested) {
             if (f->name == name) {
-                return f;
+                return here(f);
             }
         }
         if (scope->name == name && scope->parent == nullptr && scope->kind == FunctionKind::Def) {
-            return scope;
+            return here(scope);
         }
     }
-    return nullptr;
+    // The newest of that name, as lines may define a function again.
+    for (std::size_t i = surroundings_ == nullptr ? 0 : surroundings_->functions.size(); i > 1; --i) {
+        const FunctionCode* f = surroundings_->functions[i - 1].function;
+        if (f->outermost && f->name == name) {
+            return {static_cast<int>(i) - 1, f->kind, nullptr, f};
+        }
+    }
+    return {};
+}
+
+// In the numbering of the machine: a line's own functions come behind all there are.
+int Compiler::indexOf(const Function& f) const {
+    return surroundings_ == nullptr || f.index == 0
+               ? f.index
+               : static_cast<int>(surroundings_->functions.size()) + f.index - 1;
+}
+
+bool Compiler::isOutermost(const Function& f) const {
+    return f.parent != nullptr && f.parent->index == 0;
 }
 
 void Compiler::report(Position at, std::string text) {

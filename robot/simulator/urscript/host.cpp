@@ -86,6 +86,15 @@ Result<void> SetupHost::applySetting(std::string_view, std::span<const double>) 
     return {};
 }
 
+bool RegisterHost::portBit(int) const {
+    return false;
+}
+void RegisterHost::setPortBit(int, bool) {}
+std::int16_t RegisterHost::portRegister(int) const {
+    return 0;
+}
+void RegisterHost::setPortRegister(int, std::int16_t) {}
+
 Result<int> MessageHost::requestValue(RequestKind, std::string_view) {
     return notSimulated("Requesting a value from a primary client");
 }

@@ -23,6 +23,8 @@
 #include "robot/core/joints.h"
 #include "robot/core/result.h"
 #include "robot/core/spatial.h"
+#include "robot/simulator/urscript/payload.h"
+#include "robot/simulator/urscript/world_model.h"
 
 namespace tiller::simulator::urscript {
 
@@ -237,12 +239,6 @@ public:
                                                  const std::optional<JointVelocities>& qd) const;
 };
 
-struct Payload {
-    double mass = 0;                                            ///< [kg]
-    Eigen::Vector3d centreOfGravity = Eigen::Vector3d::Zero();  ///< [m], flange frame
-    Vector6 inertia = Vector6::Zero();  ///< Ixx Iyy Izz Ixy Ixz Iyz [kg m2] about the centre of gravity
-};
-
 struct ExternalForceSensor {
     bool enabled = false;
     double mass = 0;                                            ///< [kg]
@@ -289,6 +285,12 @@ public:
     virtual void setFloatOutput(int address, double value) = 0;
     virtual bool flag(int number) const = 0;  ///< 0..32, kept between programs
     virtual void setFlag(int number, bool value) = 0;
+    /// The map of the controller's own Modbus server. Addresses 0..kPorts - 1.
+    static constexpr int kPorts = 512;
+    virtual bool portBit(int address) const;
+    virtual void setPortBit(int address, bool value);
+    virtual std::int16_t portRegister(int address) const;
+    virtual void setPortRegister(int address, std::int16_t value);
 };
 
 enum class DigitalBank { Standard, Configurable, Tool };             ///< 0..7, 0..7, 0..1
@@ -299,6 +301,10 @@ struct ToolCommunication {
     int baudRate = 115200, parity = 0, stopBits = 1;
     double rxIdleChars = 1.5, txIdleChars = 3.5;
 };
+
+/// Outputs that may follow whether a program runs, and inputs that may act as a freedrive button.
+enum class RuledOutput { Standard, Configurable, Tool, Analog, Register };
+enum class RuledInput { Standard, Configurable, Tool, Register };
 
 /// Pins. Numbers are checked by the caller.
 class IoHost {
@@ -312,6 +318,10 @@ public:
     virtual void setAnalogDomain(AnalogPort, int n, int domain) = 0;  ///< 0: 4-20 mA, 1: 0-10 V
     virtual void setToolVoltage(int volts) = 0;                       ///< 0, 12 or 24
     virtual void setToolCommunication(const ToolCommunication& settings) = 0;
+    /// state  0 keep, 1 low when no program runs, 2 high then, 3 high only while one runs
+    virtual void setRunState(RuledOutput, int number, int state) = 0;
+    virtual void setFreedriveInput(RuledInput, int number, bool freedrive) = 0;
+    virtual void resetInputActions() = 0;
 };
 
 // -----------------------------------------------------------------------------------------------------
@@ -377,6 +387,16 @@ public:
     virtual void programEnded(ProgramKind kind) = 0;
 };
 
+/// Named frames, kept between programs.
+class WorldHost {
+public:
+    virtual ~WorldHost() = default;
+    WorldModel& world() { return world_; }
+
+private:
+    WorldModel world_;
+};
+
 /// Everything a script can reach.
 class Host : public MotionHost,
              public SuperpositionHost,
@@ -387,6 +407,14 @@ class Host : public MotionHost,
              public IoHost,
              public SocketHost,
              public MessageHost,
-             public ProgramHost {};
+             public ProgramHost,
+             public WorldHost {
+public:
+    ArmFrames armFrames() const { return {flangePose(), tcpPose(Source::Actual)}; }
+    /// A pose given in one frame, in another.
+    Result<Pose> convertPose(const Pose& pose, const std::string& from, const std::string& to) {
+        return world().convert(pose, from, to, armFrames());
+    }
+};
 
 }  // namespace tiller::simulator::urscript

@@ -25,6 +25,7 @@ struct RuntimeError {
     int line = 0;
     int column = 0;
     std::string text;
+    bool overrun = false;  ///< a loop that took no time
 };
 
 struct Limits {
@@ -35,6 +36,8 @@ struct Limits {
     std::size_t listLength = 100'000;
     std::uint64_t randomSeed = 1;
 };
+
+class InterpreterMode;
 
 class Interpreter {
 public:
@@ -71,6 +74,8 @@ public:
     int threadCount() const;     ///< main body included
     /// A global variable's value now, or nullptr. Valid until the next frame.
     const Value* global(std::string_view name) const;
+    /// Lines from outside, while the program stands in interpreter_mode().
+    InterpreterMode& mode();
 
 private:
     class Machine;

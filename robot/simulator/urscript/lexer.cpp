@@ -129,6 +129,9 @@ private:
                 ++at_;
             }
         };
+        if (peek() == '0' && (peek(1) == 'x' || peek(1) == 'X')) {
+            return readHexadecimal(token);
+        }
         digits();
         if (peek() == '.') {
             isFloat = true;
@@ -160,6 +163,22 @@ private:
         }
         // "12abc" is neither a number nor two tokens anybody meant.
         return result.ptr == last && !isLetter(peek());
+    }
+
+    // 32 bits, as to_num("0x...") reads them.
+    bool readHexadecimal(Token& token) {
+        const std::size_t start = at_;
+        at_ += 2;
+        while (isDigit(peek()) || isLetter(peek())) {
+            ++at_;
+        }
+        token.text = source_.substr(start, at_ - start);
+        std::uint32_t bits = 0;
+        const char* last = token.text.data() + token.text.size();
+        const auto result = std::from_chars(token.text.data() + 2, last, bits, 16);
+        token.kind = TokenKind::Integer;
+        token.integer = static_cast<std::int32_t>(bits);
+        return token.text.size() > 2 && result.ec == std::errc() && result.ptr == last;
     }
 
     bool readString(Token& token) {

@@ -12,12 +12,9 @@ Interpreter::Machine::Machine(std::shared_ptr<const Program> p, Host& host, cons
     , host_(host)
     , limits_(limits)
     , code_(program->code())
-    , context_{host, limits_, program->kind(), 0, limits.randomSeed, -1} {
+    , mode_(code_)
+    , context_{host, limits_, program->kind(), 0, limits.randomSeed, &mode_} {
     context_.stepNs = std::llround(host.stepTime() * 1e9);
-    constants_.reserve(code_.constants.size());
-    for (const Value& v : code_.constants) {
-        constants_.push_back(v.detached());
-    }
     globals_.resize(code_.globals.size());
     start(0, -1);
 }
@@ -77,7 +74,17 @@ void Interpreter::Machine::beginFrame() {
             thread->sliceNs = context_.stepNs;
         }
     }
+    mode_.beginFrame();
     pollMotion();
+    abortMove();
+}
+
+// `abort` in interpreter mode: the move becomes a stop, and is over when that is.
+void Interpreter::Machine::abortMove() {
+    constexpr double kDeceleration = 4.0;  // [rad/s2]
+    if (mode_.takeAbort() && context_.motionOwner == 0 && context_.abortable) {
+        context_.abortable = !host_.startMotion(0, StopJ{kDeceleration}).ok();
+    }
 }
 
 // Before any thread runs: one that waits for its motion must not block another that may command by now.
@@ -110,6 +117,9 @@ void Interpreter::Machine::run(Thread& thread) {
         execute(thread);
     } catch (const Fault& f) {
         fail(thread, f.text);
+        if (error) {
+            error->overrun = f.overrun;
+        }
     } catch (const std::bad_alloc&) {
         fail(thread, "Out of memory");
     }
@@ -269,13 +279,26 @@ int Interpreter::Machine::threadCount() const {
     }));
 }
 
+// Nothing may run in code that goes: threads that do are ended.
+void Interpreter::Machine::forgetLines() {
+    for (const auto& thread : threads_) {
+        if (thread->id != 0 && thread->state != Thread::State::Ended &&
+            std::any_of(thread->calls.begin(), thread->calls.end(),
+                        [this](const CallFrame& call) { return call.unit != &code_.program; })) {
+            endThread(*thread);
+        }
+    }
+    mode_.forget();
+    globals_.resize(code_.globals.size());
+}
+
 const Value* Interpreter::Machine::global(std::string_view name) const {
     const auto it = std::find(code_.globals.begin(), code_.globals.end(), name);
     if (it == code_.globals.end()) {
         return nullptr;
     }
-    const Value& v = globals_[static_cast<std::size_t>(it - code_.globals.begin())];
-    return v.isUnset() ? nullptr : &v;
+    const std::size_t slot = static_cast<std::size_t>(it - code_.globals.begin());
+    return slot >= globals_.size() || globals_[slot].isUnset() ? nullptr : &globals_[slot];
 }
 
 // ---------------------------------------------------------------------------------------------------------
@@ -317,6 +340,9 @@ int Interpreter::threadCount() const {
 }
 const Value* Interpreter::global(std::string_view name) const {
     return machine_->global(name);
+}
+InterpreterMode& Interpreter::mode() {
+    return machine_->mode();
 }
 
 }  // namespace tiller::simulator::urscript

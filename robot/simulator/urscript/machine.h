@@ -10,6 +10,8 @@
 #include "robot/simulator/urscript/builtin.h"
 #include "robot/simulator/urscript/bytecode.h"
 #include "robot/simulator/urscript/interpreter.h"
+#include "robot/simulator/urscript/interpreter_mode.h"
+#include "robot/simulator/urscript/linked_code.h"
 
 namespace tiller::simulator::urscript {
 
@@ -31,10 +33,12 @@ public:
     int currentLine() const;
     int threadCount() const;
     const Value* global(std::string_view name) const;
+    InterpreterMode& mode() { return mode_; }
 
 private:
     struct CallFrame {
         const FunctionCode* function = nullptr;
+        const Unit* unit = nullptr;
         int pc = 0;            // next instruction
         std::size_t base = 0;  // first local on the stack
     };
@@ -64,6 +68,8 @@ private:
     // scheduling (machine.cpp)
     void beginFrame();
     void pollMotion();
+    void abortMove();
+    void forgetLines();
     bool runnable(const Thread& thread) const;
     void removeEnded();
     Thread& start(int function, ThreadId parent);
@@ -82,7 +88,10 @@ private:
     // calls (machine_calls.cpp)
     void enter(Thread& thread, int function, int arguments);
     bool leave(Thread& thread, Value result);
-    bool callBuiltin(Thread& thread, const Instruction& instruction);
+    void enterLine(Thread& thread);
+    void push(Thread& thread, const LinkedCode::Callee& callee, int arguments);
+    enum class After { GoOn, Reload, Wait };
+    After callBuiltin(Thread& thread, const Instruction& instruction);
 
     // values in variables (machine_values.cpp)
     void store(Value& variable, Value v, const std::string& name) const;
@@ -96,9 +105,9 @@ private:
 
     Host& host_;
     const Limits limits_;
-    const Bytecode& code_;
+    LinkedCode code_;
+    InterpreterMode mode_;
     CallContext context_;
-    std::vector<Value> constants_;
     std::vector<Value> globals_;
     std::vector<std::unique_ptr<Thread>> threads_;
     ThreadId nextId_ = 0;

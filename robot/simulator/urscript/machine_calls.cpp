@@ -8,7 +8,11 @@
 namespace tiller::simulator::urscript {
 
 void Interpreter::Machine::enter(Thread& thread, int function, int arguments) {
-    const FunctionCode& f = code_.functions[static_cast<std::size_t>(function)];
+    push(thread, code_.functions[static_cast<std::size_t>(function)], arguments);
+}
+
+void Interpreter::Machine::push(Thread& thread, const LinkedCode::Callee& callee, int arguments) {
+    const FunctionCode& f = *callee.function;
     if (static_cast<int>(thread.calls.size()) >= limits_.callDepth) {
         fault("Too many nested function calls");
     }
@@ -19,7 +23,14 @@ void Interpreter::Machine::enter(Thread& thread, int function, int arguments) {
         thread.stack.resize(std::max(needed, thread.stack.size() * 2));
     }
     // Everything above the top is Unset, so the other locals are already.
-    thread.calls.push_back({&f, 0, base});
+    thread.calls.push_back({&f, callee.unit, 0, base});
+}
+
+// The next line of interpreter mode, called from where its builtin stands.
+void Interpreter::Machine::enterLine(Thread& thread) {
+    const Unit& unit = mode_.begin();
+    globals_.resize(std::max(globals_.size(), code_.globals.size()));
+    push(thread, {&unit.code->functions.front(), &unit}, 0);
 }
 
 // Back to the caller with the result; false when the thread has returned from its outermost function.
@@ -38,12 +49,17 @@ bool Interpreter::Machine::leave(Thread& thread, Value result) {
         return false;
     }
     thread.calls.pop_back();
-    thread.stack[thread.top++] = std::move(result);
+    if (done.unit->owned != nullptr && done.function == &done.unit->code->functions.front()) {
+        mode_.lineDone();  // its result is nobody's
+    } else {
+        thread.stack[thread.top++] = std::move(result);
+    }
     return true;
 }
 
-// True: go on; false: the thread waits, or its slice is used up.
-bool Interpreter::Machine::callBuiltin(Thread& thread, const Instruction& instruction) {
+// Wait: it is to be executed again, or the slice is used up.
+Interpreter::Machine::After Interpreter::Machine::callBuiltin(Thread& thread,
+                                                              const Instruction& instruction) {
     const Builtin& builtin = builtins()[static_cast<std::size_t>(instruction.b)];
     const std::size_t first = thread.top - instruction.a;
     Call call(context_, builtin, thread.id, std::span(thread.stack.data() + first, instruction.a));
@@ -53,6 +69,9 @@ bool Interpreter::Machine::callBuiltin(Thread& thread, const Instruction& instru
         call.waitedNs = (frame - thread.builtinSince) * context_.stepNs;
     }
     const Status status = builtin.function(call);
+    if (mode_.takeForget()) {
+        forgetLines();
+    }
     thread.operations -= 8 + call.cost;
     const bool secondary = program->kind() == ProgramKind::Secondary;
     if (secondary && (status == Status::Again || call.consumedNs > 0 || call.endFrame)) {
@@ -66,9 +85,14 @@ bool Interpreter::Machine::callBuiltin(Thread& thread, const Instruction& instru
         thread.builtinState = call.state;
         thread.state = Thread::State::Polling;
         --thread.calls.back().pc;
-        return false;
+        return After::Wait;
     }
     thread.again = false;
+    if (status == Status::Line) {
+        --thread.calls.back().pc;
+        enterLine(thread);
+        return After::Reload;
+    }
     for (std::size_t i = first; i < thread.top; ++i) {
         thread.stack[i].reset();
     }
@@ -78,7 +102,7 @@ bool Interpreter::Machine::callBuiltin(Thread& thread, const Instruction& instru
     if (call.endFrame) {
         thread.sliceNs = std::min<std::int64_t>(thread.sliceNs, 0);
     }
-    return thread.sliceNs > 0 && !stopRequested_;
+    return thread.sliceNs > 0 && !stopRequested_ ? After::GoOn : After::Wait;
 }
 
 }  // namespace tiller::simulator::urscript

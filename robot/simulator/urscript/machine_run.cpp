@@ -19,6 +19,8 @@ using Type = Value::Type;
 void Interpreter::Machine::execute(Thread& thread) {
     // Cached copies of what the innermost call works on; `reload` after anything that calls or returns.
     const FunctionCode* function = nullptr;
+    const Bytecode* unit = nullptr;
+    const Value* constants = nullptr;
     const Instruction* code = nullptr;
     Value* locals = nullptr;
     Value* sp = nullptr;  // one above the top
@@ -29,6 +31,8 @@ void Interpreter::Machine::execute(Thread& thread) {
     const auto reload = [&] {
         const CallFrame& call = thread.calls.back();
         function = call.function;
+        unit = call.unit->code;
+        constants = call.unit->constants.data();
         code = function->code.data();
         pc = call.pc;
         locals = thread.stack.data() + call.base;
@@ -50,12 +54,12 @@ void Interpreter::Machine::execute(Thread& thread) {
         if (--operations < 0) {
             save();
             settle();
-            fault(std::string(kTooMuchBehind) + ": infinite loop without sync or sleep");
+            throw Fault{std::string(kTooMuchBehind) + ": infinite loop without sync or sleep", true};
         }
         const Instruction instruction = code[pc++];
         switch (instruction.op) {
             case Op::PushConstant:
-                *sp++ = constants_[static_cast<std::size_t>(instruction.b)];
+                *sp++ = constants[instruction.b];
                 break;
             case Op::PushInt:
                 (sp++)->setInt(instruction.b);
@@ -110,7 +114,7 @@ void Interpreter::Machine::execute(Thread& thread) {
             case Op::StorePath:
                 save();
                 settle();
-                storePath(thread, code_.paths[static_cast<std::size_t>(instruction.b)]);
+                storePath(thread, unit->paths[static_cast<std::size_t>(instruction.b)]);
                 sp = thread.stack.data() + thread.top;
                 granted = operations = std::min(thread.operations, frameOperations_);
                 break;
@@ -202,7 +206,7 @@ void Interpreter::Machine::execute(Thread& thread) {
             case Op::MakeStruct: {
                 save();
                 settle();
-                const auto& names = code_.shapes[static_cast<std::size_t>(instruction.b)];
+                const auto& names = unit->shapes[static_cast<std::size_t>(instruction.b)];
                 StructData data;
                 Value* const values = sp - names.size();
                 for (std::size_t i = 0; i < names.size(); ++i) {
@@ -227,7 +231,7 @@ void Interpreter::Machine::execute(Thread& thread) {
                 (--sp)->reset();
                 break;
             case Op::Member: {
-                const std::string& name = constants_[static_cast<std::size_t>(instruction.b)].string();
+                const std::string& name = constants[instruction.b].string();
                 const Value* member = sp[-1].is(Type::Struct) ? sp[-1].structure().find(name) : nullptr;
                 if (member == nullptr) {
                     save();
@@ -286,16 +290,22 @@ void Interpreter::Machine::execute(Thread& thread) {
             case Op::CallBuiltin:
                 save();
                 settle();
-                if (!callBuiltin(thread, instruction)) {
-                    return;
+                switch (callBuiltin(thread, instruction)) {
+                    case After::Wait:
+                        return;
+                    case After::Reload:
+                        reload();
+                        break;
+                    case After::GoOn:
+                        sp = thread.stack.data() + thread.top;
+                        break;
                 }
-                sp = thread.stack.data() + thread.top;
                 granted = operations = std::min(thread.operations, frameOperations_);
                 break;
             case Op::CallMethod:
                 save();
                 settle();
-                callMethod(thread, code_.methods[static_cast<std::size_t>(instruction.b)]);
+                callMethod(thread, unit->methods[static_cast<std::size_t>(instruction.b)]);
                 sp = thread.stack.data() + thread.top;
                 granted = operations = std::min(thread.operations, frameOperations_);
                 break;
@@ -313,7 +323,7 @@ void Interpreter::Machine::execute(Thread& thread) {
             case Op::Throw:
                 save();
                 settle();
-                fault(constants_[static_cast<std::size_t>(instruction.b)].string());
+                fault(constants[instruction.b].string());
 
             case Op::Run:
                 save();
@@ -375,7 +385,7 @@ void Interpreter::Machine::execute(Thread& thread) {
                 thread.sliceNs = std::min<std::int64_t>(thread.sliceNs, 0);
                 return;
             case Op::Label: {
-                const auto& label = code_.labels[static_cast<std::size_t>(instruction.b)];
+                const auto& label = unit->labels[static_cast<std::size_t>(instruction.b)];
                 save();
                 settle();
                 host_.programLabel(label.number, label.text);

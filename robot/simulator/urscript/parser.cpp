@@ -28,6 +28,10 @@ void Parser::unit() {
         }
         return;
     }
+    statements();
+}
+
+void Parser::statements() {
     Function& raw = newFunction(FunctionKind::Raw, peek(), nullptr);
     raw.body = block(raw);
     if (peek().kind != TokenKind::End) {
@@ -223,7 +227,9 @@ void Parser::checkTarget(const Expr* target, const Token& at) const {
     }
 }
 
-ParseOutcome parse(std::string_view source) {
+namespace {
+
+ParseOutcome parseBy(void (Parser::*production)(), std::string_view source) {
     ParseOutcome out;
     LexOutcome lexed = tokenize(source);
     if (lexed.error) {
@@ -231,11 +237,21 @@ ParseOutcome parse(std::string_view source) {
         return out;
     }
     try {
-        Parser(source, lexed.tokens, out.tree).unit();
+        (Parser(source, lexed.tokens, out.tree).*production)();
     } catch (ParseFailure& failure) {
         out.error = std::move(failure.error);
     }
     return out;
+}
+
+}  // namespace
+
+ParseOutcome parse(std::string_view source) {
+    return parseBy(&Parser::unit, source);
+}
+
+ParseOutcome parseStatements(std::string_view source) {
+    return parseBy(&Parser::statements, source);
 }
 
 }  // namespace tiller::simulator::urscript

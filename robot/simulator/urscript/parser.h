@@ -24,5 +24,7 @@ struct ParseOutcome {
 
 /// `source` must outlive the tree.
 ParseOutcome parse(std::string_view source);
+/// The same for statements alone: a `def` in them is a function, not a program.
+ParseOutcome parseStatements(std::string_view source);
 
 }  // namespace tiller::simulator::urscript

@@ -143,6 +143,12 @@ Expr* Parser::primary() {
         }
         case TokenKind::LeftParen: {
             Expr* e = expression();
+            if (accept(TokenKind::Comma)) {
+                // "(x, y, z)", which python-urx sends for a list.
+                std::vector<Expr*> elements = items(TokenKind::RightParen);
+                elements.insert(elements.begin(), e);
+                return newExpr(ExprKind::ListLiteral, token, std::move(elements));
+            }
             expect(TokenKind::RightParen);
             return e;
         }

@@ -24,6 +24,7 @@ public:
         : source_(source), tokens_(tokens), tree_(tree) {}
 
     void unit();
+    void statements();
 
 private:
     // ---- tokens

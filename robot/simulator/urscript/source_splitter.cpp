@@ -87,7 +87,9 @@ LineShape shapeOf(std::string_view line) {
         const std::size_t length = static_cast<std::size_t>(wordEnd - shape.text.begin());
         shape.firstWord = keywordKind(shape.text.substr(0, length));
         const std::string_view rest = trimmed(shape.text.substr(length));
-        shape.command = shape.firstWord == TokenKind::Identifier && (rest.empty() || isLetter(rest[0]));
+        // "pause program" and "run program" begin with words of the language.
+        shape.command = rest == "program" ||
+                        (shape.firstWord == TokenKind::Identifier && (rest.empty() || isLetter(rest[0])));
     }
     return shape;
 }

@@ -182,6 +182,13 @@ public:
     void setAnalogDomain(AnalogPort, int, int) override { calls.push_back("domain"); }
     void setToolVoltage(int volts) override { calls.push_back("voltage " + std::to_string(volts)); }
     void setToolCommunication(const ToolCommunication&) override { calls.push_back("tool communication"); }
+    void setRunState(RuledOutput, int n, int state) override {
+        calls.push_back("run state " + std::to_string(n) + " " + std::to_string(state));
+    }
+    void setFreedriveInput(RuledInput, int n, bool freedrive) override {
+        calls.push_back("freedrive input " + std::to_string(n) + (freedrive ? " on" : " off"));
+    }
+    void resetInputActions() override { calls.push_back("input actions reset"); }
 
     // ---- sockets
     bool openSocket(std::string_view name, std::string_view, int port) override {

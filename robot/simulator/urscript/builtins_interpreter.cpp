@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// interpreter_mode() and what ends or clears it.
+
+#include "robot/simulator/urscript/builtin.h"
+#include "robot/simulator/urscript/interpreter_mode.h"
+
+namespace tiller::simulator::urscript {
+
+namespace {
+
+Status interpreterMode(Call& c) {
+    InterpreterMode& mode = *c.context().mode;
+    if (c.context().kind == ProgramKind::Secondary) {
+        fault(kTooMuchBehind);
+    }
+    if (c.thread != 0) {
+        fault("interpreter_mode: only the main thread may enter it");
+    }
+    if (mode.isInLine()) {
+        fault("interpreter_mode: it runs already");
+    }
+    switch (mode.proceed(c.boolean(0), c.boolean(1))) {
+        case InterpreterMode::Next::Line:
+            return Status::Line;
+        case InterpreterMode::Next::Nothing:
+            return Status::Again;
+        case InterpreterMode::Next::End:
+            break;
+    }
+    return Status::Done;
+}
+
+Status endInterpreter(Call& c) {
+    c.context().mode->requestEnd();
+    return Status::Done;
+}
+
+Status clearInterpreter(Call& c) {
+    c.context().mode->requestClear();
+    return Status::Done;
+}
+
+constexpr Since kSince{10, 0, false};
+
+constexpr BuiltinRow kRows[] = {
+    {"interpreter_mode(clearQueueOnEnter=True, clearOnEnd=True)", interpreterMode, kPlain, kSince},
+    {"end_interpreter()", endInterpreter, kPlain, kSince},
+    {"clear_interpreter()", clearInterpreter, kClearsInterpreter, kSince},
+};
+
+}  // namespace
+
+std::span<const BuiltinRow> interpreterBuiltins() {
+    return kRows;
+}
+
+}  // namespace tiller::simulator::urscript

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The named frames of PolyScope X: a tree under "world", in which "base", "flange" and "tcp" are always
+// there. Frames attached to the flange or the TCP go where the arm goes. Source: world model list of the
+// script directory; what it leaves open is said at each function.
+
+#include <Eigen/Geometry>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "robot/core/result.h"
+#include "robot/core/spatial.h"
+#include "robot/simulator/urscript/payload.h"
+
+namespace tiller::simulator::urscript {
+
+/// Where the arm is: T_base_flange and T_base_tcp.
+struct ArmFrames {
+    Pose flange, tcp;
+};
+
+/// Errors of all  ScriptError, naming the frame.
+class WorldModel {
+public:
+    static constexpr std::size_t kMostFrames = 1000;
+
+    /// name must be new. pose  relative to `ref`, which becomes the parent
+    Result<void> add(const std::string& name, const Pose& pose, const std::string& ref);
+    /// The child stays where it is. A loop is refused.
+    Result<void> attach(const std::string& child, const std::string& parent, const ArmFrames& arm);
+    /// pose  relative to `ref`; the parent stays.
+    Result<void> move(const std::string& name, const Pose& pose, const std::string& ref,
+                      const ArmFrames& arm);
+    /// What was attached to it goes to its parent and stays where it is.
+    Result<void> remove(const std::string& name, const ArmFrames& arm);
+    void clear() { frames_.clear(); }
+
+    bool contains(const std::string& name) const { return isFixed(name) || frames_.contains(name); }
+    Result<std::string> parentOf(const std::string& name) const;
+    Result<std::vector<std::string>> childrenOf(const std::string& name) const;
+    /// pose  in `from`; returns it in `to`.
+    Result<Pose> convert(const Pose& pose, const std::string& from, const std::string& to,
+                         const ArmFrames& arm) const;
+    /// Where `name` is, seen from `relative`, in the axes of `axes`.
+    Result<Pose> poseOf(const std::string& name, const std::string& relative, const std::string& axes,
+                        const ArmFrames& arm) const;
+
+    /// load  about the frame's origin and axes
+    Result<void> setMass(const std::string& name, const Payload& load);
+    /// The sum of what hangs on flange and TCP, in the flange frame.
+    Payload attachedPayload(const ArmFrames& arm) const;
+
+private:
+    struct Frame {
+        std::string parent;
+        Eigen::Isometry3d T_parent_frame = Eigen::Isometry3d::Identity();
+        std::optional<Payload> load;
+    };
+    static bool isFixed(std::string_view name);
+    std::optional<Eigen::Isometry3d> inBase(std::string_view name, const ArmFrames& arm) const;
+    bool hangsOn(std::string_view name, std::string_view ancestor) const;
+
+    std::map<std::string, Frame, std::less<>> frames_;
+};
+
+}  // namespace tiller::simulator::urscript
