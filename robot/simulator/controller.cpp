@@ -15,6 +15,7 @@
 #include "robot/realtime/thread_priority.h"
 #include "robot/simulator/plant.h"
 #include "robot/simulator/program_runner.h"
+#include "robot/simulator/script_host.h"
 #include "robot/simulator/servers/services.h"
 
 namespace tiller::simulator {
@@ -133,7 +134,7 @@ public:
     std::vector<Work> queue;
     bool accepting = false;
     bool stopping = false;
-    Ports ports{0, 0, 0, 0, 0, 0, 0, 0};
+    Ports ports{0, 0, 0, 0, 0, 0, 0, 0, 0};
     Truth truth;
     const RtdeServer* rtde = nullptr;  ///< of the running thread; its counters may be read by any
 
@@ -374,6 +375,9 @@ void Controller::pressHand(const Wrench& wrench) {
 }
 void Controller::setSpeedSlider(double fraction) {
     d_->post([fraction](Machine& machine) { machine.plant.setSpeedSlider(fraction); });
+}
+void Controller::answerRequest(const std::variant<bool, std::int32_t, double, std::string>& answer) {
+    d_->post([answer](Machine& machine) { machine.plant.scriptHost().answerRequest(answer); });
 }
 void Controller::silence(bool silent) {
     d_->post([silent](Machine& machine) { machine.silent = silent; });

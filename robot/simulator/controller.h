@@ -16,6 +16,8 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
+#include <variant>
 
 #include "robot/core/deadline.h"
 #include "robot/core/joints.h"
@@ -63,6 +65,7 @@ struct Ports {
     std::uint16_t primaryReadOnly = 30011;
     std::uint16_t secondaryReadOnly = 30012;
     std::uint16_t realtimeReadOnly = 30013;
+    std::uint16_t interpreter = 30020;  ///< 0 on software that has no interpreter mode
 };
 
 /// What the simulated robot is really doing, for tests that check what a client made of it.
@@ -139,6 +142,9 @@ public:
     /// A hand on the tool; zero lets go. wrench  [N, Nm] at the TCP, base frame
     void pressHand(const Wrench& wrench);
     void setSpeedSlider(double fraction);
+    /// Answers the oldest question of request_..._from_primary_client() with a value of its type: bool,
+    /// std::int32_t, double or std::string. Others are ignored.
+    void answerRequest(const std::variant<bool, std::int32_t, double, std::string>& answer);
     /// A mute controller: time goes on, nothing is sent, nothing is read, connections stay.
     void silence(bool silent);
     /// Ends every connection in good order, as a restarting controller does. Ports stay open.

@@ -94,7 +94,7 @@ void Plant::step() {
     reactToSafety();
     stepPower();
     stepWatchdogs();
-    host_->serviceSockets();
+    host_->beginPeriod();
     programs_->step();
     reactToSafety();  // a script may have asked for a protective stop
     arm_.setSpeedFraction(speedSlider_);

@@ -60,6 +60,7 @@ public:
     const ProgramRunner& programs() const { return *programs_; }
     Watchdogs& watchdogs() { return watchdogs_; }
     Popups& popups() { return popups_; }
+    ScriptHost& scriptHost() { return *host_; }
 
     // Requests that touch more than one part.
     void powerOn();

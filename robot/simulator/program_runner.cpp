@@ -161,6 +161,9 @@ void ProgramRunner::stepMain() {
     main_->runFrame();
     if (main_->ended()) {
         reportFailure(*main_);
+        if (main_->error() && main_->error()->overrun) {
+            plant_.safety().protectiveStop();  // the controller has lost its program
+        }
         ended_ = true;  // the period in which it ran still counts as playing
     }
 }
@@ -180,8 +183,10 @@ void ProgramRunner::stepSecondaries() {
 
 void ProgramRunner::reportFailure(const Interpreter& interpreter) {
     if (const auto& error = interpreter.error()) {
+        const bool secondary = interpreter.program().kind() == ProgramKind::Secondary;
         plant_.publish(
-            primary::runtimeException(plant_.timestampNs(), error->line, error->column, error->text));
+            primary::runtimeException(plant_.timestampNs(), error->line, error->column,
+                                      (secondary ? "SECONDARY_PROGRAM_EXCEPTION_XXX: " : "") + error->text));
     }
 }
 

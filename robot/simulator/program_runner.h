@@ -53,6 +53,8 @@ public:
     /// The main program came from a program file, not over a socket.
     bool isFileProgram() const { return isActive() && fromFile_; }
     std::uint32_t currentLine() const;
+    /// Of the main program; null when none runs.
+    urscript::InterpreterMode* interpreterMode() { return main_ && !ended_ ? &main_->mode() : nullptr; }
 
     void step();
 

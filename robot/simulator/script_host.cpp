@@ -120,9 +120,6 @@ void ScriptHost::setToolCommunication(const urscript::ToolCommunication& setting
 
 // ---- sockets --------------------------------------------------------------------------------------------
 
-void ScriptHost::serviceSockets() {
-    sockets_.service();
-}
 bool ScriptHost::openSocket(std::string_view name, std::string_view address, int port) {
     return sockets_.open(name, address, port);
 }
@@ -197,6 +194,7 @@ void ScriptHost::programEnded(urscript::ProgramKind kind) {
     }
     motions_.clear();
     plant_.popups().closeBlocking();
+    requests_.clear();
     plant_.arm().compliance().endForceMode();
     plant_.arm().compliance().endFreedrive();
     plant_.arm().abort(kProgramEndDeceleration);

@@ -3,15 +3,19 @@
 
 // What scripts reach of the simulated robot: the interpreter's Host over the plant. One object serves the
 // main program and secondary ones; the implementation is spread over script_host_motion.cpp (moves, force,
-// freedrive), script_host_state.cpp (readings, kinematics, set-up) and script_host.cpp (registers, pins,
+// freedrive), script_host_state.cpp (readings, kinematics, set-up), script_host_equipment.cpp (rules of
+// terminals, Modbus map, questions) and script_host.cpp (registers, pins,
 // sockets, messages, program).
 
+#include <array>
+#include <bitset>
 #include <map>
 #include <optional>
 #include <string>
 
 #include "robot/simulator/arm/arm.h"
 #include "robot/simulator/script_sockets.h"
+#include "robot/simulator/terminal_rules.h"
 #include "robot/simulator/urscript/host.h"
 
 namespace tiller::simulator {
@@ -24,7 +28,10 @@ public:
     ~ScriptHost() override;
 
     /// Once a control period, before the scripts run.
-    void serviceSockets();
+    void beginPeriod();
+    /// A person answers what a program asks for, the oldest question first. False when nothing is asked, or
+    /// something of another type.
+    bool answerRequest(const urscript::RequestAnswer& answer);
 
     // MotionHost
     Result<void> startMotion(urscript::ThreadId thread, const urscript::MotionCommand& command) override;
@@ -68,6 +75,9 @@ public:
     bool isWithinSafetyLimits(const urscript::MoveTarget& target) const override;
     Result<Matrix6> jacobian(const std::optional<JointPositions>& q,
                              const std::optional<Pose>& tcp) const override;
+    Result<Matrix6> jacobianTimeDerivative(const std::optional<JointPositions>& q,
+                                           const std::optional<JointVelocities>& qd,
+                                           const std::optional<Pose>& tcp) const override;
     Result<Matrix6> massMatrix(const std::optional<JointPositions>& q, bool includeRotors) const override;
     Result<JointTorques> coriolisTorques(const std::optional<JointPositions>& q,
                                          const std::optional<JointVelocities>& qd) const override;
@@ -79,6 +89,8 @@ public:
     Result<void> setPayload(const urscript::Payload& payload, double transition, bool zeroSensor) override;
     Eigen::Vector3d gravity() const override;
     Result<void> setGravity(const Eigen::Vector3d& gravity) override;
+    Eigen::Vector3d baseAcceleration() const override { return baseAcceleration_; }
+    Result<void> setBaseAcceleration(const Eigen::Vector3d& acceleration) override;
     void zeroForceSensor() override;
     Result<void> setExternalForceSensor(const urscript::ExternalForceSensor& sensor) override;
 
@@ -91,6 +103,10 @@ public:
     void setFloatOutput(int address, double value) override;
     bool flag(int number) const override;
     void setFlag(int number, bool value) override;
+    bool portBit(int address) const override;
+    void setPortBit(int address, bool value) override;
+    std::int16_t portRegister(int address) const override;
+    void setPortRegister(int address, std::int16_t value) override;
 
     // IoHost
     bool digitalInput(urscript::DigitalBank bank, int n) const override;
@@ -101,6 +117,9 @@ public:
     void setAnalogDomain(urscript::AnalogPort port, int n, int domain) override;
     void setToolVoltage(int volts) override;
     void setToolCommunication(const urscript::ToolCommunication& settings) override;
+    void setRunState(urscript::RuledOutput output, int number, int state) override;
+    void setFreedriveInput(urscript::RuledInput input, int number, bool freedrive) override;
+    void resetInputActions() override;
 
     // SocketHost
     bool openSocket(std::string_view name, std::string_view address, int port) override;
@@ -115,6 +134,8 @@ public:
     void programLabel(int number, std::string_view text) override;
     int showPopup(const urscript::Popup& popup) override;
     bool popupOpen(int id) const override;
+    Result<int> requestValue(urscript::RequestKind kind, std::string_view text) override;
+    std::optional<urscript::RequestAnswer> requestedValue(int id) override;
 
     // ProgramHost
     double stepTime() const override;
@@ -134,6 +155,18 @@ private:
     Plant& plant_;
     std::map<urscript::ThreadId, arm::MotionId> motions_;  ///< unfinished, by thread; 0: done at once
     ScriptSockets sockets_;
+    TerminalRules rules_;
+    bool wasRunning_ = false;
+    bool freedriveWanted_ = false;
+    Eigen::Vector3d baseAcceleration_ = Eigen::Vector3d::Zero();
+    std::bitset<kPorts> portBits_;
+    std::array<std::int16_t, kPorts> portRegisters_{};
+    struct Request {
+        urscript::RequestKind kind;
+        std::optional<urscript::RequestAnswer> answer;
+    };
+    std::map<int, Request> requests_;  ///< by id
+    int lastRequest_ = 0;
 };
 
 }  // namespace tiller::simulator

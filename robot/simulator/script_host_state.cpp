@@ -132,6 +132,18 @@ Result<Matrix6> ScriptHost::jacobian(const std::optional<JointPositions>& q,
     return kinematics::jacobian(dh(), q.value_or(state().actualQ), tcp.value_or(plant_.arm().tcp()));
 }
 
+Result<Matrix6> ScriptHost::jacobianTimeDerivative(const std::optional<JointPositions>& q,
+                                                   const std::optional<JointVelocities>& qd,
+                                                   const std::optional<Pose>& tcp) const {
+    constexpr double kStep = 1e-5;  // [s]; central differences, good to 1e-9
+    const Vector6 at = q.value_or(state().actualQ).values;
+    const Vector6 way = kStep * qd.value_or(state().actualQd).values;
+    const Pose tool = tcp.value_or(plant_.arm().tcp());
+    return Matrix6((kinematics::jacobian(dh(), JointPositions(at + way), tool) -
+                    kinematics::jacobian(dh(), JointPositions(at - way), tool)) /
+                   (2 * kStep));
+}
+
 Result<Matrix6> ScriptHost::massMatrix(const std::optional<JointPositions>& q, bool) const {
     return plant_.arm().massMatrix(q.value_or(state().actualQ));
 }
@@ -171,6 +183,12 @@ Eigen::Vector3d ScriptHost::gravity() const {
 
 Result<void> ScriptHost::setGravity(const Eigen::Vector3d& gravity) {
     plant_.arm().setGravity(gravity);
+    return {};
+}
+
+// Kept and given back: the simulated base stands still, whatever a program thinks.
+Result<void> ScriptHost::setBaseAcceleration(const Eigen::Vector3d& acceleration) {
+    baseAcceleration_ = acceleration;
     return {};
 }
 

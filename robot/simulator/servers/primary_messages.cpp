@@ -20,6 +20,7 @@ enum Kind : unsigned {
     SafetyModeChange = 5,
     Error = 6,
     Key = 7,
+    RequestValue = 9,
     Exception = 10
 };
 
@@ -90,6 +91,11 @@ Bytes runtimeException(std::uint64_t timestampNs, std::int32_t line, std::int32_
 Bytes safetyMode(std::uint64_t timestampNs, tiller::SafetyMode mode) {
     return message(timestampNs, RealTimeMachine, SafetyModeChange,
                    [&](ByteWriter& out) { out.i32(0).i32(0).u8(static_cast<unsigned>(mode)).u32(1).u32(0); });
+}
+
+Bytes requestValue(std::uint64_t timestampNs, std::uint32_t id, std::uint32_t kind, std::string_view words) {
+    return message(timestampNs, RobotInterface, RequestValue,
+                   [&](ByteWriter& out) { out.u32(id).u32(kind).text(bounded(words)); });
 }
 
 Bytes popup(std::uint64_t timestampNs, const PopupMessage& popup) {

@@ -43,6 +43,8 @@ struct PopupMessage {
     bool warning = false, error = false, blocking = false;
     std::string title, text;
 };
+/// kind  requestedType: 0 boolean, 1 integer, 2 float, 3 string
+Bytes requestValue(std::uint64_t timestampNs, std::uint32_t id, std::uint32_t kind, std::string_view text);
 Bytes popup(std::uint64_t timestampNs, const PopupMessage& popup);
 
 }  // namespace tiller::simulator::primary

@@ -15,6 +15,7 @@ Services::Services(Plant& plant)
     , realtime_(plant, true)
     , realtimeReadOnly_(plant, false)
     , rtde_(plant)
+    , interpreter_(plant)
     , all_{{&dashboard_, &Ports::dashboard, "dashboard"},
            {&primary_, &Ports::primary, "primary"},
            {&secondary_, &Ports::secondary, "secondary"},
@@ -22,7 +23,13 @@ Services::Services(Plant& plant)
            {&rtde_, &Ports::rtde, "RTDE"},
            {&primaryReadOnly_, &Ports::primaryReadOnly, "read-only primary"},
            {&secondaryReadOnly_, &Ports::secondaryReadOnly, "read-only secondary"},
-           {&realtimeReadOnly_, &Ports::realtimeReadOnly, "read-only realtime"}} {}
+           {&realtimeReadOnly_, &Ports::realtimeReadOnly, "read-only realtime"},
+           {&interpreter_, &Ports::interpreter, "interpreter"}} {}
+
+bool Services::exists(const Entry& entry) const {
+    const SoftwareVersion& software = plant_.options().software;
+    return entry.server != &interpreter_ || software >= SoftwareVersion{5, 10};
+}
 
 Result<void> Services::open(const ControllerOptions& options) {
     const QHostAddress address(options.listenAddress);
@@ -33,6 +40,9 @@ Result<void> Services::open(const ControllerOptions& options) {
     }
     const Ports standard;
     for (const Entry& entry : all_) {
+        if (!exists(entry)) {
+            continue;
+        }
         const int wanted = options.anyFreePorts ? 0 : standard.*entry.port + options.portOffset;
         if (wanted < 0 || wanted > 65535) {
             close();
@@ -95,6 +105,7 @@ void Services::closeScriptClients() {
     primary_.closeClients();
     secondary_.closeClients();
     realtime_.closeClients();
+    interpreter_.closeClients();
 }
 
 }  // namespace tiller::simulator

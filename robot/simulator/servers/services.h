@@ -5,6 +5,7 @@
 
 #include "robot/simulator/controller.h"
 #include "robot/simulator/servers/dashboard_server.h"
+#include "robot/simulator/servers/interpreter_server.h"
 #include "robot/simulator/servers/primary_server.h"
 #include "robot/simulator/servers/realtime_server.h"
 #include "robot/simulator/servers/rtde_server.h"
@@ -37,13 +38,16 @@ private:
         std::uint16_t Ports::*port;
         const char* name;
     };
-    static constexpr std::size_t kCount = 8;
+    /// Of the simulated software.
+    bool exists(const Entry& entry) const;
+    static constexpr std::size_t kCount = 9;
 
     Plant& plant_;
     DashboardServer dashboard_;
     PrimaryServer primary_, secondary_, primaryReadOnly_, secondaryReadOnly_;
     RealtimeServer realtime_, realtimeReadOnly_;
     RtdeServer rtde_;
+    InterpreterServer interpreter_;
     Entry all_[kCount];
 };
 

@@ -133,6 +133,80 @@ private Q_SLOTS:
         QVERIFY(std::abs(plant.arm().state().actualQ[0] - -1.5) < 1e-3);
     }
 
+    void aRefusedProgramLeavesTheRunningOneAlone_data() {
+        QTest::addColumn<QString>("text");
+        QTest::newRow("syntax") << "def p(:\nend\n";
+        QTest::newRow("unknown name") << "def p():\n  nosuch()\nend\n";
+        QTest::newRow("no end") << "def p():\n  x = 1\n";
+        QTest::newRow("statement") << "movej([0,0,0,0,0,0]\n";
+    }
+    void aRefusedProgramLeavesTheRunningOneAlone() {
+        QFETCH(QString, text);
+        Plant plant(running());
+        submit(plant,
+               "def p():\n  i = 0\n  while True:\n    i = i + 1\n    write_output_integer_register(0, i)\n"
+               "    sync()\n  end\nend\n");
+        steps(plant, 5);
+        submit(plant, text.toUtf8().constData());
+        const std::int32_t count = plant.registers().output.ints[0];
+        steps(plant, 50);
+        QCOMPARE(plant.programs().state(), RuntimeState::Playing);
+        QCOMPARE(plant.registers().output.ints[0], count + 50);
+    }
+
+    void aProgramRefusedBySafetyLeavesThePausedOneAlone() {
+        Plant plant(running());
+        submit(plant, kEndless);
+        steps(plant, 5);
+        plant.safety().protectiveStop();
+        steps(plant, 100);
+        QVERIFY(plant.programs().isPaused());
+        submit(plant, "def q():\n  set_standard_digital_out(0, True)\nend\n");
+        steps(plant, 10);
+        QVERIFY(plant.programs().isPaused());
+        QCOMPARE(plant.pins().digitalOutputs, 0ULL);
+    }
+
+    void aProgramSentBeforePowerOnGoesOnThroughIt() {
+        simulator::ControllerOptions options;
+        options.fastTransitions = true;
+        Plant plant(options);
+        QCOMPARE(plant.telemetry().robotMode, RobotMode::PowerOff);
+        submit(plant, kEndless);
+        steps(plant, 5);
+        QCOMPARE(plant.programs().state(), RuntimeState::Playing);
+        plant.powerOn();
+        for (int i = 0; i < 5000 && plant.telemetry().robotMode != RobotMode::Idle; ++i) {
+            plant.step();
+        }
+        QCOMPARE(plant.telemetry().robotMode, RobotMode::Idle);
+        QCOMPARE(plant.programs().state(), RuntimeState::Playing);
+        plant.releaseBrakes();
+        for (int i = 0; i < 5000 && plant.telemetry().robotMode != RobotMode::Running; ++i) {
+            plant.step();
+        }
+        QCOMPARE(plant.programs().state(), RuntimeState::Playing);
+    }
+
+    void pauseAndRunProgramAreUnderstoodOnTheScriptPorts() {
+        Plant plant(running());
+        simulator::urscript::SourceSplitter splitter;
+        const auto feed = [&](const char* text) {
+            splitter.feed(text);
+            while (const auto unit = splitter.next()) {
+                plant.programs().submit(*unit);
+            }
+        };
+        feed(kEndless);
+        steps(plant, 5);
+        feed("pause program\n");
+        steps(plant, 300);
+        QVERIFY(plant.programs().isPaused());
+        feed("run program\n");
+        steps(plant, 300);
+        QCOMPARE(plant.programs().state(), RuntimeState::Playing);
+    }
+
     void registersAndOutputsSurviveTheProgram() {
         Plant plant(running());
         submit(plant, "def p():\n  write_output_float_register(3, 1.5)\n  set_tool_voltage(24)\nend\n");
