@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Any lines to a program in interpreter mode, with commands and frames in between: whatever they define,
+// call, clear and skip, nothing may crash, hang or read what is no longer there.
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "robot/simulator/urscript/interpreter.h"
+#include "robot/simulator/urscript/interpreter_mode.h"
+#include "tests/unit/urscript/fake_host.h"
+
+using namespace tiller::simulator::urscript;
+
+namespace {
+
+const char* const kProgram =
+    "def host():\n global shared = [1, 2]\n def twice(x, by=2): return x * by end\n"
+    " thread counter():\n while True:\n shared[0] = shared[0] + 1\n sync()\n end\n end\n"
+    " while True:\n interpreter_mode(True, False)\n sync()\n end\nend\n";
+
+void require(bool condition) {
+    if (!condition) {
+        std::abort();
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const CompileOutcome program = compile(kProgram);
+    FakeHost host;
+    host.moveFrames = 2;
+    host.popupAnswered = true;
+    Limits limits;
+    limits.threadOperationsPerFrame = 5000;
+    limits.frameOperations = 20000;
+    limits.callDepth = 50;
+    limits.threads = 8;
+    limits.listLength = 500;
+    Interpreter interpreter(program.program, host, limits);
+    interpreter.runFrame();
+    InterpreterMode& mode = interpreter.mode();
+
+    std::string_view text(reinterpret_cast<const char*>(data), size);
+    std::uint32_t acknowledged = 0;
+    while (!text.empty() && !interpreter.ended()) {
+        const std::size_t newline = std::min(text.find('\n'), text.size());
+        const std::string_view line = text.substr(0, newline);
+        text.remove_prefix(std::min(newline + 1, text.size()));
+        // A line of one byte is something else than a statement.
+        if (line == "s") {
+            mode.skip();
+        } else if (line == "a") {
+            mode.abortMove();
+        } else if (line.size() <= 1) {
+            interpreter.runFrame();
+            interpreter.resume();
+        } else {
+            const InterpreterMode::Reply reply = mode.submit(line);
+            switch (reply.kind) {
+                case InterpreterMode::Reply::Kind::Ack:
+                    require(reply.id == ++acknowledged);
+                    break;
+                case InterpreterMode::Reply::Kind::Discard:
+                    require(!reply.reason.empty());
+                    break;
+                case InterpreterMode::Reply::Kind::Wait:
+                    interpreter.runFrame();
+                    break;
+            }
+        }
+        const InterpreterMode::Counts& counts = mode.counts();
+        require(counts.lastExecuted <= counts.lastInterpreted && counts.lastInterpreted == acknowledged &&
+                counts.lastCleared <= counts.lastInterpreted && counts.unexecuted <= acknowledged);
+        host.messages.clear();
+        host.motions.clear();
+        host.calls.clear();
+        host.popups.clear();
+    }
+    for (int frame = 0; frame < 5; ++frame) {
+        interpreter.runFrame();
+        interpreter.resume();
+    }
+    return 0;
+}
