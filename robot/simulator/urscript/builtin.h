@@ -23,6 +23,7 @@ struct Fault {
     bool overrun = false;  ///< a thread would not let go
 };
 [[noreturn]] void fault(std::string text);
+[[noreturn]] void fault(const Error& error);
 
 struct Builtin;
 enum class Status {
@@ -32,6 +33,7 @@ enum class Status {
 };
 
 class InterpreterMode;
+class RemoteCalls;
 
 /// What all calls of a program share.
 struct CallContext {
@@ -41,6 +43,7 @@ struct CallContext {
     std::int64_t stepNs = 2'000'000;  ///< length of a frame
     std::uint64_t random = 1;         ///< generator state
     InterpreterMode* mode = nullptr;
+    RemoteCalls* remote = nullptr;
     ThreadId motionOwner = -1;  ///< whose motion command is unfinished
     bool abortable = false;     ///< that command is a movej or movel
     int motionVersion = 1;      ///< remembered for motion_version_get
@@ -124,7 +127,6 @@ Status setting(Call& c);
 Value jointList(const Vector6& values);
 
 /// The fault text of a host's Error.
-[[noreturn]] void fault(const Error& error);
 
 using BuiltinFunction = Status (*)(Call&);
 
@@ -196,6 +198,7 @@ std::span<const BuiltinRow> registerBuiltins();
 std::span<const BuiltinRow> ioBuiltins();
 std::span<const BuiltinRow> worldBuiltins();
 std::span<const BuiltinRow> interpreterBuiltins();
+std::span<const BuiltinRow> rpcBuiltins();
 std::span<const BuiltinRow> absentBuiltins();
 
 }  // namespace tiller::simulator::urscript

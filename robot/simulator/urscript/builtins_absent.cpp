@@ -11,7 +11,6 @@ constexpr const char* kModbus = "a Modbus device";
 constexpr const char* kEuromap = "a Euromap67 interface";
 constexpr const char* kEtherNetIp = "an EtherNet/IP scanner";
 constexpr const char* kRos = "a ROS network";
-constexpr const char* kRpc = "an XML-RPC server";
 
 constexpr BuiltinRow kRows[] = {
     {"modbus_add_signal(IP, slave_number, signal_address, signal_type, signal_name, sequential_mode=False)",
@@ -45,7 +44,6 @@ constexpr BuiltinRow kRows[] = {
     {"modbus_get_time_since_signal_invalid(signal_name)", absent, kPlain, {}, kModbus},
     {"modbus_reset_connection(connection_id, is_blocking=True)", absent, kPlain, {}, kModbus},
     {"modbus_set_signal_watchdog(signal_name, new_timeout_in_sec)", absent, kPlain, {}, kModbus},
-    {"rpc_factory(type, url)", absent, kPlain, {}, kRpc},
     {"get_euromap_input(port_number)", absent, kPlain, {}, kEuromap},
     {"get_euromap_output(port_number)", absent, kPlain, {}, kEuromap},
     {"set_euromap_output(port_number, signal_value)", absent, kPlain, {}, kEuromap},

@@ -13,7 +13,8 @@ Interpreter::Machine::Machine(std::shared_ptr<const Program> p, Host& host, cons
     , limits_(limits)
     , code_(program->code())
     , mode_(code_)
-    , context_{host, limits_, program->kind(), 0, limits.randomSeed, &mode_} {
+    , remote_(host)
+    , context_{host, limits_, program->kind(), 0, limits.randomSeed, &mode_, &remote_} {
     context_.stepNs = std::llround(host.stepTime() * 1e9);
     globals_.resize(code_.globals.size());
     start(0, -1);

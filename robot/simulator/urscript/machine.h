@@ -12,6 +12,7 @@
 #include "robot/simulator/urscript/interpreter.h"
 #include "robot/simulator/urscript/interpreter_mode.h"
 #include "robot/simulator/urscript/linked_code.h"
+#include "robot/simulator/urscript/remote_calls.h"
 
 namespace tiller::simulator::urscript {
 
@@ -99,7 +100,10 @@ private:
     Value& variable(Thread& thread, const Path& path);
     Value& descend(Value& root, const Path& path, std::size_t steps, const Value*& indices) const;
     void storePath(Thread& thread, const Path& path);
-    void callMethod(Thread& thread, const MethodCall& call);
+    bool callMethod(Thread& thread, const MethodCall& call);
+    // machine_remote.cpp
+    bool callRemote(Thread& thread, std::int32_t handle, const MethodCall& call,
+                    std::span<const Value> arguments, Value& result);
     Value applyMethod(Value& object, const MethodCall& call, const Value* arguments) const;
     void checkBounds(const Value& root) const;
 
@@ -107,6 +111,7 @@ private:
     const Limits limits_;
     LinkedCode code_;
     InterpreterMode mode_;
+    RemoteCalls remote_;
     CallContext context_;
     std::vector<Value> globals_;
     std::vector<std::unique_ptr<Thread>> threads_;

@@ -305,7 +305,9 @@ void Interpreter::Machine::execute(Thread& thread) {
             case Op::CallMethod:
                 save();
                 settle();
-                callMethod(thread, unit->methods[static_cast<std::size_t>(instruction.b)]);
+                if (!callMethod(thread, unit->methods[static_cast<std::size_t>(instruction.b)])) {
+                    return;
+                }
                 sp = thread.stack.data() + thread.top;
                 granted = operations = std::min(thread.operations, frameOperations_);
                 break;

@@ -33,6 +33,10 @@ int family(const Value& v) {
     }
 }
 
+bool isRemote(const Value& v) {
+    return v.is(Type::Struct) && v.structure().handle != 0;
+}
+
 }  // namespace
 
 void Interpreter::Machine::store(Value& variable, Value v, const std::string& name) const {
@@ -137,7 +141,8 @@ void Interpreter::Machine::storePath(Thread& thread, const Path& path) {
     thread.top -= static_cast<std::size_t>(end - first);
 }
 
-void Interpreter::Machine::callMethod(Thread& thread, const MethodCall& call) {
+// False: the thread waits for the result.
+bool Interpreter::Machine::callMethod(Thread& thread, const MethodCall& call) {
     Value* const end = thread.stack.data() + thread.top;
     Value* const arguments = end - call.arguments;
     Value* first = arguments;
@@ -147,20 +152,34 @@ void Interpreter::Machine::callMethod(Thread& thread, const MethodCall& call) {
         first = arguments - call.path.indexValues;
         const Value* indices = first;
         Value& object = descend(root, call.path, call.path.steps.size(), indices);
-        result = applyMethod(object, call, arguments);
-        if (call.arguments > 0 && end[-1].nested()) {
+        if (isRemote(object)) {
+            const std::int32_t handle = object.structure().handle;
+            if (!callRemote(thread, handle, call, {arguments, end}, result)) {
+                return false;
+            }
+        } else {
+            result = applyMethod(object, call, arguments);
+        }
+        if (call.arguments > 0 && end[-1].nested() && !isRemote(object)) {
             checkBounds(root);
         }
         thread.operations -= object.is(Type::List) ? static_cast<std::int64_t>(object.list().size() / 32) : 1;
     } else {
         --first;
-        result = applyMethod(*first, call, arguments);
+        if (isRemote(*first)) {
+            if (!callRemote(thread, first->structure().handle, call, {arguments, end}, result)) {
+                return false;
+            }
+        } else {
+            result = applyMethod(*first, call, arguments);
+        }
     }
     for (Value* v = first; v != end; ++v) {
         v->reset();
     }
     *first = std::move(result);
     thread.top = static_cast<std::size_t>(first - thread.stack.data()) + 1;
+    return true;
 }
 
 Value Interpreter::Machine::applyMethod(Value& object, const MethodCall& call, const Value* arguments) const {

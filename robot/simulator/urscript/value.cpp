@@ -199,7 +199,7 @@ bool Value::equals(const Value& other) const {
         case Type::Struct: {
             const auto& a = structure().members;
             const auto& b = other.structure().members;
-            return a.size() == b.size() &&
+            return a.size() == b.size() && structure().handle == other.structure().handle &&
                    std::equal(a.begin(), a.end(), b.begin(), [](const auto& x, const auto& y) {
                        return x.first == y.first && x.second.equals(y.second);
                    });

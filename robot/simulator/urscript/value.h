@@ -215,6 +215,7 @@ struct MatrixData {
 
 struct StructData {
     std::uint32_t count = 1;
+    std::int32_t handle = 0;  ///< of a remote object, whose methods are calls; 0: plain
     std::vector<std::pair<std::string, Value>> members;
     Value* find(std::string_view name);
     const Value* find(std::string_view name) const;

@@ -203,8 +203,8 @@ private Q_SLOTS:
         row("get_inverse_kin(p[1,2,3,0,0,0], qnear=[0,0,0,0,0,0])[2]", "3");
         row("get_forward_kin([1,2,3,4,5,6], tcp=p[0,0,0,0,0,0])[5]", "6");
         row("get_rtde_value(\"actual_q\")", "error: get_rtde_value is not simulated");
-        row("rpc_factory(\"xmlrpc\", \"http://127.0.0.1\")",
-            "error: rpc_factory needs an XML-RPC server, which is not simulated");
+        row("get_euromap_input(3)",
+            "error: get_euromap_input needs a Euromap67 interface, which is not simulated");
         row("motion_version_get()", "1");
         row("read_input_integer_register(48)",
             "error: Range error: read_input_integer_register argument 'address' is 48, allowed is 0 to 47");

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// rpc_factory(): what it gives is called by its methods, see machine_remote.cpp.
+
+#include "robot/simulator/urscript/builtin.h"
+#include "robot/simulator/urscript/remote_calls.h"
+
+namespace tiller::simulator::urscript {
+
+namespace {
+
+Status rpcFactory(Call& c) {
+    RemoteCalls& remote = *c.context().remote;
+    if (c.first) {
+        if (c.string(0) != "xmlrpc") {
+            fault("rpc_factory: type must be \"xmlrpc\"");
+        }
+        const Result<std::int32_t> handle = remote.open(c.string(1));
+        if (!handle.ok()) {
+            fault(handle.error());
+        }
+        c.state = *handle;
+        return Status::Again;
+    }
+    const auto handle = static_cast<std::int32_t>(c.state);
+    const Result<bool> opened = remote.opened(handle);
+    if (!opened.ok()) {
+        fault(opened.error());
+    }
+    if (!*opened) {
+        return Status::Again;
+    }
+    StructData data;
+    data.handle = handle;
+    c.result = Value::structure(std::move(data));
+    return Status::Done;
+}
+
+constexpr BuiltinRow kRows[] = {
+    {"rpc_factory(type, url)", rpcFactory},
+};
+
+}  // namespace
+
+std::span<const BuiltinRow> rpcBuiltins() {
+    return kRows;
+}
+
+}  // namespace tiller::simulator::urscript

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// XML-RPC as URScript speaks it: values in XML, HTTP around them. A pose is a struct of x, y, z, rx, ry, rz.
+// Source: xmlrpc.com specification; URScript rpc_factory.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "robot/core/result.h"
+#include "robot/simulator/urscript/value.h"
+
+namespace tiller::simulator::urscript::xml_rpc {
+
+/// Where a server listens.
+struct Address {
+    std::string host;
+    int port = 80;
+    std::string path;
+};
+/// "http://127.0.0.1:8000/RPC2". Nothing when it is no such address.
+std::optional<Address> parseAddress(std::string_view url);
+
+/// A whole HTTP request that calls `method`.
+/// Errors  ScriptError for a value that has no form in XML-RPC (infinite, None)
+Result<std::string> request(const Address& address, std::string_view method,
+                            std::span<const Value> arguments);
+
+/// What the server replied, or nothing while more has to come. ended  the connection is over: no more comes
+/// Errors  ScriptError: HTTP status, malformed reply, fault of the server
+Result<std::optional<Value>> reply(std::string_view received, bool ended);
+
+}  // namespace tiller::simulator::urscript::xml_rpc
