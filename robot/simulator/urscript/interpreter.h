@@ -2,8 +2,8 @@
 #pragma once
 
 // Runs one program, one controller frame at a time. Within a frame every script thread runs until it blocks,
-// ends or has used its time slice; between frames nothing runs. The order is deterministic: main body first,
-// then threads by age, a thread started in a frame still runs in it.
+// ends or has used its time slice; between frames nothing runs. The order is deterministic: the thread with
+// most of its slice left first, among equals the eldest; a thread started in a frame still runs in it.
 //
 // Host side protocol: each control period call runFrame() once, then step the arm. The destructor and stop()
 // end the program and tell the host.

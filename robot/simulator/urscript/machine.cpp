@@ -37,15 +37,12 @@ Interpreter::State Interpreter::Machine::runFrame() {
     beginFrame();
     // Cooperative: a thread runs until it blocks, so nothing else runs between two of its statements,
     // critical section or not, and everything else runs while it waits, critical section or not.
-    for (bool progress = true; progress && !over_;) {
-        progress = false;
-        for (std::size_t i = 0; i < threads_.size() && !over_; ++i) {
-            Thread& thread = *threads_[i];
-            if (runnable(thread)) {
-                progress = true;
-                run(thread);
-            }
+    while (!over_) {
+        Thread* const thread = next();
+        if (thread == nullptr) {
+            break;
         }
+        run(*thread);
         removeEnded();
     }
     if (!over_ && program->kind() == ProgramKind::Secondary) {
@@ -109,6 +106,17 @@ bool Interpreter::Machine::runnable(const Thread& thread) const {
     }
     return thread.state == Thread::State::Ready ||
            (thread.state == Thread::State::Joining && find(thread.joined) == nullptr);
+}
+
+// Who has most of the frame left; among equals the eldest.
+Interpreter::Machine::Thread* Interpreter::Machine::next() const {
+    Thread* best = nullptr;
+    for (const auto& thread : threads_) {
+        if ((best == nullptr || thread->sliceNs > best->sliceNs) && runnable(*thread)) {
+            best = thread.get();
+        }
+    }
+    return best;
 }
 
 void Interpreter::Machine::run(Thread& thread) {

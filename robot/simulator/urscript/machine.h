@@ -72,6 +72,7 @@ private:
     void abortMove();
     void forgetLines();
     bool runnable(const Thread& thread) const;
+    Thread* next() const;
     void removeEnded();
     Thread& start(int function, ThreadId parent);
     Thread* find(ThreadId id) const;

@@ -102,7 +102,8 @@ Interpreter::Machine::After Interpreter::Machine::callBuiltin(Thread& thread,
     if (call.endFrame) {
         thread.sliceNs = std::min<std::int64_t>(thread.sliceNs, 0);
     }
-    return thread.sliceNs > 0 && !stopRequested_ ? After::GoOn : After::Wait;
+    // Whoever has used some of its time lets those go first who have more left.
+    return thread.sliceNs > 0 && call.consumedNs == 0 && !stopRequested_ ? After::GoOn : After::Wait;
 }
 
 }  // namespace tiller::simulator::urscript

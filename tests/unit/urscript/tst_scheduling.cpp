@@ -44,6 +44,17 @@ private Q_SLOTS:
         run.frames(1);
         QCOMPARE(run.value("x"), "1");
     }
+    void whoHasMostOfTheFrameLeftRunsFirst() {
+        // The main body has used half of its slice when the thread has all of its own.
+        ScriptRun run(
+            "def m():\n order = \"\"\n thread t():\n order = order + \"t\"\n sync()\n order = order + \"t\"\n"
+            " end\n h = run t()\n sleep(0.001)\n order = order + \"m\"\n sleep(0.002)\n"
+            " order = order + \"m\"\nend\n");
+        run.frames(1);
+        QCOMPARE(run.value("order"), "tm");
+        run.frames(2);
+        QCOMPARE(run.value("order"), "tmtm");
+    }
     void aLoopThatTakesNoTimeIsAnError() {
         ScriptRun run("def m():\n  while True:\n    x = 1\n  end\nend\n");
         QCOMPARE(run.frames(1), State::Failed);
