@@ -24,7 +24,9 @@ struct Pins {
     std::array<unsigned, 2> analogOutputDomains{0, 0};
     std::array<double, 2> toolAnalogInputs{};
     std::array<unsigned, 2> toolAnalogDomains{1, 1};
-    int toolVoltage = 0;  ///< [V] 0, 12, 24
+    int toolVoltage = 0;                              ///< [V] 0, 12, 24
+    int toolOutputMode = 0;                           ///< 0 digital outputs, 1 dual-pin power
+    std::array<int, 2> toolDigitalOutputModes{1, 1};  ///< 1 NPN, 2 PNP, 3 push-pull
 
     struct ToolCommunication {
         bool enabled = false;

@@ -118,6 +118,13 @@ void ScriptHost::setToolCommunication(const urscript::ToolCommunication& setting
                                        settings.stopBits, settings.rxIdleChars, settings.txIdleChars};
 }
 
+void ScriptHost::setToolOutputMode(int mode) {
+    plant_.pins().toolOutputMode = mode;
+}
+void ScriptHost::setToolDigitalOutputMode(int n, int mode) {
+    plant_.pins().toolDigitalOutputModes[at(n)] = mode;
+}
+
 // ---- sockets --------------------------------------------------------------------------------------------
 
 bool ScriptHost::openSocket(std::string_view name, std::string_view address, int port) {

@@ -117,6 +117,8 @@ public:
     void setAnalogDomain(urscript::AnalogPort port, int n, int domain) override;
     void setToolVoltage(int volts) override;
     void setToolCommunication(const urscript::ToolCommunication& settings) override;
+    void setToolOutputMode(int mode) override;
+    void setToolDigitalOutputMode(int n, int mode) override;
     void setRunState(urscript::RuledOutput output, int number, int state) override;
     void setFreedriveInput(urscript::RuledInput input, int number, bool freedrive) override;
     void resetInputActions() override;

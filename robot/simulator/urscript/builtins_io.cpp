@@ -105,6 +105,15 @@ Status setToolCommunication(Call& c) {
     return Status::Done;
 }
 
+Status setToolOutputMode(Call& c) {
+    c.host.setToolOutputMode(c.integerIn(0, 0, 1));
+    return Status::Done;
+}
+Status setToolDigitalOutputMode(Call& c) {
+    c.host.setToolDigitalOutputMode(c.integerIn(0, 0, 1), c.integerIn(1, 1, 3));
+    return Status::Done;
+}
+
 template <RuledInput input, int last>
 Status inputAction(Call& c) {
     const std::string& action = c.string(1);
@@ -154,8 +163,8 @@ constexpr BuiltinRow kRows[] = {
      setToolCommunication,
      kPlain,
      {0, 0, false}},
-    {"set_tool_digital_output_mode(n, mode)", setting},
-    {"set_tool_output_mode(mode)", setting},
+    {"set_tool_digital_output_mode(n, mode)", setToolDigitalOutputMode},
+    {"set_tool_output_mode(mode)", setToolOutputMode},
     {"set_runstate_standard_digital_output_to_value(outputId, state)", runState<RuledOutput::Standard, 7>},
     {"set_runstate_configurable_digital_output_to_value(outputId, state)",
      runState<RuledOutput::Configurable, 7>},

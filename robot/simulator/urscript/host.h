@@ -318,6 +318,8 @@ public:
     virtual void setAnalogDomain(AnalogPort, int n, int domain) = 0;  ///< 0: 4-20 mA, 1: 0-10 V
     virtual void setToolVoltage(int volts) = 0;                       ///< 0, 12 or 24
     virtual void setToolCommunication(const ToolCommunication& settings) = 0;
+    virtual void setToolOutputMode(int mode) = 0;                ///< 0 digital outputs, 1 dual-pin power
+    virtual void setToolDigitalOutputMode(int n, int mode) = 0;  ///< 1 NPN, 2 PNP, 3 push-pull
     /// state  0 keep, 1 low when no program runs, 2 high then, 3 high only while one runs
     virtual void setRunState(RuledOutput, int number, int state) = 0;
     virtual void setFreedriveInput(RuledInput, int number, bool freedrive) = 0;

@@ -3,6 +3,8 @@
 // What programs reach beside arm and registers: named frames, rules of terminals, the Modbus map, values
 // asked of people, estimates of the payload, software versions.
 
+#include <QTcpServer>
+#include <QTcpSocket>
 #include <QTest>
 
 #include "robot/simulator/plant.h"
@@ -188,6 +190,16 @@ private Q_SLOTS:
         robot.steps(5);
         QVERIFY(!robot.plant.arm().compliance().isFreedrive());
     }
+    void theToolOutputsHaveTheirModes() {
+        Robot robot;
+        QCOMPARE(robot.told("set_tool_output_mode(1)\nset_tool_digital_output_mode(1, 3)\nsync()\n"
+                            "textmsg(get_rtde_value(\"tool_output_mode\"))\n"
+                            "textmsg(get_rtde_value(\"tool_digital_output0_mode\"))\n"
+                            "textmsg(get_rtde_value(\"tool_digital_output1_mode\"))"),
+                 (QByteArrayList{"1", "1", "3"}));
+        robot.told("set_tool_output_mode(2)");
+        QVERIFY(robot.error().startsWith("Range error"));
+    }
     void theModbusMapKeepsItsValues() {
         Robot robot;
         robot.told("write_port_bit(7, True)\nwrite_port_register(130, 65535)\nwrite_port_register(131, -5)");
@@ -222,6 +234,39 @@ private Q_SLOTS:
         QCOMPARE(robot.bodies(0), (QByteArrayList{"8", "me", "True", "0.25"}));
         QCOMPARE(robot.plant.programs().state(), RuntimeState::Stopped);
         QVERIFY(!robot.plant.scriptHost().answerRequest(true));  // nothing is asked any more
+    }
+
+    // ---- other programs
+    void aProgramCallsAnXmlRpcServer() {
+        QTcpServer server;
+        QVERIFY(server.listen(QHostAddress::LocalHost));
+        QByteArrayList requests;
+        connect(&server, &QTcpServer::newConnection, this, [&] {
+            QTcpSocket* client = server.nextPendingConnection();
+            connect(client, &QTcpSocket::readyRead, client, [&requests, client] {
+                const QByteArray request = client->readAll();
+                if (!request.contains("</methodCall>")) {
+                    return;
+                }
+                requests << request;
+                client->write(
+                    "HTTP/1.0 200 OK\r\nContent-Type: text/xml\r\n\r\n<?xml version='1.0'?>"
+                    "<methodResponse><params><param><value><double>0.75</double></value></param>"
+                    "</params></methodResponse>");
+                client->disconnectFromHost();
+            });
+        });
+        Robot robot;
+        robot.submit("h = rpc_factory(\"xmlrpc\", \"http://127.0.0.1:" + std::to_string(server.serverPort()) +
+                     "/RPC2\")\ntextmsg(h.width(\"left\", 2) * 2)\ntextmsg(h.width(\"right\", 3))");
+        QVERIFY(QTest::qWaitFor([&] {
+            robot.steps(1);
+            return robot.bodies(0).size() == 2 || !robot.error().isEmpty();
+        }));
+        QCOMPARE(robot.error(), QByteArray());
+        QCOMPARE(robot.bodies(0), (QByteArrayList{"1.5", "0.75"}));
+        QCOMPARE(requests.size(), 2);
+        QVERIFY(requests[1].contains("<string>right</string>"));
     }
 
     // ---- model

@@ -182,6 +182,10 @@ public:
     void setAnalogDomain(AnalogPort, int, int) override { calls.push_back("domain"); }
     void setToolVoltage(int volts) override { calls.push_back("voltage " + std::to_string(volts)); }
     void setToolCommunication(const ToolCommunication&) override { calls.push_back("tool communication"); }
+    void setToolOutputMode(int mode) override { calls.push_back("tool output mode " + std::to_string(mode)); }
+    void setToolDigitalOutputMode(int n, int mode) override {
+        calls.push_back("tool digital output mode " + std::to_string(n) + " " + std::to_string(mode));
+    }
     void setRunState(RuledOutput, int n, int state) override {
         calls.push_back("run state " + std::to_string(n) + " " + std::to_string(state));
     }
