@@ -56,6 +56,7 @@ enum class RuntimeState : std::uint32_t {
 };
 
 enum class JointMode : std::int32_t {
+    Backdrive = 238,
     PowerOff = 239,
     Booting = 247,
     Running = 253,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "robot/simulator/controller.h"
 
-#include <QAbstractEventDispatcher>
 #include <QThread>
 #include <algorithm>
 #include <condition_variable>
@@ -13,10 +12,10 @@
 
 #include "robot/realtime/periodic_timer.h"
 #include "robot/realtime/thread_priority.h"
-#include "robot/simulator/plant.h"
-#include "robot/simulator/program_runner.h"
+#include "robot/simulator/faults.h"
+#include "robot/simulator/machine.h"
+#include "robot/simulator/personality.h"
 #include "robot/simulator/script_host.h"
-#include "robot/simulator/servers/services.h"
 
 namespace tiller::simulator {
 
@@ -31,41 +30,15 @@ constexpr auto kVirtualPoll = 500us;
 
 }  // namespace
 
-/// What the simulator's thread owns, alive as long as the thread.
-struct Machine {
-    explicit Machine(const ControllerOptions& options) : plant(options), services(plant) {}
-
-    void service() {
-        // Accepts connections and moves the scripts' sockets on.
-        if (auto* dispatcher = QAbstractEventDispatcher::instance()) {
-            dispatcher->processEvents(QEventLoop::AllEvents);
-        }
-        if (!silent) {
-            services.service();
-        }
-        if (plant.isShutDown()) {
-            services.close();
-        }
-    }
-
-    void tick() {
-        service();
-        plant.step();
-        if (!silent) {
-            services.publish();
-        }
-    }
-
-    Plant plant;
-    Services services;
-    bool silent = false;
-};
-
 class Controller::Impl {
 public:
     using Work = std::function<void(Machine&)>;
 
-    explicit Impl(const ControllerOptions& given) : options(given) {}
+    explicit Impl(const ControllerOptions& given) : options(given) {
+        if (options.serialNumber.isEmpty()) {
+            options.serialNumber = serialNumber(options.model, options.software);
+        }
+    }
 
     Result<void> start() {
         if (thread) {
@@ -134,7 +107,7 @@ public:
     std::vector<Work> queue;
     bool accepting = false;
     bool stopping = false;
-    Ports ports{0, 0, 0, 0, 0, 0, 0, 0, 0};
+    Ports ports = Ports::none();
     Truth truth;
     const RtdeServer* rtde = nullptr;  ///< of the running thread; its counters may be read by any
 
@@ -163,7 +136,10 @@ private:
             realtime::requestThreadPriority(*options.priority);
         }
         Machine machine(options);
-        Result<void> outcome = machine.services.open(options);
+        Result<void> outcome = checkSoftware(options.model, options.software);
+        if (outcome.ok()) {
+            outcome = machine.services.open(options);
+        }
         const bool isOpen = outcome.ok();
         if (isOpen) {
             publishTruth(machine);
@@ -318,16 +294,21 @@ void Controller::protectiveStop() {
     });
 }
 void Controller::emergencyStop(bool pressed) {
-    d_->post([pressed](Machine& machine) { machine.plant.safety().setRobotEmergencyStop(pressed); });
+    d_->post([pressed](Machine& machine) {
+        machine.plant.safety().set(SafetySystem::Input::RobotEmergencyStop, pressed);
+    });
 }
 void Controller::systemEmergencyStop(bool active) {
-    d_->post([active](Machine& machine) { machine.plant.safety().setSystemEmergencyStop(active); });
+    d_->post([active](Machine& machine) {
+        machine.plant.safety().set(SafetySystem::Input::SystemEmergencyStop, active);
+    });
 }
 void Controller::safeguardStop(bool open) {
-    d_->post([open](Machine& machine) { machine.plant.safety().setSafeguard(open); });
+    d_->post([open](Machine& machine) { machine.plant.safety().set(SafetySystem::Input::Safeguard, open); });
 }
 void Controller::reducedMode(bool active) {
-    d_->post([active](Machine& machine) { machine.plant.safety().setReduced(active); });
+    d_->post(
+        [active](Machine& machine) { machine.plant.safety().set(SafetySystem::Input::Reduced, active); });
 }
 void Controller::violation() {
     d_->post([](Machine& machine) { machine.plant.safety().violation(); });
@@ -356,15 +337,14 @@ void Controller::setAnalogInput(int number, double value) {
 }
 
 void Controller::setRemoteControl(bool remote) {
-    d_->post([remote](Machine& machine) {
-        if (machine.plant.isRemoteControl() == remote) {
-            return;
-        }
-        machine.plant.setRemoteControl(remote);
-        if (machine.plant.options().gateLocalControl && !remote) {
-            machine.services.closeScriptClients();
-        }
-    });
+    d_->post([remote](Machine& machine) { machine.setRemoteControl(remote); });
+}
+
+Result<QString> Controller::inject(const QString& words) {
+    Result<QString> outcome =
+        Error{ErrorCode::NotConnected, QStringLiteral("the controller does not run"), {}};
+    d_->call([&](Machine& machine) { outcome = injectFault(machine, words); });
+    return outcome;
 }
 
 void Controller::pressFreedriveButton(bool pressed) {

@@ -51,11 +51,14 @@ struct ControllerOptions {
     bool gateLoopbackClients = false;  ///< refuse dashboard clients on this machine too
     bool fastTransitions = false;      ///< power on and brake release within a few control periods
     double startTime = 60.0;  ///< `timestamp` at start [s]; below 40 some clients wait for the boot to end
-    QString programsFolder;   ///< where `load` finds programs; empty: there are none
-    QString serialNumber = QStringLiteral("20225502022");
+    double bootTime = 0;      ///< [s] from the start to POWER_OFF; more than 0 makes `timestamp` begin at 0
+    bool safetyUnconfirmed = false;  ///< the start waits in CONFIRM_SAFETY for the operator
+    double calibrationError = 0;     ///< the reported kinematics differ by up to so many mm and mrad
+    QString programsFolder;          ///< where `load` finds programs; empty: there are none
+    QString serialNumber;            ///< empty: one of its own for each model
 };
 
-/// Port numbers in use; 0 before start().
+/// Port numbers in use; 0 before start(), and for a service that this software does not have.
 struct Ports {
     std::uint16_t dashboard = 29999;
     std::uint16_t primary = 30001;
@@ -66,6 +69,11 @@ struct Ports {
     std::uint16_t secondaryReadOnly = 30012;
     std::uint16_t realtimeReadOnly = 30013;
     std::uint16_t interpreter = 30020;  ///< 0 on software that has no interpreter mode
+    std::uint16_t robotApi = 80;        ///< HTTP, PolyScope X only; 8080 where the system keeps 80 to itself
+    std::uint16_t gripper = 63352;      ///< of Robotiq
+    std::uint16_t faults = 29990;       ///< faults on demand, see faults.h
+
+    static constexpr Ports none() { return {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}; }
 };
 
 /// What the simulated robot is really doing, for tests that check what a client made of it.
@@ -145,6 +153,11 @@ public:
     /// Answers the oldest question of request_..._from_primary_client() with a value of its type: bool,
     /// std::int32_t, double or std::string. Others are ignored.
     void answerRequest(const std::variant<bool, std::int32_t, double, std::string>& answer);
+    /// Any of these and every other fault by its words, see faults.h: "link lost", "delay 20 5".
+    /// Returns  what was asked for, usually nothing
+    /// Errors   InvalidArgument with the reason; NotConnected when not running
+    /// Threads  any. Blocks: until it is done
+    Result<QString> inject(const QString& words);
     /// A mute controller: time goes on, nothing is sent, nothing is read, connections stay.
     void silence(bool silent);
     /// Ends every connection in good order, as a restarting controller does. Ports stay open.

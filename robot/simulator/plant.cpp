@@ -39,23 +39,24 @@ std::int32_t errorNumber(arm::StopReason reason) {
     return 153;
 }
 
-arm::DriveState driveState(RobotMode mode) {
-    switch (mode) {
-        case RobotMode::Running:
-            return arm::DriveState::Running;
-        case RobotMode::PowerOff:
-            return arm::DriveState::Off;
-        default:
-            return arm::DriveState::Braked;
+arm::DriveState driveState(const PowerSystem& power) {
+    if (power.mode() == RobotMode::Running || power.mode() == RobotMode::Backdrive) {
+        return arm::DriveState::Running;
     }
+    return power.isPowered() ? arm::DriveState::Braked : arm::DriveState::Off;
 }
 
-JointMode jointMode(RobotMode mode) {
-    switch (mode) {
+JointMode jointMode(const PowerSystem& power) {
+    if (!power.isPowered()) {
+        return JointMode::PowerOff;
+    }
+    switch (power.mode()) {
         case RobotMode::Running:
             return JointMode::Running;
         case RobotMode::Idle:
             return JointMode::Idle;
+        case RobotMode::Backdrive:
+            return JointMode::Backdrive;
         case RobotMode::PowerOn:
         case RobotMode::Booting:
             return JointMode::Booting;
@@ -69,14 +70,21 @@ JointMode jointMode(RobotMode mode) {
 Plant::Plant(const ControllerOptions& options)
     : options_(options)
     , arm_(robotModel(options.model), armOptions(options))
+    , reported_(robotModel(options.model))
     , power_(options.poweredOn)
     , host_(std::make_unique<ScriptHost>(*this))
     , programs_(std::make_unique<ProgramRunner>(*this, *host_))
+    , startTime_(options.startTime)
     , remoteControl_(options.remoteControl) {
     if (options.fastTransitions) {
         power_.setTimes(kFastPowerTimes);
     }
-    arm_.setDriveState(driveState(power_.mode()));
+    if (options.bootTime > 0 || options.safetyUnconfirmed) {
+        power_.boot(options.bootTime, options.safetyUnconfirmed);
+        startTime_ = 0;
+    }
+    setCalibrationError(options.calibrationError);
+    arm_.setDriveState(driveState(power_));
     refreshTelemetry();
 }
 
@@ -85,7 +93,7 @@ Plant::~Plant() {
 }
 
 double Plant::timestamp() const {
-    return options_.startTime + static_cast<double>(tick_) * stepTime();
+    return startTime_ + static_cast<double>(tick_ - startTick_) * stepTime();
 }
 
 void Plant::step() {
@@ -115,11 +123,12 @@ void Plant::stepPower() {
         }
     }
     power_.step(stepTime());
-    if (driveState(power_.mode()) != arm_.driveState()) {
+    followBoot();
+    if (driveState(power_) != arm_.driveState()) {
         if (arm_.driveState() == arm::DriveState::Running) {
             programs_->stopNow();
         }
-        arm_.setDriveState(driveState(power_.mode()));
+        arm_.setDriveState(driveState(power_));
     }
 }
 
@@ -201,6 +210,66 @@ void Plant::releaseBrakes() {
     }
 }
 
+void Plant::losePower() {
+    programs_->stopNow();
+    power_.cut();
+}
+
+void Plant::restart(double seconds, bool safetyUnconfirmed) {
+    losePower();
+    safety_.restart();
+    arm_.clearProtectiveStop();
+    power_.boot(seconds, safetyUnconfirmed);
+    startTick_ = tick_;
+    startTime_ = 0;
+    disconnected_ = true;
+}
+
+void Plant::followBoot() {
+    // Half way through a start the RTDE service comes up anew and time begins again. Source: urcl's waiting.
+    const bool was = std::exchange(disconnected_, power_.mode() == RobotMode::Disconnected);
+    if (was && !disconnected_) {
+        startTick_ = tick_;
+        startTime_ = 0;
+        ++boots_;
+    }
+}
+
+void Plant::setBackdrive(bool active) {
+    power_.setBackdrive(active);
+    if (power_.mode() == RobotMode::Backdrive) {
+        arm_.setDriveState(driveState(power_));
+        arm_.compliance().startFreedrive();
+    } else {
+        arm_.compliance().endFreedrive();
+    }
+}
+
+void Plant::failProgram(const std::string& why) {
+    publish(primary::runtimeException(timestampNs(), static_cast<std::int32_t>(programs_->currentLine()), 1,
+                                      why));
+    programs_->stopNow();
+}
+
+void Plant::setRemoteControl(bool remote) {
+    controlEpoch_ += remote == remoteControl_ ? 0 : 1;
+    remoteControl_ = remote;
+}
+
+void Plant::setCalibrationError(double size) {
+    reported_ = arm_.model();
+    DhParameters& dh = reported_.dh;
+    for (std::size_t i = 0; i < dh.a.size(); ++i) {
+        // Any fixed pattern will do; it has to be the same each time, because clients make a hash of it.
+        const double wave = std::sin(1.0 + 2.0 * static_cast<double>(i));
+        dh.theta[i] += size * 1e-3 * wave;
+        dh.a[i] += size * 1e-3 * wave;
+        dh.d[i] -= size * 1e-3 * wave;
+        dh.alpha[i] -= size * 1e-3 * wave;
+    }
+    ++identity_;
+}
+
 void Plant::restartSafety() {
     programs_->stopNow();
     safety_.restart();
@@ -230,6 +299,13 @@ void Plant::setFreedriveButton(bool pressed) {
     }
 }
 
+int Plant::showPopup(const std::string& text, bool blocking) {
+    const int id = popups_.open(blocking);
+    publish(
+        primary::popup(timestampNs(), {static_cast<std::uint32_t>(id), false, false, blocking, "", text}));
+    return id;
+}
+
 std::vector<primary::Bytes> Plant::takeOutbox() {
     return std::exchange(outbox_, {});
 }
@@ -239,12 +315,16 @@ void Plant::refreshTelemetry() {
     t.arm = &arm_.state();
     t.registers = &registers_;
     t.pins = &pins_;
-    t.model = &arm_.model();
+    t.model = &reported_;
+    t.identity = identity_;
+    t.boots = boots_;
     t.software = options_.software;
     t.tick = tick_;
     t.timestamp = timestamp();
     t.robotMode = power_.mode();
     t.safetyMode = safety_.mode();
+    t.safetyStatus = safety_.status();
+    t.operationalMode = safety_.operationalMode();
     t.safetyStatusBits = safety_.statusBits();
     t.runtimeState = programs_->state();
     t.programPaused = programs_->isPaused();
@@ -255,7 +335,7 @@ void Plant::refreshTelemetry() {
     t.freedriveButton = freedriveButton_;
     t.freedrive = arm_.compliance().isFreedrive();
     t.forceMode = arm_.compliance().isForceMode();
-    t.jointMode = jointMode(t.robotMode);
+    t.jointMode = jointMode(power_);
     t.speedSlider = speedSlider_;
     t.speedScaling = programs_->isActive() ? t.arm->speedScaling : 0.0;
     t.timeScaleSource = programs_->isActive() ? 1 : 0;

@@ -41,7 +41,10 @@ public:
     const ControllerOptions& options() const { return options_; }
     double stepTime() const { return arm_.period(); }
     std::uint64_t tick() const { return tick_; }
+    /// As clients see it: restarts with the controller [s].
     double timestamp() const;
+    /// Since this object was made; never goes back [s].
+    double elapsed() const { return static_cast<double>(tick_) * stepTime(); }
     std::uint64_t timestampNs() const { return static_cast<std::uint64_t>(timestamp() * 1e9); }
     /// As of the last step; refers to this object.
     const Telemetry& telemetry() const { return telemetry_; }
@@ -77,12 +80,27 @@ public:
     void setExternalForceTorque(const Wrench& wrench) { externalForce_ = wrench; }
     void setExternalSensorInUse(bool inUse) { externalSensor_ = inUse; }
     /// The pendant's switch; leaving Remote ends the script connections.
-    void setRemoteControl(bool remote) { remoteControl_ = remote; }
+    void setRemoteControl(bool remote);
     bool isRemoteControl() const { return remoteControl_; }
+    /// Counts the changes of that switch: what a connection may do is settled by the one it was made under.
+    std::uint64_t controlEpoch() const { return controlEpoch_; }
+    /// Power of the arm lost without a word, as when its supply fails.
+    void losePower();
+    /// The controller starts anew; timestamp begins at 0.  seconds  until POWER_OFF
+    void restart(double seconds, bool safetyUnconfirmed);
+    /// Moves joints by hand, brakes overridden.
+    void setBackdrive(bool active);
+    /// Ends the running program with a runtime exception.
+    void failProgram(const std::string& why);
+    /// What the controller reports as its kinematics differs from the arm's by so much: 0 not at all, 1 up to
+    /// 1 mm and 1 mrad. Primary clients are told anew.
+    void setCalibrationError(double size);
     /// The controller goes off: nothing answers any more.
     void shutDown() { shutDown_ = true; }
     bool isShutDown() const { return shutDown_; }
 
+    /// Shows a popup and tells primary clients. Returns its id.
+    int showPopup(const std::string& text, bool blocking);
     /// A message for primary clients.
     void publish(primary::Bytes message) { outbox_.push_back(std::move(message)); }
     std::vector<primary::Bytes> takeOutbox();
@@ -92,10 +110,12 @@ private:
     void stepPower();
     void stepWatchdogs();
     void reactToArm();
+    void followBoot();
     void refreshTelemetry();
 
     ControllerOptions options_;
     arm::Arm arm_;
+    RobotModel reported_;  ///< the model as told to clients
     Registers registers_;
     Pins pins_;
     SafetySystem safety_;
@@ -108,6 +128,12 @@ private:
     std::vector<primary::Bytes> outbox_;
 
     std::uint64_t tick_ = 0;
+    std::uint64_t startTick_ = 0;  ///< when the controller started
+    double startTime_ = 0;         ///< timestamp then [s]
+    std::uint64_t controlEpoch_ = 0;
+    std::uint64_t identity_ = 0;  ///< counts changes of what primary clients are told once
+    bool disconnected_ = false;
+    std::uint64_t boots_ = 0;  ///< how often the services came up anew
     double speedSlider_ = 1;
     SafetyMode lastSafetyMode_ = SafetyMode::Normal;
     double emergencyTime_ = 0;  ///< [s] since an emergency stop began, while the arm still has power

@@ -72,6 +72,11 @@ void ProgramRunner::requestStop() {
     requests_.push_back({});
 }
 
+bool ProgramRunner::isStopRequested() const {
+    return std::any_of(requests_.begin(), requests_.end(),
+                       [](const Request& r) { return r.program == nullptr; });
+}
+
 void ProgramRunner::takeRequests() {
     while (!requests_.empty()) {
         const Request request = std::move(requests_.front());

@@ -39,6 +39,8 @@ public:
     bool submitText(std::string_view text);
 
     void requestStop();
+    /// A stop has been asked for and not begun.
+    bool isStopRequested() const;
     /// Ends the main program within this call.
     void stopNow();
     /// Ends every program without a word: the controller goes away.

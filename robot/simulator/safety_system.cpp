@@ -47,34 +47,53 @@ void SafetySystem::step(double dt) {
     }
 }
 
-SafetyMode SafetySystem::mode() const {
+SafetyMode SafetySystem::status() const {
     if (fault_) {
         return SafetyMode::Fault;
     }
     if (violation_) {
         return SafetyMode::Violation;
     }
-    if (robotEmergency_) {
+    if (isSet(Input::RobotEmergencyStop)) {
         return SafetyMode::RobotEmergencyStop;
     }
-    if (systemEmergency_) {
+    if (isSet(Input::SystemEmergencyStop)) {
         return SafetyMode::SystemEmergencyStop;
     }
     if (protective_) {
         return SafetyMode::ProtectiveStop;
     }
-    if (safeguard_) {
+    if (isSet(Input::Safeguard)) {
         return SafetyMode::SafeguardStop;
     }
-    return reduced_ ? SafetyMode::Reduced : SafetyMode::Normal;
+    if (automaticStop()) {
+        return SafetyMode::AutomaticModeSafeguardStop;
+    }
+    if (enablingStop()) {
+        return SafetyMode::SystemThreePositionEnablingStop;
+    }
+    if (isSet(Input::Recovery)) {
+        return SafetyMode::Recovery;
+    }
+    return isReduced() ? SafetyMode::Reduced : SafetyMode::Normal;
+}
+
+SafetyMode SafetySystem::mode() const {
+    const SafetyMode now = status();
+    return now == SafetyMode::AutomaticModeSafeguardStop || now == SafetyMode::SystemThreePositionEnablingStop
+               ? SafetyMode::SafeguardStop
+               : now;
 }
 
 std::uint32_t SafetySystem::statusBits() const {
     const SafetyMode now = mode();
     const auto bit = [](int n, bool on) { return on ? 1U << n : 0U; };
-    return bit(0, now == SafetyMode::Normal) | bit(1, reduced_) | bit(2, protective_) | bit(4, safeguard_) |
-           bit(5, systemEmergency_) | bit(6, robotEmergency_) | bit(7, isEmergencyStopped()) |
-           bit(8, violation_) | bit(9, fault_) | bit(10, !allowsMotion(now));
+    return bit(0, now == SafetyMode::Normal) | bit(1, isReduced()) | bit(2, protective_) |
+           bit(3, isSet(Input::Recovery)) |
+           bit(4, isSet(Input::Safeguard) || automaticStop() || enablingStop()) |
+           bit(5, isSet(Input::SystemEmergencyStop)) | bit(6, isSet(Input::RobotEmergencyStop)) |
+           bit(7, isEmergencyStopped()) | bit(8, violation_) | bit(9, fault_) |
+           bit(10, !allowsMotion(now) && now != SafetyMode::Recovery) | bit(11, enablingStop());
 }
 
 }  // namespace tiller::simulator

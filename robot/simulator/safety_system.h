@@ -11,6 +11,9 @@
 
 namespace tiller::simulator {
 
+/// Set on the pendant or through the dashboard; None: the robot has none set.
+enum class OperationalMode { None, Manual, Automatic };
+
 class SafetySystem {
 public:
     /// A protective stop cannot be unlocked from the dashboard earlier [s].
@@ -18,10 +21,22 @@ public:
     /// From an accepted unlock to normal operation [s].
     static constexpr double kUnlockTime = 0.05;
 
-    void setRobotEmergencyStop(bool pressed) { robotEmergency_ = pressed; }
-    void setSystemEmergencyStop(bool active) { systemEmergency_ = active; }
-    void setSafeguard(bool open) { safeguard_ = open; }
-    void setReduced(bool active) { reduced_ = active; }
+    /// What stays as long as its cause does.
+    enum class Input {
+        RobotEmergencyStop,
+        SystemEmergencyStop,
+        Safeguard,
+        AutomaticModeSafeguard,  ///< acts in AUTOMATIC only
+        ThreePositionEnabling,   ///< the device is not in its middle position; acts in MANUAL only
+        Reduced,
+        Recovery,  ///< a joint stands outside its safety limits
+        Count
+    };
+    void set(Input input, bool active) { inputs_[static_cast<int>(input)] = active; }
+    bool isSet(Input input) const { return inputs_[static_cast<int>(input)]; }
+    void setOperationalMode(OperationalMode mode) { operationalMode_ = mode; }
+    OperationalMode operationalMode() const { return operationalMode_; }
+
     void violation() { violation_ = true; }
     void fault() { fault_ = true; }
     void protectiveStop();
@@ -34,20 +49,30 @@ public:
 
     void step(double dt);
 
+    /// safety_mode. The two safeguard stops that came later show as SAFEGUARD_STOP here.
     SafetyMode mode() const;
+    /// safety_status, which tells them apart.
+    SafetyMode status() const;
     bool isProtectiveStopped() const { return protective_; }
-    bool isEmergencyStopped() const { return robotEmergency_ || systemEmergency_; }
-    bool isReduced() const { return reduced_; }
+    bool isEmergencyStopped() const {
+        return isSet(Input::RobotEmergencyStop) || isSet(Input::SystemEmergencyStop);
+    }
+    bool isReduced() const { return isSet(Input::Reduced); }
     /// No power may be applied.
     bool blocksPower() const { return isEmergencyStopped() || violation_ || fault_; }
     /// safety_status_bits. Source: RTDE guide.
     std::uint32_t statusBits() const;
 
 private:
-    bool robotEmergency_ = false;
-    bool systemEmergency_ = false;
-    bool safeguard_ = false;
-    bool reduced_ = false;
+    bool automaticStop() const {
+        return isSet(Input::AutomaticModeSafeguard) && operationalMode_ == OperationalMode::Automatic;
+    }
+    bool enablingStop() const {
+        return isSet(Input::ThreePositionEnabling) && operationalMode_ == OperationalMode::Manual;
+    }
+
+    bool inputs_[static_cast<int>(Input::Count)] = {};
+    OperationalMode operationalMode_ = OperationalMode::None;
     bool violation_ = false;
     bool fault_ = false;
     bool protective_ = false;

@@ -13,6 +13,7 @@
 #include "robot/simulator/arm/arm_state.h"
 #include "robot/simulator/pins.h"
 #include "robot/simulator/registers.h"
+#include "robot/simulator/safety_system.h"
 
 namespace tiller::simulator {
 
@@ -20,7 +21,9 @@ struct Telemetry {
     const arm::ArmState* arm = nullptr;
     const Registers* registers = nullptr;
     const Pins* pins = nullptr;
-    const RobotModel* model = nullptr;
+    const RobotModel* model = nullptr;  ///< as the controller reports it
+    std::uint64_t identity = 0;         ///< changes when `model` does
+    std::uint64_t boots = 0;            ///< changes when the services came up anew
     SoftwareVersion software;
 
     std::uint64_t tick = 0;
@@ -29,6 +32,8 @@ struct Telemetry {
 
     RobotMode robotMode = RobotMode::PowerOff;
     SafetyMode safetyMode = SafetyMode::Normal;
+    SafetyMode safetyStatus = SafetyMode::Normal;
+    OperationalMode operationalMode = OperationalMode::None;
     std::uint32_t safetyStatusBits = 1;
     RuntimeState runtimeState = RuntimeState::Stopped;
     bool programPaused = false;

@@ -21,6 +21,7 @@ public:
         return *this;
     }
     ByteWriter& flag(bool value) { return u8(value ? 1 : 0); }
+    ByteWriter& u16(unsigned value) { return u8(value >> 8).u8(value); }
     ByteWriter& u32(std::uint32_t value) { return u8(value >> 24).u8(value >> 16).u8(value >> 8).u8(value); }
     ByteWriter& i32(std::int32_t value) { return u32(static_cast<std::uint32_t>(value)); }
     ByteWriter& u64(std::uint64_t value) {

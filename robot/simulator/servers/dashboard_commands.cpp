@@ -2,14 +2,14 @@
 #include "robot/simulator/servers/dashboard_commands.h"
 
 #include <QDateTime>
-#include <QDir>
-#include <QFile>
-#include <QFileInfo>
 #include <algorithm>
 #include <cctype>
 
+#include "robot/simulator/personality.h"
 #include "robot/simulator/plant.h"
 #include "robot/simulator/program_runner.h"
+#include "robot/simulator/program_store.h"
+#include "robot/simulator/servers/support_file.h"
 
 namespace tiller::simulator {
 
@@ -89,15 +89,18 @@ const DashboardCommands::Command DashboardCommands::kCommands[] = {
     {"generate support file", &C::supportFile, true, false, {3, 13, 0, 0}, {5, 8, 0, 0}},
 };
 
-DashboardCommands::DashboardCommands(Plant& plant) : plant_(plant) {}
-
 DashboardCommands::Rights DashboardCommands::rightsOfNewClient() const {
+    // One that was made in local control never gets any.
+    return plant_.isRemoteControl() ? plant_.controlEpoch() + 1 : 0;
+}
+
+bool DashboardCommands::mayControl(Rights rights) const {
     // Clients on the controller itself are exempt; with a simulator on this machine that is everybody, unless
     // the option says otherwise.
     const ControllerOptions& options = plant_.options();
     const bool loopback = options.listenAddress.startsWith(QLatin1String("127."));
     const bool gated = options.gateLocalControl && (!loopback || options.gateLoopbackClients);
-    return {plant_.isRemoteControl() || !gated || options.software.isCb3()};
+    return !gated || options.software.isCb3() || rights == plant_.controlEpoch() + 1;
 }
 
 bool DashboardCommands::isKnown(const Command& command) const {
@@ -120,14 +123,14 @@ const DashboardCommands::Command* DashboardCommands::find(std::string_view line,
     return nullptr;
 }
 
-DashboardCommands::Reply DashboardCommands::run(std::string_view line, const Rights& rights) {
+DashboardCommands::Reply DashboardCommands::run(std::string_view line, Rights rights) {
     line = trimmed(line);
     std::string argument;
     const Command* command = find(line, argument);
     if (command == nullptr) {
         return {"could not understand: '" + std::string(line) + "'"};
     }
-    if (command->controls && !rights.mayControl) {
+    if (command->controls && !mayControl(rights)) {
         return {kRefusedInLocal};
     }
     const bool closes = command->handler == &C::quit || command->handler == &C::shutdown;
@@ -136,33 +139,38 @@ DashboardCommands::Reply DashboardCommands::run(std::string_view line, const Rig
 
 // ---- program --------------------------------------------------------------------------------------------
 
+namespace {
+/// Some send file names in quotes.
+QString unquoted(const std::string& name) {
+    const bool quoted = name.size() >= 2 && name.front() == '"' && name.back() == '"';
+    return QString::fromStdString(quoted ? name.substr(1, name.size() - 2) : name);
+}
+}  // namespace
+
 std::string DashboardCommands::load(const std::string& name) {
-    std::string bare = name;
-    if (bare.size() >= 2 && bare.front() == '"' && bare.back() == '"') {
-        bare = bare.substr(1, bare.size() - 2);
-    }
-    const QString wanted = QString::fromStdString(bare);
-    const QString path =
-        QDir::isAbsolutePath(wanted) ? wanted : QDir(plant_.options().programsFolder).filePath(wanted);
-    const bool mayLook = !plant_.options().programsFolder.isEmpty() && !bare.empty();
-    if (!mayLook || !QFileInfo(path).isFile()) {
-        return "File not found: " + name;
-    }
-    if (!QFileInfo(path).isReadable()) {
-        return "Error while loading program: " + name;
+    switch (store_.load(unquoted(name))) {
+        case ProgramStore::Outcome::NotFound:
+            return "File not found: " + name;
+        case ProgramStore::Outcome::Unreadable:
+            return "Error while loading program: " + name;
+        case ProgramStore::Outcome::Done:
+            break;
     }
     // The reply means "loaded": what ran before has ended by then.
     plant_.programs().stopNow();
-    loadedPath_ = path;
-    loadedName_ = QFileInfo(path).fileName().toStdString();
     return "Loading program: " + name;
 }
 
 std::string DashboardCommands::loadInstallation(const std::string& name) {
-    const QString path = QDir(plant_.options().programsFolder).filePath(QString::fromStdString(name));
-    if (plant_.options().programsFolder.isEmpty() || !QFileInfo(path).isFile()) {
-        return "File not found: " + name;
+    switch (store_.loadInstallation(unquoted(name))) {
+        case ProgramStore::Outcome::NotFound:
+            return "File not found: " + name;
+        case ProgramStore::Outcome::Unreadable:
+            return "Failed to load installation: " + name;
+        case ProgramStore::Outcome::Done:
+            break;
     }
+    plant_.programs().stopNow();
     plant_.power().powerOff();
     return "Loading installation: " + name;
 }
@@ -178,21 +186,11 @@ std::string DashboardCommands::play(const std::string&) {
         programs.resume();
         return "Starting program";
     }
-    if (programs.state() == RuntimeState::Stopping) {
+    if (programs.state() == RuntimeState::Stopping || programs.isStopRequested()) {
         programs.stopNow();  // "stop" has been answered: "play" may follow at once
     }
-    QFile file(loadedPath_);
-    if (loadedPath_.isEmpty() || programs.isActive() || !file.open(QIODevice::ReadOnly)) {
-        return kFailed;
-    }
-    constexpr qint64 kLargestProgram = 16 << 20;
-    QByteArray text = file.read(kLargestProgram);
-    if (!text.endsWith('\n')) {
-        text += '\n';
-    }
-    return programs.submitText(std::string_view(text.constData(), static_cast<std::size_t>(text.size())))
-               ? "Starting program"
-               : kFailed;
+    const std::optional<std::string> text = store_.script();
+    return text && !programs.isActive() && programs.submitText(*text) ? "Starting program" : kFailed;
 }
 
 std::string DashboardCommands::stop(const std::string&) {
@@ -215,22 +213,22 @@ std::string DashboardCommands::running(const std::string&) {
 }
 
 std::string DashboardCommands::programState(const std::string&) {
-    if (loadedName_.empty()) {
+    if (!store_.isLoaded()) {
         // A name always follows: there are clients that wait for one, and none that minds.
         return "STOPPED <unnamed>";
     }
     const ProgramRunner& programs = plant_.programs();
     // Scripts sent over a socket are not what this command is about.
     const char* state = !programs.isFileProgram() ? "STOPPED" : programs.isPaused() ? "PAUSED" : "PLAYING";
-    return state + (" " + loadedName_);
+    return state + (" " + store_.name());
 }
 
 std::string DashboardCommands::loadedProgram(const std::string&) {
-    return loadedName_.empty() ? "No program loaded" : "Loaded program: " + loadedPath_.toStdString();
+    return store_.isLoaded() ? "Loaded program: " + store_.path().toStdString() : "No program loaded";
 }
 
 std::string DashboardCommands::isProgramSaved(const std::string&) {
-    return "true " + (loadedName_.empty() ? std::string("<unnamed>") : loadedName_);
+    return "true " + (store_.isLoaded() ? store_.name() : std::string("<unnamed>"));
 }
 
 // ---- power and safety -----------------------------------------------------------------------------------
@@ -275,7 +273,7 @@ std::string DashboardCommands::safetyMode(const std::string&) {
 }
 
 std::string DashboardCommands::safetyStatus(const std::string&) {
-    return "Safetystatus: " + safetyModeName(plant_.safety().mode()).toStdString();
+    return "Safetystatus: " + safetyModeName(plant_.safety().status()).toStdString();
 }
 
 std::string DashboardCommands::shutdown(const std::string&) {
@@ -290,9 +288,7 @@ std::string DashboardCommands::quit(const std::string&) {
 // ---- user interface -------------------------------------------------------------------------------------
 
 std::string DashboardCommands::popup(const std::string& text) {
-    const int id = plant_.popups().open(false);
-    plant_.publish(primary::popup(plant_.timestampNs(),
-                                  {static_cast<std::uint32_t>(id), false, false, false, "", text}));
+    plant_.showPopup(text, false);
     return "showing popup";
 }
 
@@ -325,18 +321,13 @@ std::string DashboardCommands::getUserRole(const std::string&) {
 
 // ---- identity -------------------------------------------------------------------------------------------
 
-std::string DashboardCommands::versionNumber() const {
-    const SoftwareVersion& v = plant_.options().software;
-    return std::to_string(v.major) + '.' + std::to_string(v.minor) + '.' + std::to_string(v.bugfix) + '.' +
-           std::to_string(v.build);
-}
-
 std::string DashboardCommands::polyscopeVersion(const std::string&) {
-    return "URSoftware " + versionNumber() + " (Mar 12 2025)";
+    const SoftwareVersion& software = plant_.options().software;
+    return "URSoftware " + versionText(software) + " (" + releaseDate(software) + ')';
 }
 
 std::string DashboardCommands::version(const std::string&) {
-    return versionNumber();
+    return versionText(plant_.options().software);
 }
 
 std::string DashboardCommands::serialNumber(const std::string&) {
@@ -356,27 +347,54 @@ std::string DashboardCommands::setOperationalMode(const std::string& mode) {
     if (wanted != "MANUAL" && wanted != "AUTOMATIC") {
         return "Failed setting operational mode: " + mode;
     }
-    operationalMode_ = wanted;
+    plant_.safety().setOperationalMode(wanted == "MANUAL" ? OperationalMode::Manual
+                                                          : OperationalMode::Automatic);
     return "Operational mode " + wanted + " is set";
 }
 
 std::string DashboardCommands::getOperationalMode(const std::string&) {
-    return operationalMode_;
+    switch (plant_.safety().operationalMode()) {
+        case OperationalMode::Manual:
+            return "MANUAL";
+        case OperationalMode::Automatic:
+            return "AUTOMATIC";
+        case OperationalMode::None:
+            break;
+    }
+    return "NONE";
 }
 
 std::string DashboardCommands::clearOperationalMode(const std::string&) {
-    operationalMode_ = "NONE";
+    plant_.safety().setOperationalMode(OperationalMode::None);
     return "No longer controlling the operational mode. Current operational mode: NONE";
 }
 
-std::string DashboardCommands::flightReport(const std::string&) {
-    return "Flight Report generated with id:" + std::to_string(plant_.tick());
+std::string DashboardCommands::flightReport(const std::string& type) {
+    constexpr double kPause = 30;  ///< [s] between two
+    const std::string wanted = upper(type);
+    if (!wanted.empty() && wanted != "CONTROLLER" && wanted != "SOFTWARE" && wanted != "SYSTEM") {
+        return "Error: unknown flight report type: " + type;
+    }
+    if (lastFlightReport_ >= 0 && plant_.elapsed() - lastFlightReport_ < kPause) {
+        return "Error: a flight report can be generated every 30 seconds only";
+    }
+    lastFlightReport_ = plant_.elapsed();
+    return "Flight Report generated with id:" + std::to_string(++flightReports_);
 }
 
-std::string DashboardCommands::supportFile(const std::string&) {
+std::string DashboardCommands::supportFile(const std::string& directory) {
     const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HH-mm-ss"));
-    return "Completed successfully:ur_" + plant_.options().serialNumber.toStdString() + '_' +
-           stamp.toStdString() + ".zip";
+    const QString name = QStringLiteral("ur_%1_%2.zip").arg(plant_.options().serialNumber, stamp);
+    const std::string about = "model " + std::string(plant_.arm().model().name) + "\nserial " +
+                              plant_.options().serialNumber.toStdString() + "\nsoftware " +
+                              versionText(plant_.options().software) + "\nmode " +
+                              robotModeName(plant_.power().mode()).toStdString() + "\nsafety " +
+                              safetyModeName(plant_.safety().mode()).toStdString() + '\n';
+    if (!store_.saveBelow(unquoted(directory), name,
+                          zipOf("support.txt", QByteArray::fromStdString(about)))) {
+        return "Error: invalid target location: " + directory;
+    }
+    return "Completed successfully:" + name.toStdString();
 }
 
 }  // namespace tiller::simulator

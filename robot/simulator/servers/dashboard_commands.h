@@ -4,7 +4,7 @@
 // The vocabulary of the dashboard: each command with its exact reply. Source: Dashboard Server guide; the
 // replies that clients compare letter by letter are those of the vendor's simulator.
 
-#include <QString>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -13,22 +13,21 @@
 namespace tiller::simulator {
 
 class Plant;
+class ProgramStore;
 
 class DashboardCommands {
 public:
-    explicit DashboardCommands(Plant& plant);
+    DashboardCommands(Plant& plant, ProgramStore& store) : plant_(plant), store_(store) {}
 
-    /// What a connection may do is settled when it is made.
-    struct Rights {
-        bool mayControl = true;
-    };
+    /// What a connection may do is settled when it is made, and lost when the pendant's switch is turned.
+    using Rights = std::uint64_t;
     Rights rightsOfNewClient() const;
 
     struct Reply {
         std::string line;  ///< without the newline
         bool closes = false;
     };
-    Reply run(std::string_view line, const Rights& rights);
+    Reply run(std::string_view line, Rights rights);
 
 private:
     using Handler = std::string (DashboardCommands::*)(const std::string& argument);
@@ -85,13 +84,13 @@ private:
     std::string flightReport(const std::string&);
     std::string supportFile(const std::string&);
 
-    std::string versionNumber() const;
+    bool mayControl(Rights rights) const;
 
     Plant& plant_;
-    QString loadedPath_;
-    std::string loadedName_;  ///< bare file name
+    ProgramStore& store_;
     std::string userRole_ = "PROGRAMMER";
-    std::string operationalMode_ = "NONE";
+    double lastFlightReport_ = -1;  ///< [s] of the plant's time; below 0: none yet
+    unsigned flightReports_ = 0;
 };
 
 }  // namespace tiller::simulator

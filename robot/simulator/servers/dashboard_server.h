@@ -3,35 +3,25 @@
 
 // The dashboard service, port 29999: one line in, one line out. Source: Dashboard Server guide.
 
-#include <string>
-
 #include "robot/simulator/servers/dashboard_commands.h"
-#include "robot/simulator/servers/server.h"
+#include "robot/simulator/servers/line_server.h"
 
 namespace tiller::simulator {
 
-class DashboardServer final : public Server {
+class DashboardServer final : public LineServer {
 public:
-    explicit DashboardServer(Plant& plant);
+    DashboardServer(Plant& plant, ProgramStore& store) : commands_(plant, store) {}
 
-    void service() override;
-    void closeClients() override { clients_.clear(); }
+protected:
+    std::uint64_t tagOfNewClient() override { return commands_.rightsOfNewClient(); }
+    std::string greeting() override { return "Connected: Universal Robots Dashboard Server\n"; }
+    Answer answer(std::string_view line, std::uint64_t rights) override {
+        DashboardCommands::Reply reply = commands_.run(line, rights);
+        return {std::move(reply.line) + '\n', reply.closes};
+    }
 
 private:
-    struct Client {
-        Client(native_socket::Descriptor descriptor, DashboardCommands::Rights granted)
-            : peer(descriptor, 64 * 1024), rights(granted) {}
-        Peer peer;
-        DashboardCommands::Rights rights;
-        std::string line;
-    };
-
-    void read(Client& client);
-    void answer(Client& client, std::string_view line);
-
-    Plant& plant_;
     DashboardCommands commands_;
-    std::vector<std::unique_ptr<Client>> clients_;
 };
 
 }  // namespace tiller::simulator

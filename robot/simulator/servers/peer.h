@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One accepted connection: reads what has come, sends what fits, keeps a bounded rest. Never blocks.
+// One accepted connection: reads what has come, sends what fits, keeps a bounded rest. Never blocks. What the
+// cable does to the bytes (see Link) is done here, so that no service needs to know.
 
 #include <cstdint>
+#include <deque>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -12,6 +14,8 @@
 
 namespace tiller::simulator {
 
+class Link;
+
 class Peer {
 public:
     /// backlog  bytes kept for a peer that does not read at the moment
@@ -19,6 +23,9 @@ public:
     ~Peer();
     Peer(const Peer&) = delete;
     Peer& operator=(const Peer&) = delete;
+
+    /// The cable it is connected by; outlives this object.
+    void attach(Link* link) { link_ = link; }
 
     bool isOpen() const { return open_; }
     void close();
@@ -30,23 +37,40 @@ public:
     /// backlog has no room for it: this peer does not read.
     bool send(std::span<const std::uint8_t> bytes);
     bool send(std::string_view text);
-    /// Sends from the backlog what the socket takes now.
+    /// Sends what is due and what the socket takes now.
     void flush();
-    /// Bytes the socket did not take yet.
+    /// Bytes the socket did not take yet; what is under way on a slow cable does not count.
     std::size_t pending() const { return out_.size() - sent_; }
 
-    /// Closes once the backlog has gone out.
+    /// Closes once everything has gone out.
     void closeAfterFlush();
 
 private:
+    struct Segment {
+        double due;  ///< [s] controller time
+        std::vector<std::uint8_t> bytes;
+        std::size_t gone = 0;
+    };
+
+    std::size_t receiveNow(std::span<std::uint8_t> into);
+    std::size_t receiveThroughCable(std::span<std::uint8_t> into);
     std::size_t sendNow(std::span<const std::uint8_t> bytes);
+    bool hold(std::span<const std::uint8_t> bytes);
+    void releaseHeld();
+    void put(std::span<const std::uint8_t> bytes);
+    bool isPlain() const;
 
     native_socket::Descriptor descriptor_;
+    Link* link_ = nullptr;
     std::size_t backlog_;
     std::vector<std::uint8_t> out_;
     std::size_t sent_ = 0;
+    std::deque<Segment> held_;      ///< on their way to the client
+    std::deque<Segment> arriving_;  ///< on their way from it
+    std::size_t heldBytes_ = 0;
     bool open_ = true;
     bool closing_ = false;
+    bool ended_ = false;  ///< the client has ended the connection; what arrives is from before
 };
 
 }  // namespace tiller::simulator

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "robot/simulator/personality.h"
 #include "robot/simulator/servers/byte_writer.h"
 
 namespace tiller::simulator::primary {
@@ -54,7 +55,7 @@ Bytes version(std::uint64_t timestampNs, const SoftwareVersion& software) {
         counted(out, "URControl");
         out.u8(software.major).u8(software.minor);
         out.u32(software.bugfix).u32(software.build);
-        out.text("04-10-2025, 00:25:33");
+        out.text(buildDate(software));
     });
 }
 

@@ -14,12 +14,13 @@ PrimaryServer::PrimaryServer(Plant& plant, bool messages, bool acceptsScripts)
     : plant_(plant)
     , messages_(messages)
     , acceptsScripts_(acceptsScripts)
-    , nextState_(plant.timestamp() + kStatePeriod) {}
+    , nextState_(plant.elapsed() + kStatePeriod) {}
 
 void PrimaryServer::service() {
     const bool mayWrite = plant_.isRemoteControl() || !plant_.options().gateLocalControl;
     for (const native_socket::Descriptor descriptor : takeAccepted()) {
         clients_.push_back(std::make_unique<Client>(descriptor, mayWrite));
+        clients_.back()->peer.attach(link());
         clients_.back()->peer.send(primary::version(plant_.timestampNs(), plant_.options().software));
     }
     for (const auto& client : clients_) {
@@ -30,7 +31,7 @@ void PrimaryServer::service() {
 }
 
 void PrimaryServer::publish() {
-    if (plant_.timestamp() + 1e-9 < nextState_) {
+    if (plant_.elapsed() + 1e-9 < nextState_) {
         return;
     }
     nextState_ += kStatePeriod;
@@ -44,8 +45,9 @@ void PrimaryServer::publish() {
         if (client->peer.pending() > 0) {
             continue;  // does not keep up: this state is skipped
         }
-        client->peer.send(client->knowsArm ? later : first);
-        client->knowsArm = true;
+        const std::uint64_t identity = plant_.telemetry().identity;
+        client->peer.send(client->knows == identity ? later : first);
+        client->knows = identity;
     }
 }
 

@@ -29,13 +29,13 @@ private:
             : peer(descriptor, 64 * 1024), intake(mayWrite) {}
         Peer peer;
         ScriptIntake intake;
-        bool knowsArm = false;  ///< has had KinematicsInfo and ConfigurationData
+        std::uint64_t knows = 0;  ///< the identity whose KinematicsInfo and ConfigurationData it has had
     };
 
     Plant& plant_;
     bool messages_;
     bool acceptsScripts_;
-    double nextState_ = 0;  ///< [s] controller time
+    double nextState_ = 0;  ///< [s] since the plant was made
     std::vector<std::unique_ptr<Client>> clients_;
 };
 

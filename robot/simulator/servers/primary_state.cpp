@@ -13,6 +13,11 @@ constexpr unsigned kRobotState = 16;
 /// The same word in MasterboardData and SafetyData; its meaning is the vendor's own.
 constexpr std::uint32_t kInternalWord = 1475618907;
 
+/// The manual of "newer software" adds to the layouts recorded from 5.8; 5.10 is our reading of it.
+bool isNewer(const Telemetry& now) {
+    return now.software >= SoftwareVersion{5, 10, 0, 0};
+}
+
 template <class Body>
 void part(ByteWriter& out, unsigned type, Body body) {
     const std::size_t length = out.openLength();
@@ -93,7 +98,10 @@ void masterboardData(ByteWriter& out, const Telemetry& now) {
         out.flag(now.reduced).u8(0);
         out.u32(kInternalWord);
         if (!now.software.isCb3()) {
-            out.u8(1).u8(1).u8(1);
+            // Mode selector: 0 MANUAL, 1 otherwise, as a robot without one reports. Unconfirmed.
+            out.u8(now.operationalMode == OperationalMode::Manual ? 0 : 1);
+            const bool middle = now.safetyStatus != SafetyMode::SystemThreePositionEnablingStop;
+            out.flag(middle).u8(1);
         }
     });
 }
@@ -135,6 +143,9 @@ void configurationData(ByteWriter& out, const Telemetry& now) {
         out.f64s(dh.a).f64s(dh.d).f64s(dh.alpha).f64s(dh.theta);
         out.i32(6).i32(controllerBoxType(*now.model)).i32(now.model->robotType);
         out.i32(now.model->isCb3() ? 2 : 3);
+        if (isNewer(now)) {
+            out.u16(0).u16(0);
+        }
     });
 }
 
@@ -151,6 +162,9 @@ void smallParts(ByteWriter& out, const Telemetry& now) {
         out.f32(tool.rxIdleChars).f32(tool.txIdleChars);
     });
     part(out, 12, [&] { out.u8(0).u8(1).u8(1); });
+    if (isNewer(now)) {
+        part(out, 13, [&] { out.u8(0).u8(0); });  // no singularity near
+    }
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ void writeRealtimeRecord(const Telemetry& now, std::vector<std::uint8_t>& into) 
     out.u64(now.pins->digitalOutputs).f64(static_cast<double>(now.runtimeState));
     three(out, arm.elbowPosition);
     three(out, arm.elbowVelocity);
-    out.f64(static_cast<double>(now.safetyMode));
+    out.f64(static_cast<double>(now.safetyStatus));
     unused(out, 3);
     out.f64(now.payload.mass);
     three(out, now.payload.centreOfGravity);

@@ -13,6 +13,7 @@ void RealtimeServer::service() {
     const bool mayWrite = plant_.isRemoteControl() || !plant_.options().gateLocalControl;
     for (const native_socket::Descriptor descriptor : takeAccepted()) {
         clients_.push_back(std::make_unique<Client>(descriptor, mayWrite));
+        clients_.back()->peer.attach(link());
     }
     for (const auto& client : clients_) {
         client->intake.read(client->peer, acceptsScripts_ ? &plant_ : nullptr);

@@ -12,6 +12,8 @@ namespace {
 constexpr std::size_t kMostInputRecipes = 255;
 /// Bytes of one client read at a stretch, so that one that floods does not keep the others waiting.
 constexpr std::size_t kReadShare = 256 * 1024;
+/// Owner of the inputs that a fault holds; clients count from 1.
+constexpr RtdeInputs::ClientId kNobodyHere = ~RtdeInputs::ClientId{0};
 }  // namespace
 
 RtdeServer::RtdeServer(Plant& plant) : plant_(plant), inputs_(plant, plant.options().software) {}
@@ -19,6 +21,7 @@ RtdeServer::RtdeServer(Plant& plant) : plant_(plant), inputs_(plant, plant.optio
 void RtdeServer::service() {
     for (const native_socket::Descriptor descriptor : takeAccepted()) {
         clients_.push_back(std::make_unique<Client>(descriptor, ++lastId_));
+        clients_.back()->peer.attach(link());
         ++connected_;
     }
     for (const auto& client : clients_) {
@@ -163,6 +166,18 @@ void RtdeServer::publish() {
         }
     }
     removeGone();
+}
+
+bool RtdeServer::holdInputs(const QStringList& names) {
+    std::vector<std::string> wanted;
+    for (const QString& name : names) {
+        wanted.push_back(name.toStdString());
+    }
+    return inputs_.claim(kNobodyHere, wanted).recipe.has_value();
+}
+
+void RtdeServer::releaseHeldInputs() {
+    inputs_.release(kNobodyHere);
 }
 
 void RtdeServer::closeClients() {

@@ -12,6 +12,7 @@
 // - A setup while started replaces the recipe from the next package on; an invalid one stops the stream.
 // - START without a valid output recipe is refused, PAUSE always accepted.
 
+#include <QStringList>
 #include <atomic>
 
 #include "robot/rtde/codec.h"
@@ -30,6 +31,11 @@ public:
     void service() override;
     void publish() override;
     void closeClients() override;
+
+    /// Inputs owned by somebody who is not here: a fieldbus, a client that died. False, and nothing taken,
+    /// when one of them does not exist or has an owner.
+    bool holdInputs(const QStringList& names);
+    void releaseHeldInputs();
 
     /// Of all clients since the start. Threads  any
     std::uint64_t inputPackages() const { return packages_.load(std::memory_order_acquire); }

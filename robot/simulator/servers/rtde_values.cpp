@@ -99,7 +99,7 @@ const std::unordered_map<std::string_view, Read>& namedSources() {
         TILLER_FIELD(robot_mode, t.robotMode),
         TILLER_FIELD(joint_mode, Vector6::Constant(static_cast<double>(t.jointMode)).eval()),
         TILLER_FIELD(safety_mode, t.safetyMode),
-        TILLER_FIELD(safety_status, t.safetyMode),
+        TILLER_FIELD(safety_status, t.safetyStatus),
         TILLER_FIELD(runtime_state, t.runtimeState),
         TILLER_FIELD(robot_status_bits, t.robotStatusBits()),
         TILLER_FIELD(safety_status_bits, t.safetyStatusBits),

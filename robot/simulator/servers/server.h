@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "robot/core/result.h"
+#include "robot/simulator/servers/link.h"
 #include "robot/simulator/servers/listener.h"
 #include "robot/simulator/servers/peer.h"
 
@@ -20,6 +21,8 @@ class Server {
 public:
     virtual ~Server() = default;
 
+    /// The cable its clients are connected by.
+    void setLink(Link* link) { link_ = link; }
     Result<void> open(const QHostAddress& address, std::uint16_t port, const char* name) {
         return listener_.open(address, port, name);
     }
@@ -37,8 +40,11 @@ public:
 
 protected:
     std::vector<native_socket::Descriptor> takeAccepted() { return listener_.takeAccepted(); }
+    /// For a new client's peer: attach(link()).
+    Link* link() const { return link_; }
 
 private:
+    Link* link_ = nullptr;
     Listener listener_;
 };
 

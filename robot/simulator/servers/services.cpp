@@ -5,9 +5,12 @@
 
 namespace tiller::simulator {
 
-Services::Services(Plant& plant)
+Services::Services(Plant& plant, FaultServer::Handler faults)
     : plant_(plant)
-    , dashboard_(plant)
+    , link_(plant.options().seed)
+    , store_(plant.options().programsFolder)
+    , dashboard_(plant, store_)
+    , robotApi_(plant, store_)
     , primary_(plant, true, true)
     , secondary_(plant, false, true)
     , primaryReadOnly_(plant, true, false)
@@ -16,19 +19,54 @@ Services::Services(Plant& plant)
     , realtimeReadOnly_(plant, false)
     , rtde_(plant)
     , interpreter_(plant)
-    , all_{{&dashboard_, &Ports::dashboard, "dashboard"},
-           {&primary_, &Ports::primary, "primary"},
-           {&secondary_, &Ports::secondary, "secondary"},
-           {&realtime_, &Ports::realtime, "realtime"},
-           {&rtde_, &Ports::rtde, "RTDE"},
-           {&primaryReadOnly_, &Ports::primaryReadOnly, "read-only primary"},
-           {&secondaryReadOnly_, &Ports::secondaryReadOnly, "read-only secondary"},
-           {&realtimeReadOnly_, &Ports::realtimeReadOnly, "read-only realtime"},
-           {&interpreter_, &Ports::interpreter, "interpreter"}} {}
+    , faults_(std::move(faults)) {
+    const SoftwareVersion& software = plant.options().software;
+    if (!software.isPolyScopeX()) {
+        all_.push_back({&dashboard_, &Ports::dashboard, "dashboard"});
+    } else if (software >= SoftwareVersion{10, 11, 0, 0}) {
+        all_.push_back({&robotApi_, &Ports::robotApi, "Robot API"});
+    }
+    all_.insert(all_.end(), {{&primary_, &Ports::primary, "primary"},
+                             {&secondary_, &Ports::secondary, "secondary"},
+                             {&realtime_, &Ports::realtime, "realtime"},
+                             {&rtde_, &Ports::rtde, "RTDE"},
+                             {&primaryReadOnly_, &Ports::primaryReadOnly, "read-only primary"},
+                             {&secondaryReadOnly_, &Ports::secondaryReadOnly, "read-only secondary"},
+                             {&realtimeReadOnly_, &Ports::realtimeReadOnly, "read-only realtime"},
+                             {&gripper_, &Ports::gripper, "gripper"}});
+    if (software >= SoftwareVersion{5, 10, 0, 0}) {
+        all_.push_back({&interpreter_, &Ports::interpreter, "interpreter"});
+    }
+    all_.push_back({&faults_, &Ports::faults, "fault"});
+    for (const Entry& entry : all_) {
+        if (entry.server != &faults_) {
+            entry.server->setLink(&link_);
+        }
+    }
+}
 
-bool Services::exists(const Entry& entry) const {
-    const SoftwareVersion& software = plant_.options().software;
-    return entry.server != &interpreter_ || software >= SoftwareVersion{5, 10};
+Result<void> Services::openOne(const Entry& entry, const QHostAddress& address,
+                               const ControllerOptions& options) {
+    const Ports standard;
+    const auto at = [&](int port) -> Result<void> {
+        if (port < 0 || port > 65535) {
+            return Error{
+                ErrorCode::InvalidArgument,
+                QStringLiteral("port offset %1 leads out of the range of ports").arg(options.portOffset),
+                {}};
+        }
+        return entry.server->open(address, static_cast<std::uint16_t>(port), entry.name);
+    };
+    const int wanted = options.anyFreePorts ? 0 : standard.*entry.port + options.portOffset;
+    if (entry.server == &gripper_ && wanted > 65535) {
+        return {};  // its number is so high that many an offset has no room for it
+    }
+    const Result<void> opened = at(wanted);
+    // Most systems keep port 80 to themselves, or have a web server there.
+    constexpr int kOtherWebPort = 8080;
+    return opened || entry.server != &robotApi_ || options.anyFreePorts
+               ? opened
+               : at(kOtherWebPort + options.portOffset);
 }
 
 Result<void> Services::open(const ControllerOptions& options) {
@@ -38,21 +76,8 @@ Result<void> Services::open(const ControllerOptions& options) {
                      QStringLiteral("listen on '%1': not an IP address").arg(options.listenAddress),
                      {}};
     }
-    const Ports standard;
     for (const Entry& entry : all_) {
-        if (!exists(entry)) {
-            continue;
-        }
-        const int wanted = options.anyFreePorts ? 0 : standard.*entry.port + options.portOffset;
-        if (wanted < 0 || wanted > 65535) {
-            close();
-            return Error{
-                ErrorCode::InvalidArgument,
-                QStringLiteral("port offset %1 leads out of the range of ports").arg(options.portOffset),
-                {}};
-        }
-        if (auto opened = entry.server->open(address, static_cast<std::uint16_t>(wanted), entry.name);
-            !opened) {
+        if (auto opened = openOne(entry, address, options); !opened) {
             close();
             return opened;
         }
@@ -67,7 +92,7 @@ void Services::close() {
 }
 
 Ports Services::ports() const {
-    Ports ports;
+    Ports ports = Ports::none();
     for (const Entry& entry : all_) {
         ports.*entry.port = entry.server->port();
     }
@@ -75,12 +100,17 @@ Ports Services::ports() const {
 }
 
 void Services::service() {
+    link_.setTime(plant_.elapsed());
     for (const Entry& entry : all_) {
-        entry.server->service();
+        if (entry.server != &faults_) {
+            entry.server->service();
+        }
     }
 }
 
 void Services::publish() {
+    link_.setTime(plant_.elapsed());
+    gripper_.step(plant_.stepTime(), plant_.telemetry().powered);
     // Real-time data first: a tenth of a millisecond of messages shall not delay them.
     rtde_.publish();
     realtime_.publish();
@@ -97,7 +127,9 @@ void Services::publish() {
 
 void Services::closeClients() {
     for (const Entry& entry : all_) {
-        entry.server->closeClients();
+        if (entry.server != &faults_) {
+            entry.server->closeClients();
+        }
     }
 }
 

@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// All services of one controller, opened and served together.
+// All services of one controller, opened and served together. Which there are depends on the software:
+// PolyScope X has the Robot API in place of the dashboard.
+
+#include <vector>
 
 #include "robot/simulator/controller.h"
+#include "robot/simulator/program_store.h"
 #include "robot/simulator/servers/dashboard_server.h"
+#include "robot/simulator/servers/fault_server.h"
+#include "robot/simulator/servers/gripper_server.h"
 #include "robot/simulator/servers/interpreter_server.h"
+#include "robot/simulator/servers/link.h"
 #include "robot/simulator/servers/primary_server.h"
 #include "robot/simulator/servers/realtime_server.h"
+#include "robot/simulator/servers/robot_api_server.h"
 #include "robot/simulator/servers/rtde_server.h"
 
 namespace tiller::simulator {
@@ -15,22 +23,28 @@ namespace tiller::simulator {
 /// Threads  the simulator's.
 class Services {
 public:
-    explicit Services(Plant& plant);
+    /// faults  answers the lines of the fault port
+    Services(Plant& plant, FaultServer::Handler faults);
 
     /// Opens all ports or none. Errors as Listener::open().
     Result<void> open(const ControllerOptions& options);
     void close();
     Ports ports() const;
 
-    /// Reads all clients and answers; no time passes.
+    /// Reads all clients and answers; no time passes. The fault port is served apart.
     void service();
     /// Sends what the last control period brought.
     void publish();
+    /// Ends all connections but those of the fault port.
     void closeClients();
     /// What leaving or entering remote control does to the connections of a robot that gates them.
     void closeScriptClients();
 
+    RtdeServer& rtde() { return rtde_; }
     const RtdeServer& rtde() const { return rtde_; }
+    GripperServer& gripper() { return gripper_; }
+    FaultServer& faults() { return faults_; }
+    Link& link() { return link_; }
 
 private:
     struct Entry {
@@ -38,17 +52,20 @@ private:
         std::uint16_t Ports::*port;
         const char* name;
     };
-    /// Of the simulated software.
-    bool exists(const Entry& entry) const;
-    static constexpr std::size_t kCount = 9;
+    Result<void> openOne(const Entry& entry, const QHostAddress& address, const ControllerOptions& options);
 
     Plant& plant_;
+    Link link_;
+    ProgramStore store_;
     DashboardServer dashboard_;
+    RobotApiServer robotApi_;
     PrimaryServer primary_, secondary_, primaryReadOnly_, secondaryReadOnly_;
     RealtimeServer realtime_, realtimeReadOnly_;
     RtdeServer rtde_;
     InterpreterServer interpreter_;
-    Entry all_[kCount];
+    GripperServer gripper_;
+    FaultServer faults_;
+    std::vector<Entry> all_;  ///< the fault port last
 };
 
 }  // namespace tiller::simulator

@@ -84,6 +84,32 @@ private Q_SLOTS:
         QVERIFY(dashboard.ask("PolyscopeVersion").startsWith("URSoftware 5.20."));
     }
 
+    void polyScopeXHasNoDashboardButARobotApi() {
+        Cli cli({"simulate", "--listen", ownAddress(), "--software", "10.12"});
+        const QByteArray ready = cli.readyLine();
+        QVERIFY2(ready.contains(" robot-api="), ready);
+        QVERIFY(!ready.contains("dashboard"));
+        QVERIFY(!RawClient(ownAddress(), 29999).isConnected());
+    }
+
+    void faultsAreInjectedFromTheStartAndFromAnotherProcess() {
+        Cli cli({"simulate", "--listen", ownAddress(), "--headless", "--fault", "safeguard on", "--fault",
+                 "speed 0.5"});
+        QVERIFY(cli.readyLine().contains("faults=29990"));
+        RawDashboard dashboard(ownAddress(), 29999);
+        QTRY_COMPARE(dashboard.ask("safetymode"), QByteArray("Safetymode: SAFEGUARD_STOP\n"));
+        Cli release({"fault", ownAddress(), "safeguard", "off"});
+        QCOMPARE(release.exitCode(), 0);
+        QCOMPARE(release.process.readAllStandardOutput(), QByteArray("ok\n"));
+        QTRY_COMPARE(dashboard.ask("safetymode"), QByteArray("Safetymode: NORMAL\n"));
+        Cli wrong({"fault", ownAddress(), "safeguard", "perhaps"});
+        QCOMPARE(wrong.exitCode(), 1);
+        QVERIFY(wrong.process.readAllStandardError().contains("perhaps"));
+        Cli nobody({"fault", ownAddress() + ":1", "status"});
+        QCOMPARE(nobody.exitCode(), 1);
+        QVERIFY(nobody.process.readAllStandardError().contains("no simulated controller"));
+    }
+
     void aSecondOneOnTheSameAddressSaysWhatToDo() {
         Cli first({"simulate", "--listen", ownAddress()});
         QVERIFY(first.readyLine().startsWith("ready"));
@@ -110,6 +136,16 @@ private Q_SLOTS:
         row("model", {"simulate", "--model", "ur99"}, "ur5e");
         row("software", {"simulate", "--software", "new"}, "5.22");
         row("software of another series", {"simulate", "--software", "3.15"}, "UR5e");
+        row("software too old", {"simulate", "--model", "ur15", "--software", "5.11"}, "5.22");
+        row("software of no series", {"simulate", "--software", "4.1"}, "10.12");
+        row("fault", {"simulate", "--listen", ownAddress(), "--fault", "explode"}, "explode");
+        row("fault without its words", {"simulate", "--listen", ownAddress(), "--fault", "link"},
+            "lost|back");
+        row("boot time", {"simulate", "--boot-time", "long"}, "3600");
+        row("headless and local", {"simulate", "--headless", "--local"}, "--local");
+        row("fault without address", {"fault"}, "127.0.0.1");
+        row("fault without words", {"fault", "127.0.0.1"}, "protective-stop");
+        row("fault at no port", {"fault", "127.0.0.1:x", "fault"}, "127.0.0.1:x");
         row("missing value", {"simulate", "--listen"}, "listen");
     }
     void wrongArgumentsAreExplained() {
@@ -127,6 +163,7 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("contains");
         QTest::newRow("help") << QStringList{"--help"} << QByteArray("simulate");
         QTest::newRow("simulate help") << QStringList{"simulate", "--help"} << QByteArray("--port-offset");
+        QTest::newRow("fault help") << QStringList{"fault", "--help"} << QByteArray("hold-registers");
         QTest::newRow("version") << QStringList{"--version"} << QByteArray("tiller-cli ");
     }
     void helpAndVersionAreAnsweredWithSuccess() {

@@ -17,6 +17,24 @@ simulator::ControllerOptions poweredOff() {
     return options;
 }
 
+/// A robot ready to play wait_program.urp, which never ends.
+struct Played {
+    static simulator::ControllerOptions options(const QString& folder) {
+        QFile file(folder + "/wait_program.urp");
+        if (file.open(QIODevice::WriteOnly)) {
+            file.write("def wait_program():\n  while True:\n    sleep(1)\n  end\nend\n");
+        }
+        auto options = VirtualRobot::options();
+        options.programsFolder = folder;
+        return options;
+    }
+    Played() { dashboard.ask("load wait_program.urp"); }
+
+    QTemporaryDir folder;
+    VirtualRobot robot{options(folder.path())};
+    RawDashboard dashboard{robot.host(), robot.controller.ports().dashboard};
+};
+
 }  // namespace
 
 class TestDashboardService : public QObject {
@@ -85,7 +103,7 @@ private Q_SLOTS:
         QCOMPARE(dashboard.ask("setUserRole operator"), QByteArray("Setting user role: operator\n"));
         QCOMPARE(dashboard.ask("getUserRole"), QByteArray("OPERATOR\n"));
         QVERIFY(dashboard.ask("is in remote control").startsWith("could not understand"));
-        QCOMPARE(dashboard.ask("PolyscopeVersion"), QByteArray("URSoftware 3.15.8.106339 (Mar 12 2025)\n"));
+        QCOMPARE(dashboard.ask("PolyscopeVersion"), QByteArray("URSoftware 3.15.8.106339 (Jun 20 2022)\n"));
     }
 
     void thePowerCycleOfTheClientLibrarysTests() {
@@ -165,6 +183,48 @@ private Q_SLOTS:
         QCOMPARE(dashboard.ask("running"), QByteArray("Program running: false\n"));
     }
 
+    void aPopupThatDoesNotBlockDoesNotRefusePlay() {
+        Played cell;
+        QCOMPARE(cell.dashboard.ask("popup hello"), QByteArray("showing popup\n"));
+        QCOMPARE(cell.dashboard.ask("play"), QByteArray("Starting program\n"));
+        cell.robot.controller.step(2);
+        QCOMPARE(cell.dashboard.ask("programState"), QByteArray("PLAYING wait_program.urp\n"));
+        cell.dashboard.ask("stop");
+        QVERIFY(cell.robot.stepUntil([&] { return cell.robot.programState() == RuntimeState::Stopped; }, 2));
+        QVERIFY(cell.robot.controller.inject("popup wait for me").ok());  // one that blocks does
+        QCOMPARE(cell.dashboard.ask("play"), QByteArray("Failed to execute: play\n"));
+        cell.dashboard.ask("close popup");
+        QCOMPARE(cell.dashboard.ask("play"), QByteArray("Starting program\n"));
+    }
+
+    void playFollowsStopAndLoadAtOnce() {
+        Played cell;
+        QCOMPARE(cell.dashboard.ask("play"), QByteArray("Starting program\n"));
+        cell.robot.controller.step(5);
+        QCOMPARE(cell.dashboard.ask("stop"), QByteArray("Stopped\n"));
+        cell.robot.controller.step(1);
+        QCOMPARE(cell.dashboard.ask("play"), QByteArray("Starting program\n"));
+        cell.robot.controller.step(50);
+        QCOMPARE(cell.dashboard.ask("programState"), QByteArray("PLAYING wait_program.urp\n"));
+        QCOMPARE(cell.dashboard.ask("load wait_program.urp"),
+                 QByteArray("Loading program: wait_program.urp\n"));
+        QCOMPARE(cell.dashboard.ask("programState"), QByteArray("STOPPED wait_program.urp\n"));
+        QCOMPARE(cell.dashboard.ask("play"), QByteArray("Starting program\n"));
+        cell.robot.controller.step(50);
+        QCOMPARE(cell.dashboard.ask("programState"), QByteArray("PLAYING wait_program.urp\n"));
+    }
+
+    void stopAndPlayInOneSegmentAreBothObeyed() {
+        Played cell;
+        QCOMPARE(cell.dashboard.ask("play"), QByteArray("Starting program\n"));
+        cell.robot.controller.step(5);
+        cell.dashboard.send("stop\nplay\n");
+        QCOMPARE(cell.dashboard.line(), QByteArray("Stopped\n"));
+        QCOMPARE(cell.dashboard.line(), QByteArray("Starting program\n"));
+        cell.robot.controller.step(50);
+        QCOMPARE(cell.dashboard.ask("programState"), QByteArray("PLAYING wait_program.urp\n"));
+    }
+
     void stopEndsAProgramSentOverASocket() {
         VirtualRobot robot;
         RawDashboard dashboard = robot.dashboard();
@@ -230,6 +290,15 @@ private Q_SLOTS:
         robot.controller.setRemoteControl(true);
         robot.controller.drainSockets();
         QCOMPARE(dashboard.ask("power on"), refusal);  // rights are those of the connection
+        RawDashboard remote = robot.dashboard();
+        QCOMPARE(remote.ask("power on"), QByteArray("Powering on\n"));
+        // The switch takes them away, and turning it back does not bring them again.
+        robot.controller.setRemoteControl(false);
+        robot.controller.drainSockets();
+        QCOMPARE(remote.ask("power on"), refusal);
+        robot.controller.setRemoteControl(true);
+        robot.controller.drainSockets();
+        QCOMPARE(remote.ask("power on"), refusal);
         QCOMPARE(robot.dashboard().ask("power on"), QByteArray("Powering on\n"));
     }
 

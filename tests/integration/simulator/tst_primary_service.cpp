@@ -111,7 +111,9 @@ private Q_SLOTS:
     }
 
     void theFirstStateDescribesTheArmAndLaterOnesDoNot() {
-        VirtualRobot robot;
+        auto options = VirtualRobot::options();
+        options.software = {5, 8, 0, 0};  // the one that was recorded
+        VirtualRobot robot(options);
         RawPrimary primary = robot.primary();
         primary.next();
         robot.controller.stepSeconds(0.21);

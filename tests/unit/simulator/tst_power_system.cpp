@@ -59,6 +59,47 @@ private Q_SLOTS:
         QCOMPARE(modes(power, 5).back(), 3);
     }
 
+    void powerOnPressedWhileThePowerGoesOffIsNotLost() {
+        PowerSystem power(true);
+        power.powerOff();
+        power.step(0.002);
+        power.powerOn();
+        QCOMPARE(modes(power, 5), (QList<int>{7, 3, 4, 2, 5}));
+        power.powerOff();
+        power.releaseBrakes();
+        QCOMPARE(modes(power, 5), (QList<int>{5, 3, 4, 2, 5, 7}));
+        power.powerOff();
+        power.powerOn();
+        power.powerOff();
+        QCOMPARE(modes(power, 5), (QList<int>{7, 3}));
+    }
+
+    void aControllerStartsDisconnectedAndWaitsForTheOperatorsConfirmation() {
+        PowerSystem power(false);
+        power.boot(2, false);
+        QVERIFY(!power.isPowered());
+        QCOMPARE(modes(power, 3), (QList<int>{0, 2, 3}));
+        power.boot(2, true);
+        power.powerOn();
+        QCOMPARE(modes(power, 10), (QList<int>{0, 1}));
+        power.confirmSafety();
+        QCOMPARE(modes(power, 5), (QList<int>{1, 2, 3}));
+    }
+
+    void backdriveIsEnteredFromIdleOnly() {
+        PowerSystem power(true);
+        power.setBackdrive(true);
+        QCOMPARE(static_cast<int>(power.mode()), 7);
+        power.powerOff();
+        power.powerOn();
+        modes(power, 5);
+        power.setBackdrive(true);
+        QCOMPARE(modes(power, 1), QList<int>{6});
+        QVERIFY(power.isPowered());
+        power.setBackdrive(false);
+        QCOMPARE(modes(power, 1), QList<int>{5});
+    }
+
     void powerOffWithoutPowerIsHarmless() {
         PowerSystem power(false);
         power.powerOff();

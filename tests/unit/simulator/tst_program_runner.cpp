@@ -93,7 +93,7 @@ private Q_SLOTS:
 
     void noProgramStartsWhileSafetyForbidsMotion() {
         Plant plant(running());
-        plant.safety().setRobotEmergencyStop(true);
+        plant.safety().set(simulator::SafetySystem::Input::RobotEmergencyStop, true);
         plant.step();
         plant.takeOutbox();
         submit(plant, kEndless);

@@ -56,15 +56,15 @@ private Q_SLOTS:
 
     void theGravestCauseIsShown() {
         SafetySystem safety;
-        safety.setReduced(true);
+        safety.set(SafetySystem::Input::Reduced, true);
         QCOMPARE(safety.mode(), SafetyMode::Reduced);
-        safety.setSafeguard(true);
+        safety.set(SafetySystem::Input::Safeguard, true);
         QCOMPARE(safety.mode(), SafetyMode::SafeguardStop);
         safety.protectiveStop();
         QCOMPARE(safety.mode(), SafetyMode::ProtectiveStop);
-        safety.setSystemEmergencyStop(true);
+        safety.set(SafetySystem::Input::SystemEmergencyStop, true);
         QCOMPARE(safety.mode(), SafetyMode::SystemEmergencyStop);
-        safety.setRobotEmergencyStop(true);
+        safety.set(SafetySystem::Input::RobotEmergencyStop, true);
         QCOMPARE(safety.mode(), SafetyMode::RobotEmergencyStop);
         safety.violation();
         QCOMPARE(safety.mode(), SafetyMode::Violation);
@@ -76,11 +76,28 @@ private Q_SLOTS:
         QVERIFY(safety.blocksPower());
     }
 
+    void theNewerSafeguardStopsShowInTheStatusAndDependOnTheOperationalMode() {
+        SafetySystem safety;
+        safety.set(SafetySystem::Input::AutomaticModeSafeguard, true);
+        safety.set(SafetySystem::Input::ThreePositionEnabling, true);
+        QCOMPARE(safety.mode(), SafetyMode::Normal);
+        safety.setOperationalMode(simulator::OperationalMode::Automatic);
+        QCOMPARE(safety.mode(), SafetyMode::SafeguardStop);
+        QCOMPARE(safety.status(), SafetyMode::AutomaticModeSafeguardStop);
+        QCOMPARE(safety.statusBits(), (1U << 4) | (1U << 10));
+        safety.setOperationalMode(simulator::OperationalMode::Manual);
+        QCOMPARE(safety.mode(), SafetyMode::SafeguardStop);
+        QCOMPARE(safety.status(), SafetyMode::SystemThreePositionEnablingStop);
+        QCOMPARE(safety.statusBits(), (1U << 4) | (1U << 10) | (1U << 11));
+        safety.set(SafetySystem::Input::ThreePositionEnabling, false);
+        QCOMPARE(safety.status(), SafetyMode::Normal);
+    }
+
     void releasingAnInputEndsItsStop() {
         SafetySystem safety;
-        safety.setRobotEmergencyStop(true);
+        safety.set(SafetySystem::Input::RobotEmergencyStop, true);
         QCOMPARE(safety.statusBits(), (1U << 6) | (1U << 7) | (1U << 10));
-        safety.setRobotEmergencyStop(false);
+        safety.set(SafetySystem::Input::RobotEmergencyStop, false);
         QCOMPARE(safety.mode(), SafetyMode::Normal);
         QVERIFY(!safety.blocksPower());
     }

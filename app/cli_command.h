@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What the commands of tiller-cli share.
+
+#include <QStringList>
+#include <QTextStream>
+
+namespace tiller::app {
+
+enum ExitCode { kSuccess = 0, kFailed = 1, kWrongArguments = 2 };
+
+inline QTextStream& out() {
+    static QTextStream stream(stdout);
+    return stream;
+}
+inline int complain(const QString& what, ExitCode code) {
+    QTextStream(stderr) << "tiller-cli: " << what << '\n';
+    return code;
+}
+inline int wrongArguments(const QString& what) {
+    return complain(what + QStringLiteral("\nSee 'tiller-cli --help'."), kWrongArguments);
+}
+
+/// A robot controller with a simulated arm, until the program is told to end.
+int simulate(const QStringList& arguments);
+/// A fault, by its words, at a simulated controller that runs somewhere.
+int fault(const QStringList& arguments);
+
+}  // namespace tiller::app

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QTcpSocket>
+
+#include "app/cli_command.h"
+#include "robot/simulator/controller.h"
+#include "robot/simulator/faults.h"
+
+namespace tiller::app {
+
+namespace {
+
+constexpr int kPatienceMs = 5000;
+
+const QString kFaultHelp = QStringLiteral(
+    "tiller-cli fault: makes something go wrong at a simulated controller\n"
+    "\n"
+    "Usage: tiller-cli fault ADDRESS[:PORT] WORDS...\n"
+    "\n"
+    "ADDRESS is that of 'tiller-cli simulate' or of the application's simulator, PORT the one its 'ready'\n"
+    "line calls faults (default 29990). Anything that can open a TCP connection can do the same: one line "
+    "of\n"
+    "WORDS is answered with one line, 'ok' or 'error: ' and the reason.\n"
+    "\n"
+    "WORDS is one of\n");
+
+}  // namespace
+
+int fault(const QStringList& arguments) {
+    if (arguments.size() < 2 || arguments[1] == QLatin1String("--help") ||
+        arguments[1] == QLatin1String("-h")) {
+        if (arguments.size() < 2) {
+            return wrongArguments(
+                QStringLiteral("fault: an address and words are missing, such as "
+                               "'tiller-cli fault 127.0.0.1 protective-stop'"));
+        }
+        out() << kFaultHelp << simulator::faultHelp();
+        return kSuccess;
+    }
+    if (arguments.size() < 3) {
+        return wrongArguments(QStringLiteral("fault: words are missing, such as 'protective-stop'"));
+    }
+    const QStringList address = arguments[1].split(':');
+    bool ok = address.size() <= 2;
+    const quint16 port = address.size() < 2 ? simulator::Ports().faults : address[1].toUShort(&ok);
+    if (!ok || port == 0) {
+        return wrongArguments(
+            QStringLiteral("fault: '%1' is not an address, or an address and a port").arg(arguments[1]));
+    }
+    QTcpSocket socket;
+    socket.connectToHost(address[0], port);
+    if (!socket.waitForConnected(kPatienceMs)) {
+        return complain(QStringLiteral("no simulated controller answers at %1 port %2 (%3)")
+                            .arg(address[0])
+                            .arg(port)
+                            .arg(socket.errorString()),
+                        kFailed);
+    }
+    socket.write(arguments.mid(2).join(' ').replace('\n', ' ').toUtf8() + '\n');
+    while (!socket.canReadLine() && socket.waitForReadyRead(kPatienceMs)) {
+    }
+    // `help` has more than one line; nothing else follows an answer.
+    QByteArray answer = socket.readAll();
+    if (answer.isEmpty()) {
+        return complain(QStringLiteral("%1 port %2 does not answer").arg(address[0]).arg(port), kFailed);
+    }
+    if (answer.startsWith("error: ")) {
+        return complain(QString::fromUtf8(answer.mid(7)).trimmed(), kFailed);
+    }
+    out() << QString::fromUtf8(answer.mid(answer.startsWith("ok ") ? 3 : 0));
+    out().flush();
+    return kSuccess;
+}
+
+}  // namespace tiller::app

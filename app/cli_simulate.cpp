@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QCommandLineParser>
+#include <QHostAddress>
+
+#include "app/cli_command.h"
+#include "app/termination.h"
+#include "robot/simulator/controller.h"
+#include "robot/simulator/personality.h"
+
+namespace tiller::app {
+
+namespace {
+
+const QString kSimulateHelp = QStringLiteral(
+    "tiller-cli simulate: a robot controller with a simulated arm, on the standard ports\n"
+    "\n"
+    "Usage: tiller-cli simulate [options]\n"
+    "\n"
+    "  --listen ADDRESS     address to listen on (default 127.0.0.1). Several controllers run side by\n"
+    "                       side on 127.0.0.2, 127.0.0.3... Nothing beyond this machine can connect\n"
+    "                       unless ADDRESS is one of the network's, or 0.0.0.0.\n"
+    "  --port-offset N      added to every port number (default 0)\n"
+    "  --model MODEL        ur3, ur3e, ur5, ur5e, ur10, ur10e, ur16e, ur20, ur30... (default ur5e)\n"
+    "  --software VERSION   controller software to be: 3.15 for a CB3 model; 5.11, 5.22, 5.25 or any\n"
+    "                       other of series 5; 10.12 for PolyScope X (default 5.22, CB3 models 3.15)\n"
+    "  --headless           start with the brakes released and in remote control, ready to move\n"
+    "  --local              start in local control, and refuse what a robot refuses then\n"
+    "  --programs FOLDER    where programs are loaded from: .urp as the pendant saves them, .urpx, or\n"
+    "                       URScript text\n"
+    "  --fault WORDS        something to go wrong from the start; repeat for more. See\n"
+    "                       'tiller-cli fault --help': the same words work while it runs\n"
+    "  --boot-time SECONDS  take so long to start, as a real controller does (default: none)\n"
+    "  --seed N             of measurement noise and of everything else that is random (default 1)\n"
+    "  --priority N         run at SCHED_FIFO priority N, 1 to 99, if the system permits\n"
+    "  --help               this text\n"
+    "\n"
+    "Prints one line beginning with 'ready' once all ports accept. Ends on Ctrl-C or SIGTERM.\n");
+
+QString modelNames() {
+    QStringList names;
+    for (const RobotModel& model : robotModels()) {
+        names << QString::fromLatin1(model.name).toLower();
+    }
+    return names.join(QStringLiteral(", "));
+}
+
+QString readyLine(const simulator::Controller& controller) {
+    const simulator::Ports ports = controller.ports();
+    const std::pair<const char*, std::uint16_t> named[] = {
+        {"dashboard", ports.dashboard},
+        {"primary", ports.primary},
+        {"secondary", ports.secondary},
+        {"realtime", ports.realtime},
+        {"rtde", ports.rtde},
+        {"primary-read-only", ports.primaryReadOnly},
+        {"secondary-read-only", ports.secondaryReadOnly},
+        {"realtime-read-only", ports.realtimeReadOnly},
+        {"interpreter", ports.interpreter},
+        {"robot-api", ports.robotApi},
+        {"gripper", ports.gripper},
+        {"faults", ports.faults},
+    };
+    QString line = QStringLiteral("ready ") + controller.listenAddress();
+    for (const auto& [name, port] : named) {
+        if (port != 0) {
+            line += QStringLiteral(" %1=%2").arg(QLatin1String(name)).arg(port);
+        }
+    }
+    return line;
+}
+
+int runController(const simulator::ControllerOptions& options, const QStringList& faults) {
+    holdTerminationSignals();
+    simulator::Controller controller(options);
+    if (const Result<void> started = controller.start(); !started) {
+        const Error error = started.error();
+        const QString words = error.controllerMessage.isEmpty()
+                                  ? QString()
+                                  : QStringLiteral(" (%1)").arg(error.controllerMessage);
+        return complain(error.context + words, kFailed);
+    }
+    for (const QString& words : faults) {
+        if (const Result<QString> done = controller.inject(words); !done) {
+            return complain(QStringLiteral("--fault ") + done.error().context, kWrongArguments);
+        }
+    }
+    out() << readyLine(controller) << Qt::endl;
+    waitForTermination();
+    controller.stop();
+    return kSuccess;
+}
+
+/// What is not a number within the range is complained about and gives nothing.
+std::optional<double> numberIn(const QCommandLineParser& parser, const QCommandLineOption& option,
+                               double least, double most) {
+    bool ok = false;
+    const double value = parser.value(option).toDouble(&ok);
+    if (ok && value >= least && value <= most) {
+        return value;
+    }
+    wrongArguments(QStringLiteral("--%1 takes a number from %2 to %3, not '%4'")
+                       .arg(option.names().first())
+                       .arg(least)
+                       .arg(most)
+                       .arg(parser.value(option)));
+    return std::nullopt;
+}
+
+}  // namespace
+
+int simulate(const QStringList& arguments) {
+    QCommandLineParser parser;
+    const QCommandLineOption help(QStringList{"h", "help"});
+    const QCommandLineOption listen("listen", {}, "ADDRESS", "127.0.0.1");
+    const QCommandLineOption offset("port-offset", {}, "N", "0");
+    const QCommandLineOption model("model", {}, "MODEL", "ur5e");
+    const QCommandLineOption software("software", {}, "VERSION");
+    const QCommandLineOption headless("headless");
+    const QCommandLineOption local("local");
+    const QCommandLineOption programs("programs", {}, "FOLDER");
+    const QCommandLineOption fault("fault", {}, "WORDS");
+    const QCommandLineOption bootTime("boot-time", {}, "SECONDS", "0");
+    const QCommandLineOption seed("seed", {}, "N", "1");
+    const QCommandLineOption priority("priority", {}, "N");
+    parser.addOptions(
+        {help, listen, offset, model, software, headless, local, programs, fault, bootTime, seed, priority});
+    if (!parser.parse(arguments)) {
+        return wrongArguments(parser.errorText());
+    }
+    if (parser.isSet(help)) {
+        out() << kSimulateHelp;
+        return kSuccess;
+    }
+    if (!parser.positionalArguments().isEmpty()) {
+        return wrongArguments(QStringLiteral("'%1' is too much").arg(parser.positionalArguments().first()));
+    }
+
+    simulator::ControllerOptions options;
+    options.listenAddress = parser.value(listen);
+    if (QHostAddress(options.listenAddress).isNull()) {
+        return wrongArguments(QStringLiteral("--listen takes an IP address such as 127.0.0.2, not '%1'")
+                                  .arg(options.listenAddress));
+    }
+    bool ok = false;
+    options.portOffset = parser.value(offset).toInt(&ok);
+    if (!ok || options.portOffset < -29000 || options.portOffset > 35000) {
+        return wrongArguments(QStringLiteral("--port-offset takes a number from -29000 to 35000, not '%1'")
+                                  .arg(parser.value(offset)));
+    }
+    const auto id = robotModelByName(parser.value(model));
+    if (!id) {
+        return wrongArguments(
+            QStringLiteral("--model '%1' is not known; there are %2").arg(parser.value(model), modelNames()));
+    }
+    options.model = *id;
+    options.software = simulator::defaultSoftware(*id);
+    if (parser.isSet(software)) {
+        const auto version = simulator::parseSoftware(parser.value(software));
+        if (!version) {
+            return wrongArguments(QStringLiteral("--software: ") + version.error().context);
+        }
+        options.software = *version;
+    }
+    if (const auto fits = simulator::checkSoftware(*id, options.software); !fits) {
+        return wrongArguments(fits.error().context);
+    }
+    if (parser.isSet(headless) && parser.isSet(local)) {
+        return wrongArguments(QStringLiteral("--headless means remote control: it does not go with --local"));
+    }
+    const auto boot = numberIn(parser, bootTime, 0, 3600);
+    const auto number = numberIn(parser, seed, 0, 1e15);
+    const auto wished = parser.isSet(priority) ? numberIn(parser, priority, 1, 99) : std::optional<double>(0);
+    if (!boot || !number || !wished) {
+        return kWrongArguments;
+    }
+    if (*boot > 0 && parser.isSet(headless)) {
+        return wrongArguments(
+            QStringLiteral("--headless means ready to move: it does not go with --boot-time"));
+    }
+    options.bootTime = *boot;
+    options.seed = static_cast<std::uint64_t>(*number);
+    if (*wished > 0) {
+        options.priority = static_cast<int>(*wished);
+    }
+    options.programsFolder = parser.value(programs);
+    options.poweredOn = parser.isSet(headless);
+    options.remoteControl = !parser.isSet(local);
+    options.gateLocalControl = options.gateLoopbackClients = parser.isSet(local);
+    return runController(options, parser.values(fault));
+}
+
+}  // namespace tiller::app

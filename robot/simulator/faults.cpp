@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: MIT
+#include "robot/simulator/faults.h"
+
+#include <QStringList>
+#include <numbers>
+
+#include "robot/simulator/machine.h"
+#include "robot/simulator/program_runner.h"
+
+namespace tiller::simulator {
+
+namespace {
+
+/// What a line gave beside its verb. A wrong one is remembered; the reader asks once, at the end.
+class Words {
+public:
+    explicit Words(const QStringList& words) : words_(words) {}
+
+    bool has() const { return next_ < words_.size(); }
+    QString word() { return has() ? words_[next_++] : complain(QStringLiteral("a word is missing")); }
+    QString rest() { return words_.mid(std::exchange(next_, words_.size())).join(' '); }
+    bool choice(const char* yes, const char* no) {
+        const QString given = word();
+        if (given != QLatin1String(yes) && given != QLatin1String(no)) {
+            complain(QStringLiteral("'%1' is neither %2 nor %3")
+                         .arg(given, QLatin1String(yes), QLatin1String(no)));
+        }
+        return given == QLatin1String(yes);
+    }
+    bool on() { return choice("on", "off"); }
+    double number(double least, double most) {
+        const QString given = word();
+        bool ok = false;
+        const double value = given.toDouble(&ok);
+        if (!ok || !(value >= least && value <= most)) {
+            complain(QStringLiteral("'%1' is not a number from %2 to %3").arg(given).arg(least).arg(most));
+            return least;
+        }
+        return value;
+    }
+    double numberOr(double otherwise, double least, double most) {
+        return has() ? number(least, most) : otherwise;
+    }
+    int integer(int least, int most) {
+        const double value = number(least, most);
+        if (value != static_cast<int>(value)) {
+            complain(QStringLiteral("%1 is not a whole number").arg(value));
+        }
+        return static_cast<int>(value);
+    }
+    QString complain(const QString& what) {
+        if (complaint_.isEmpty()) {
+            complaint_ = what;
+        }
+        return {};
+    }
+    QString complaint() {
+        return complaint_.isEmpty() && has() ? QStringLiteral("'%1' is too much").arg(words_[next_])
+                                             : complaint_;
+    }
+    bool good() { return complaint().isEmpty(); }
+
+private:
+    QStringList words_;
+    qsizetype next_ = 0;
+    QString complaint_;
+};
+
+struct Verb {
+    const char* name;
+    const char* arguments;
+    const char* help;
+    /// Reads all words first and acts only if they are good().
+    QString (*run)(Machine& machine, Words& words);
+};
+
+constexpr double kMilli = 1e-3;
+
+template <SafetySystem::Input input>
+QString safetyInput(Machine& machine, Words& words) {
+    const bool active = words.on();
+    if (words.good()) {
+        machine.plant.safety().set(input, active);
+    }
+    return {};
+}
+
+template <class Change>
+QString changeLink(Machine& machine, Words& words, Change change) {
+    LinkConditions conditions = machine.services.link().conditions();
+    change(conditions, words);
+    if (words.good()) {
+        machine.services.link().set(conditions);
+    }
+    return {};
+}
+
+QString holdRegisters(Machine& machine, Words& words) {
+    const QString given = words.word();
+    if (!words.good()) {
+        return {};
+    }
+    QStringList names;
+    if (given == QLatin1String("lower") || given == QLatin1String("upper")) {
+        const int first = given == QLatin1String("lower") ? 0 : 24;
+        for (int i = first; i < first + 24; ++i) {
+            names << QStringLiteral("input_int_register_%1").arg(i)
+                  << QStringLiteral("input_double_register_%1").arg(i);
+        }
+    } else {
+        names = given.split(',', Qt::SkipEmptyParts);
+    }
+    if (!machine.services.rtde().holdInputs(names)) {
+        words.complain(QStringLiteral("not all of these inputs exist here and are free"));
+    }
+    return {};
+}
+
+QString jointNearLimit(Machine& machine, Words& words) {
+    const int joint = words.integer(1, kJointCount);
+    const double margin = words.numberOr(1.0, -10.0, 360.0) * std::numbers::pi / 180.0;
+    if (words.good()) {
+        machine.plant.programs().stopNow();
+        JointPositions q = machine.plant.arm().state().actualQ;
+        q[joint - 1] = kJointPositionLimit - margin;
+        machine.plant.arm().setJointPositions(q);
+        machine.plant.safety().set(SafetySystem::Input::Recovery, margin < 0);
+    }
+    return {};
+}
+
+QString hand(Machine& machine, Words& words) {
+    Vector6 wrench = Vector6::Zero();
+    for (int i = 0; i < 6; ++i) {
+        wrench[i] = i < 3 ? words.number(-1e4, 1e4) : words.numberOr(0, -1e4, 1e4);
+    }
+    if (words.good()) {
+        machine.plant.arm().environment().setHandWrench(Wrench::fromVector(wrench));
+    }
+    return {};
+}
+
+QString operationalMode(Machine& machine, Words& words) {
+    const QString mode = words.word();
+    const bool manual = mode == QLatin1String("manual");
+    const bool automatic = mode == QLatin1String("automatic");
+    if (!manual && !automatic && mode != QLatin1String("none")) {
+        words.complain(QStringLiteral("'%1' is neither manual, automatic nor none").arg(mode));
+    }
+    if (words.good()) {
+        machine.plant.safety().setOperationalMode(manual      ? OperationalMode::Manual
+                                                  : automatic ? OperationalMode::Automatic
+                                                              : OperationalMode::None);
+    }
+    return {};
+}
+
+QString status(Machine& machine, Words&) {
+    const Telemetry& t = machine.plant.telemetry();
+    const LinkConditions& link = machine.services.link().conditions();
+    return QStringLiteral(
+               "robot_mode=%1 safety_mode=%2 runtime_state=%3 remote=%4 timestamp=%5 silence=%6 link=%7 "
+               "delay=%8 "
+               "jitter=%9 split=%10 coalesce=%11 half_open=%12")
+        .arg(robotModeName(t.robotMode), safetyModeName(t.safetyMode), runtimeStateName(t.runtimeState))
+        .arg(machine.plant.isRemoteControl() ? "yes" : "no")
+        .arg(t.timestamp, 0, 'f', 3)
+        .arg(machine.silent ? "on" : "off", link.lost ? "lost" : "up")
+        .arg(link.delay / kMilli)
+        .arg(link.jitter / kMilli)
+        .arg(link.splitAt)
+        .arg(link.coalesce / kMilli)
+        .arg(machine.services.link().buried());
+}
+
+QString clear(Machine& machine, Words& words) {
+    if (words.good()) {
+        machine.services.link().set({});
+        machine.services.link().unbury();
+        machine.services.rtde().releaseHeldInputs();
+        machine.silent = false;
+        machine.plant.setCalibrationError(0);
+    }
+    return {};
+}
+
+using Input = SafetySystem::Input;
+
+// clang-format off
+const Verb kVerbs[] = {
+    {"protective-stop", "[CODE]", "the controller stops the arm (error code, default 157: collision)",
+     [](Machine& m, Words& w) {
+         constexpr double kCollision = 157;
+         const auto code = static_cast<std::int32_t>(w.numberOr(kCollision, 0, 9999));
+         if (w.good()) { m.plant.protectiveStop({code, 0, primary::ReportLevel::Warning, ""}); }
+         return QString(); }},
+    {"emergency-stop", "on|off", "the pendant's button", &safetyInput<Input::RobotEmergencyStop>},
+    {"system-emergency-stop", "on|off", "the external emergency stop input", &safetyInput<Input::SystemEmergencyStop>},
+    {"safeguard", "on|off", "on: the safeguard input is open", &safetyInput<Input::Safeguard>},
+    {"automatic-safeguard", "on|off", "the same, in operational mode AUTOMATIC only", &safetyInput<Input::AutomaticModeSafeguard>},
+    {"enabling-device", "off|on", "on: the three-position device is let go, which stops in MANUAL", &safetyInput<Input::ThreePositionEnabling>},
+    {"reduced", "on|off", "the reduced-mode input", &safetyInput<Input::Reduced>},
+    {"recovery", "on|off", "a joint outside its safety limits", &safetyInput<Input::Recovery>},
+    {"violation", "", "a safety limit is violated: power off, restart safety needed",
+     [](Machine& m, Words& w) { if (w.good()) { m.plant.safety().violation(); } return QString(); }},
+    {"fault", "", "the safety system finds a fault: power off, restart safety needed",
+     [](Machine& m, Words& w) { if (w.good()) { m.plant.safety().fault(); } return QString(); }},
+    {"power-loss", "", "the arm's supply fails",
+     [](Machine& m, Words& w) { if (w.good()) { m.plant.losePower(); } return QString(); }},
+    {"restart", "[SECONDS] [unconfirmed]", "the controller starts anew, slowly (default 20 s); unconfirmed: waits in CONFIRM_SAFETY",
+     [](Machine& m, Words& w) {
+         const double seconds = w.numberOr(20, 0, 3600);
+         const bool unconfirmed = w.has() && w.choice("unconfirmed", "confirmed");
+         if (w.good()) { m.plant.restart(seconds, unconfirmed); m.services.closeClients(); }
+         return QString(); }},
+    {"confirm-safety", "", "the operator confirms the safety configuration",
+     [](Machine& m, Words& w) { if (w.good()) { m.plant.power().confirmSafety(); } return QString(); }},
+    {"backdrive", "on|off", "joints moved by hand with the brakes overridden, from IDLE",
+     [](Machine& m, Words& w) { const bool on = w.on(); if (w.good()) { m.plant.setBackdrive(on); } return QString(); }},
+    {"script-error", "[TEXT]", "the running program fails with a runtime exception",
+     [](Machine& m, Words& w) {
+         const QString text = w.has() ? w.rest() : QStringLiteral("injected_runtime_error");
+         m.plant.failProgram(text.toStdString());
+         return QString(); }},
+    {"popup", "TEXT", "a popup on the pendant, which blocks `play`",
+     [](Machine& m, Words& w) {
+         const QString text = w.has() ? w.rest() : w.word();
+         if (w.good()) { m.plant.showPopup(text.toStdString(), true); }
+         return QString(); }},
+    {"close-popup", "", "the button of the newest popup is pressed",
+     [](Machine& m, Words& w) { if (w.good()) { m.plant.popups().closeNewest(); } return QString(); }},
+    {"hold-registers", "lower|upper|NAME,NAME...", "RTDE inputs owned by somebody else", &holdRegisters},
+    {"release-registers", "", "and free again",
+     [](Machine& m, Words& w) { if (w.good()) { m.services.rtde().releaseHeldInputs(); } return QString(); }},
+    {"link", "lost|back", "the cable out, or in again: nothing passes, connections stay",
+     [](Machine& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) { c.lost = r.choice("lost", "back"); }); }},
+    {"silence", "on|off", "a mute controller: time goes on, nothing is read or sent",
+     [](Machine& m, Words& w) { const bool on = w.on(); if (w.good()) { m.silent = on; } return QString(); }},
+    {"delay", "MS [JITTER]", "each way, with so much more at random; 0: none",
+     [](Machine& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
+         c.delay = r.number(0, 60'000) * kMilli; c.jitter = r.numberOr(0, 0, 60'000) * kMilli; }); }},
+    {"split", "BYTES", "what is sent arrives in two pieces, the first of so many bytes; 0: whole",
+     [](Machine& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
+         c.splitAt = static_cast<std::size_t>(r.integer(0, 65'536)); }); }},
+    {"coalesce", "MS", "what is sent within so much time arrives together; 0: as sent",
+     [](Machine& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
+         c.coalesce = r.number(0, 60'000) * kMilli; }); }},
+    {"half-open", "", "the controller forgets all connections and tells no client",
+     [](Machine& m, Words& w) {
+         if (w.good()) {
+             m.services.link().setForgetting(true);
+             m.services.closeClients();
+             m.services.link().setForgetting(false);
+         }
+         return QString(); }},
+    {"close-clients", "", "all connections end in good order",
+     [](Machine& m, Words& w) { if (w.good()) { m.services.closeClients(); } return QString(); }},
+    {"joint-near-limit", "JOINT [DEGREES]", "joint 1 to 6 stands so far from the end of its range (default 1); below 0: beyond, RECOVERY", &jointNearLimit},
+    {"calibration", "SIZE", "the reported kinematics differ from the arm's by up to SIZE mm and mrad; 0: not",
+     [](Machine& m, Words& w) { const double size = w.number(0, 1000); if (w.good()) { m.plant.setCalibrationError(size); } return QString(); }},
+    {"remote", "on|off", "the pendant's Local/Remote switch",
+     [](Machine& m, Words& w) { const bool on = w.on(); if (w.good()) { m.setRemoteControl(on); } return QString(); }},
+    {"operational-mode", "manual|automatic|none", "", &operationalMode},
+    {"freedrive-button", "on|off", "",
+     [](Machine& m, Words& w) { const bool on = w.on(); if (w.good()) { m.plant.setFreedriveButton(on); } return QString(); }},
+    {"digital-input", "NUMBER on|off", "0-7 standard, 8-15 configurable, 16-17 tool",
+     [](Machine& m, Words& w) {
+         const int pin = w.integer(0, kDigitalPins - 1);
+         const bool on = w.on();
+         if (w.good()) { Pins::setBit(m.plant.pins().digitalInputs, pin, on); }
+         return QString(); }},
+    {"speed", "FRACTION", "the speed slider, 0 to 1",
+     [](Machine& m, Words& w) { const double f = w.number(0, 1); if (w.good()) { m.plant.setSpeedSlider(f); } return QString(); }},
+    {"hand", "FX FY FZ [TX TY TZ]", "a hand on the tool [N, Nm], base frame; zeros let go", &hand},
+    {"gripper-object", "POSITION|none", "something between the gripper's fingers stops them at 0 to 255",
+     [](Machine& m, Words& w) {
+         const QString given = w.word();
+         bool ok = false;
+         const int position = given.toInt(&ok);
+         if (given != QLatin1String("none") && (!ok || position < 0 || position > 255)) {
+             w.complain(QStringLiteral("'%1' is neither none nor a position from 0 to 255").arg(given)); }
+         if (w.good()) { m.services.gripper().setObject(ok ? std::optional(position) : std::nullopt); }
+         return QString(); }},
+    {"status", "", "modes and faults now", &status},
+    {"clear", "", "no silence, a plain link, no held registers, the right calibration", &clear},
+};
+// clang-format on
+
+}  // namespace
+
+Result<QString> injectFault(Machine& machine, const QString& line) {
+    QStringList words = line.simplified().split(' ', Qt::SkipEmptyParts);
+    if (words.isEmpty()) {
+        return Error{ErrorCode::InvalidArgument, QStringLiteral("a word is missing; 'help' lists them"), {}};
+    }
+    const QString name = words.takeFirst();
+    if (name == QLatin1String("help")) {
+        return faultHelp();
+    }
+    for (const Verb& verb : kVerbs) {
+        if (name != QLatin1String(verb.name)) {
+            continue;
+        }
+        Words given(words);
+        const QString answer = verb.run(machine, given);
+        if (!given.good()) {
+            return Error{ErrorCode::InvalidArgument,
+                         QStringLiteral("%1: %2; usage: %1 %3")
+                             .arg(name, given.complaint(), QLatin1String(verb.arguments)),
+                         {}};
+        }
+        return answer;
+    }
+    return Error{
+        ErrorCode::InvalidArgument, QStringLiteral("'%1' is not known; 'help' lists all").arg(name), {}};
+}
+
+std::string answerFaultLine(Machine& machine, std::string_view line) {
+    const Result<QString> done =
+        injectFault(machine, QString::fromUtf8(line.data(), static_cast<qsizetype>(line.size())));
+    if (!done) {
+        return "error: " + done.error().context.toStdString() + '\n';
+    }
+    return done->isEmpty() ? "ok\n" : "ok " + done->toStdString() + '\n';
+}
+
+QString faultHelp() {
+    QString text;
+    for (const Verb& verb : kVerbs) {
+        const QString usage =
+            QStringLiteral("%1 %2").arg(QLatin1String(verb.name), QLatin1String(verb.arguments));
+        text += QStringLiteral("  %1 %2\n").arg(usage, -40).arg(QLatin1String(verb.help));
+    }
+    return text;
+}
+
+}  // namespace tiller::simulator

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "robot/simulator/machine.h"
+
+#include <QAbstractEventDispatcher>
+
+#include "robot/simulator/faults.h"
+
+namespace tiller::simulator {
+
+Machine::Machine(const ControllerOptions& options)
+    : plant(options)
+    , services(plant, [this](std::string_view line) { return answerFaultLine(*this, line); }) {}
+
+void Machine::service() {
+    // Accepts connections and moves the scripts' sockets on.
+    if (auto* dispatcher = QAbstractEventDispatcher::instance()) {
+        dispatcher->processEvents(QEventLoop::AllEvents);
+    }
+    services.faults().service();  // also of a mute controller, or nobody could end its silence
+    if (!silent) {
+        services.service();
+    }
+    if (plant.isShutDown()) {
+        services.close();
+    }
+}
+
+void Machine::tick() {
+    service();
+    plant.step();
+    if (plant.telemetry().boots != boots_) {
+        boots_ = plant.telemetry().boots;
+        services.closeClients();
+    }
+    if (!silent) {
+        services.publish();
+    }
+}
+
+void Machine::setRemoteControl(bool remote) {
+    if (plant.isRemoteControl() == remote) {
+        return;
+    }
+    plant.setRemoteControl(remote);
+    if (plant.options().gateLocalControl && !remote && !plant.options().software.isCb3()) {
+        services.closeScriptClients();
+    }
+}
+
+}  // namespace tiller::simulator

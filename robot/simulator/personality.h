@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Who a simulated controller says it is: software release and serial number, told alike on every interface.
+
+#include <QString>
+#include <optional>
+#include <string>
+
+#include "robot/core/result.h"
+#include "robot/core/robot_model.h"
+#include "robot/core/version.h"
+
+namespace tiller::simulator {
+
+/// A release by its number as people write it: "5.22", "3.15.8", "10.12.0.123". What is left out is taken
+/// from the release that is known best, if there is one of that series. Errors  InvalidArgument, with the
+/// reason
+Result<SoftwareVersion> parseSoftware(const QString& text);
+/// The release a model comes with when none is asked for.
+SoftwareVersion defaultSoftware(RobotModelId model);
+/// Whether this arm runs that software.
+/// Errors  InvalidArgument, with the reason
+Result<void> checkSoftware(RobotModelId model, const SoftwareVersion& software);
+
+/// Four numbers with dots.
+std::string versionText(const SoftwareVersion& software);
+/// Of the release, as `PolyscopeVersion` gives it: "Mar 22 2022".
+std::string releaseDate(const SoftwareVersion& software);
+/// Of the same day, as the primary interface's version message gives it: "22-03-2022, 00:00:00".
+std::string buildDate(const SoftwareVersion& software);
+/// Digits beginning with 20, different for each model.
+QString serialNumber(RobotModelId model, const SoftwareVersion& software);
+
+}  // namespace tiller::simulator

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "robot/simulator/program_store.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include "robot/simulator/urp_file.h"
+
+namespace tiller::simulator {
+
+namespace {
+
+constexpr qint64 kLargestProgram = 16 << 20;
+
+std::optional<QByteArray> contentOf(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly) || file.size() > kLargestProgram) {
+        return std::nullopt;
+    }
+    return file.readAll();
+}
+
+std::optional<std::string> scriptOf(const QString& path) {
+    const std::optional<QByteArray> content = contentOf(path);
+    if (!content) {
+        return std::nullopt;
+    }
+    const QFileInfo file(path);
+    const bool urpx = file.suffix() == QLatin1String("urpx");
+    const bool urp = isUrpFile(*content);
+    if (!urp && !urpx) {
+        return content->toStdString();
+    }
+    if (const auto beside =
+            contentOf(file.dir().filePath(file.completeBaseName() + QStringLiteral(".script")))) {
+        return beside->toStdString();
+    }
+    if (urp) {
+        return scriptOfUrp(*content, file.completeBaseName());
+    }
+    const QJsonObject root = QJsonDocument::fromJson(*content).object();
+    const QJsonValue script = root.value(QLatin1String("script"));
+    return script.isString() ? std::optional(script.toString().toStdString()) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<QString> ProgramStore::find(const QString& name) const {
+    const bool mayLook = !folder_.isEmpty() && !name.isEmpty();
+    const QString path = QDir::isAbsolutePath(name) ? name : QDir(folder_).filePath(name);
+    return mayLook && QFileInfo(path).isFile() ? std::optional(path) : std::nullopt;
+}
+
+ProgramStore::Outcome ProgramStore::load(const QString& name) {
+    const std::optional<QString> path = find(name);
+    if (!path) {
+        return Outcome::NotFound;
+    }
+    if (!scriptOf(*path)) {
+        return Outcome::Unreadable;
+    }
+    path_ = *path;
+    name_ = QFileInfo(*path).fileName().toStdString();
+    return Outcome::Done;
+}
+
+ProgramStore::Outcome ProgramStore::loadInstallation(const QString& name) {
+    const std::optional<QString> path = find(name);
+    if (!path) {
+        return Outcome::NotFound;
+    }
+    return contentOf(*path) ? Outcome::Done : Outcome::Unreadable;
+}
+
+std::optional<std::string> ProgramStore::script() const {
+    std::optional<std::string> text = isLoaded() ? scriptOf(path_) : std::nullopt;
+    if (text && !text->ends_with('\n')) {
+        *text += '\n';
+    }
+    return text;
+}
+
+bool ProgramStore::saveBelow(const QString& directory, const QString& bareName,
+                             const QByteArray& content) const {
+    if (folder_.isEmpty() || directory.isEmpty()) {
+        return false;
+    }
+    const QString root = QDir(folder_).canonicalPath();
+    const QString path = QFileInfo(QDir(folder_).filePath(directory)).canonicalFilePath();
+    if (path.isEmpty() || !QFileInfo(path).isDir() || (path != root && !path.startsWith(root + '/'))) {
+        return false;
+    }
+    QFile file(QDir(path).filePath(bareName));
+    return file.open(QIODevice::WriteOnly) && file.write(content) == content.size();
+}
+
+std::vector<QString> ProgramStore::list(const QString& ending) const {
+    std::vector<QString> names;
+    if (!folder_.isEmpty()) {
+        for (const QString& name :
+             QDir(folder_).entryList({QStringLiteral("*") + ending}, QDir::Files, QDir::Name)) {
+            names.push_back(name);
+        }
+    }
+    return names;
+}
+
+QString ProgramStore::pathOf(const QString& bareName) const {
+    const bool bare = !bareName.isEmpty() && !bareName.contains('/') && !bareName.contains('\\') &&
+                      !bareName.contains(QChar(0)) && !bareName.startsWith('.');
+    return bare && !folder_.isEmpty() ? QDir(folder_).filePath(bareName) : QString();
+}
+
+bool ProgramStore::save(const QString& bareName, const QByteArray& content) {
+    if (folder_.isEmpty()) {
+        own_ = std::make_unique<QTemporaryDir>();
+        folder_ = own_->path();
+    }
+    const QString path = pathOf(bareName);
+    QFile file(path);
+    return !path.isEmpty() && file.open(QIODevice::WriteOnly) && file.write(content) == content.size();
+}
+
+}  // namespace tiller::simulator

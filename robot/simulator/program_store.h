@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The programs folder of a controller and the program that is loaded from it, which the dashboard and the
+// Robot API share. A program file is one of
+//
+// - `.urp`, as the pendant saves it (XML, gzipped): what runs is the `.script` the pendant saved beside it,
+// or
+//   else what can be told from the XML itself, see urp_file.h;
+// - `.urpx`, as PolyScope X saves it (JSON): the `.script` beside it, or the URScript in its "script" entry;
+// - any other file: URScript text.
+
+#include <QString>
+#include <QTemporaryDir>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tiller::simulator {
+
+/// Threads  the simulator's.
+class ProgramStore {
+public:
+    /// folder  empty: there are no programs, until one is uploaded
+    explicit ProgramStore(QString folder) : folder_(std::move(folder)) {}
+
+    enum class Outcome { Done, NotFound, Unreadable };
+    /// name  relative to the folder, or absolute. Unchanged unless Done
+    Outcome load(const QString& name);
+    /// The installation file, whose content the simulated robot has no use for.
+    Outcome loadInstallation(const QString& name);
+
+    bool isLoaded() const { return !path_.isEmpty(); }
+    QString path() const { return path_; }
+    /// Bare file name.
+    std::string name() const { return name_; }
+    /// The loaded program, read again, as URScript. Nothing when it cannot be read any more.
+    std::optional<std::string> script() const;
+
+    /// Writes a file into an existing folder within the programs folder ("." is that one itself).
+    bool saveBelow(const QString& directory, const QString& bareName, const QByteArray& content) const;
+
+    /// Files of the folder with this ending, by name.
+    std::vector<QString> list(const QString& ending) const;
+    /// Where a file of that bare name is or would be; empty for a name that leads out of the folder.
+    QString pathOf(const QString& bareName) const;
+    /// Writes a file; makes a folder of its own that goes with this object when there is none.
+    bool save(const QString& bareName, const QByteArray& content);
+
+private:
+    std::optional<QString> find(const QString& name) const;
+
+    QString folder_;
+    std::unique_ptr<QTemporaryDir> own_;
+    QString path_;
+    std::string name_;
+};
+
+}  // namespace tiller::simulator

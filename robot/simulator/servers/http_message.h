@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// HTTP/1.1 as bytes: requests out of a stream, responses into one; and the multipart forms that carry files.
+//
+// Ours rather than Qt's QHttpServer: that one is GPL-3.0-only, which robot/ (MIT, to be linked by others)
+// cannot be built on; and it owns its sockets, so that the faults of a cable could not be played on them.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace tiller::simulator {
+
+struct HttpRequest {
+    std::string method;                                        ///< "GET"
+    std::string path;                                          ///< decoded, without the query
+    std::vector<std::pair<std::string, std::string>> headers;  ///< names in lower case
+    std::string body;
+    bool keepAlive = true;
+
+    /// Empty when there is no such header. name  in lower case
+    std::string_view header(std::string_view name) const;
+};
+
+struct HttpResponse {
+    int status = 200;
+    std::string body;
+    std::string contentType = "application/json";
+    std::vector<std::pair<std::string, std::string>> headers;
+
+    std::string toBytes(bool keepAlive, bool withBody) const;
+};
+
+/// Bounded in memory for any input.
+class HttpParser {
+public:
+    static constexpr std::size_t kLargestHead = 32 * 1024;
+    static constexpr std::size_t kLargestBody = 16 * 1024 * 1024;
+
+    void feed(std::string_view bytes);
+    /// The next whole request. Nothing when there is none yet, or after a fault.
+    std::optional<HttpRequest> next();
+    /// Status to answer with before the connection is closed, 0 while all is well: 400, 413, 431, 501, 505.
+    int fault() const { return fault_; }
+    /// True once after a head that waits for "100 Continue" before it sends its body.
+    bool takeContinue() { return std::exchange(continue_, false); }
+
+private:
+    bool readHead();
+    void readHeader(std::string_view line);
+    bool readBody();
+    bool readChunks();
+    std::optional<std::string_view> line();
+    void fail(int status) { fault_ = fault_ == 0 ? status : fault_; }
+
+    std::string buffer_;
+    std::size_t at_ = 0;  ///< how much of the buffer is done with
+    HttpRequest request_;
+    std::size_t headSize_ = 0;
+    bool inBody_ = false;
+    bool chunked_ = false;
+    bool sawLength_ = false;
+    std::size_t length_ = 0;
+    std::optional<std::size_t> chunk_;  ///< left of the present one
+    bool inTrailer_ = false;
+    bool continue_ = false;
+    int fault_ = 0;
+};
+
+/// %41 and the like. Nothing when what follows a % is no number.
+std::optional<std::string> percentDecoded(std::string_view text);
+
+struct FormFile {
+    std::string fileName;
+    std::string content;
+};
+/// The field of that name out of a multipart/form-data body.
+std::optional<FormFile> fileOfForm(std::string_view contentType, std::string_view body,
+                                   std::string_view field);
+
+}  // namespace tiller::simulator

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The cable between a controller and its clients, with the faults a cable has. One for all connections of a
+// controller; as long as nothing is set it costs a branch.
+//
+// Times are controller times, so that a test in virtual time decides when a delayed package arrives.
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "robot/core/native_socket.h"
+
+namespace tiller::simulator {
+
+struct LinkConditions {
+    double delay = 0;         ///< [s] in each direction
+    double jitter = 0;        ///< [s] at most, added to the delay; the order of bytes is kept
+    std::size_t splitAt = 0;  ///< what is sent arrives in two pieces, the first of so many bytes; 0: whole
+    double coalesce = 0;      ///< [s] what is sent within so much time arrives together
+    bool lost = false;  ///< the cable is out: nothing passes, no connection notices; put back in, what the
+                        ///< two ends still hold goes through
+};
+
+/// Threads  the simulator's.
+class Link {
+public:
+    explicit Link(std::uint64_t seed) : random_(seed) {}
+    ~Link() { unbury(); }
+    Link(const Link&) = delete;
+    Link& operator=(const Link&) = delete;
+
+    void set(const LinkConditions& conditions);
+    const LinkConditions& conditions() const { return conditions_; }
+    /// now  controller time [s]
+    void setTime(double now) { now_ = now; }
+    double now() const { return now_; }
+
+    /// Bytes pass as they are.
+    bool isPlain() const { return plain_; }
+    bool isLost() const { return conditions_.lost; }
+    /// When what enters the cable now comes out of it [s].
+    double arrival();
+    /// The same for what the controller sends, which may wait for company.
+    double departure();
+
+    /// Connections that the controller closes now do not tell the other end: they stay half open until the
+    /// cable has been put back in, or unbury().
+    void setForgetting(bool forgetting) { forgetting_ = forgetting; }
+    /// Takes a descriptor that the controller is done with, if the other end shall not notice.
+    bool bury(native_socket::Descriptor descriptor);
+    /// Ends the half-open connections. As on a network: the other end hears of it when it sends.
+    void unbury();
+    std::size_t buried() const { return buried_.size(); }
+
+private:
+    LinkConditions conditions_;
+    double now_ = 0;
+    bool plain_ = true;
+    bool forgetting_ = false;
+    std::mt19937_64 random_;
+    std::vector<native_socket::Descriptor> buried_;
+};
+
+}  // namespace tiller::simulator

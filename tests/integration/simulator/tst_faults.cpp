@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: MIT
+
+#include <QTest>
+
+#include "tests/integration/simulator/raw_client.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+namespace {
+
+/// An RTDE client that receives one number a period.
+struct Stream {
+    explicit Stream(VirtualRobot& given) : robot(given), rtde(given.rtde()) {
+        rtde.useVersion();
+        rtde.setupOutputs(500, "timestamp");
+        started = rtde.start();
+        robot.controller.step();
+        rtde.packages();
+    }
+    VirtualRobot& robot;
+    RawRtde rtde;
+    bool started = false;
+};
+
+}  // namespace
+
+class TestFaults : public QObject {
+    Q_OBJECT
+
+    static void inject(VirtualRobot& robot, const QString& words) {
+        const Result<QString> done = robot.controller.inject(words);
+        QVERIFY2(done.ok(), qPrintable(done.error().context));
+    }
+
+private Q_SLOTS:
+    void wrongWordsAreExplainedAndDoNothing_data() {
+        QTest::addColumn<QString>("words");
+        QTest::addColumn<QString>("hint");
+        QTest::newRow("nothing") << ""
+                                 << "help";
+        QTest::newRow("unknown") << "explode"
+                                 << "explode";
+        QTest::newRow("neither on nor off") << "safeguard maybe"
+                                            << "maybe";
+        QTest::newRow("missing") << "safeguard"
+                                 << "on|off";
+        QTest::newRow("too much") << "fault now"
+                                  << "now";
+        QTest::newRow("too much after on") << "safeguard on please"
+                                           << "please";
+        QTest::newRow("no number") << "delay long"
+                                   << "long";
+        QTest::newRow("not a number at all") << "delay nan"
+                                             << "nan";
+        QTest::newRow("out of range") << "joint-near-limit 7"
+                                      << "7";
+        QTest::newRow("not whole") << "split 1.5"
+                                   << "1.5";
+        QTest::newRow("no such register") << "hold-registers input_int_register_99"
+                                          << "exist";
+    }
+    void wrongWordsAreExplainedAndDoNothing() {
+        QFETCH(QString, words);
+        QFETCH(QString, hint);
+        VirtualRobot robot;
+        const QString before = robot.controller.inject("status").value();
+        const Result<QString> refused = robot.controller.inject(words);
+        QVERIFY(!refused.ok());
+        QCOMPARE(refused.error().code, ErrorCode::InvalidArgument);
+        QVERIFY2(refused.error().context.contains(hint), qPrintable(refused.error().context));
+        robot.controller.drainSockets();
+        QCOMPARE(robot.controller.inject("status").value(), before);
+    }
+
+    void theFaultPortSpeaksTheSameWords() {
+        VirtualRobot robot;
+        RawClient console(robot.host(), robot.controller.ports().faults);
+        console.send("protective-stop\n");
+        QCOMPARE(console.line(), QByteArray("ok\n"));
+        robot.controller.step();
+        QCOMPARE(robot.controller.truth().safetyMode, SafetyMode::ProtectiveStop);
+        console.send("status\r\nnonsense\n");
+        QVERIFY(console.line().startsWith("ok robot_mode=RUNNING safety_mode=PROTECTIVE_STOP"));
+        QVERIFY(console.line().startsWith("error: 'nonsense'"));
+        // It answers while everything else is silent, or nobody could end that.
+        console.send("silence on\n");
+        QCOMPARE(console.line(), QByteArray("ok\n"));
+        console.send("link lost\n");
+        QCOMPARE(console.line(), QByteArray("ok\n"));
+        console.send("clear\n");
+        QCOMPARE(console.line(), QByteArray("ok\n"));
+        QCOMPARE(robot.dashboard().ask("robotmode"), QByteArray("Robotmode: RUNNING\n"));
+        QVERIFY(!simulator::Controller().inject("status").ok());  // one that does not run says so
+    }
+
+    void aDelayHoldsEveryPackageForItsTime() {
+        VirtualRobot robot;
+        Stream stream(robot);
+        QVERIFY(stream.started);
+        inject(robot, "delay 20");
+        const double sent = robot.controller.truth().timestamp;
+        robot.controller.step(9);
+        QVERIFY(stream.rtde.packages().empty());
+        robot.controller.step(20);
+        const auto packages = stream.rtde.packages();
+        QVERIFY(packages.size() >= 18 && packages.size() <= 21);
+        QVERIFY(std::abs(doubleAt(packages.front().payload, 1) - sent - 0.002) < 1e-9);
+        // Nothing is lost: without the delay the rest comes at once.
+        inject(robot, "delay 0");
+        robot.controller.step(11);
+        QCOMPARE(packages.size() + stream.rtde.packages().size(), std::size_t(40));
+    }
+
+    void requestsAreDelayedToo() {
+        VirtualRobot robot;
+        RawDashboard dashboard = robot.dashboard();
+        inject(robot, "delay 100");
+        dashboard.send("robotmode\n");
+        robot.controller.drainSockets();
+        robot.controller.stepSeconds(0.15);
+        QVERIFY(dashboard.takeAll().isEmpty());
+        robot.controller.stepSeconds(0.1);
+        QCOMPARE(dashboard.line(), QByteArray("Robotmode: RUNNING\n"));
+    }
+
+    void jitterKeepsTheOrder() {
+        VirtualRobot robot;
+        Stream stream(robot);
+        inject(robot, "delay 5 30");
+        robot.controller.step(500);
+        double last = 0;
+        const auto packages = stream.rtde.packages();
+        QVERIFY(packages.size() > 400);
+        for (const auto& package : packages) {
+            const double now = doubleAt(package.payload, 1);
+            QVERIFY(last == 0 || std::abs(now - last - 0.002) < 1e-9);
+            last = now;
+        }
+    }
+
+    void packagesArriveInPieces() {
+        VirtualRobot robot;
+        Stream stream(robot);
+        inject(robot, "split 5");
+        robot.controller.step();
+        QCOMPARE(stream.rtde.takeAll().size(), 5);
+        robot.controller.step();
+        QCOMPARE(stream.rtde.takeAll().size(), 12 - 5 + 5);
+        robot.controller.step(300);
+        inject(robot, "split 0");
+        robot.controller.step(2);
+        QCOMPARE(stream.rtde.takeAll().size(), 304 * 12 - 17);
+    }
+
+    void packagesArriveTogether() {
+        VirtualRobot robot;
+        Stream stream(robot);
+        inject(robot, "coalesce 20");
+        QList<qsizetype> sizes;
+        for (int i = 0; i < 30; ++i) {
+            robot.controller.step();
+            if (const auto size = stream.rtde.takeAll().size(); size > 0) {
+                sizes << size;
+            }
+        }
+        QVERIFY(sizes.size() >= 2 && sizes.size() <= 3);
+        QCOMPARE(sizes[1], 10 * 12);
+    }
+
+    void aLostLinkLosesNoConnectionAndNoByte() {
+        VirtualRobot robot;
+        Stream stream(robot);
+        inject(robot, "link lost");
+        robot.controller.step(100);
+        QVERIFY(stream.rtde.takeAll().isEmpty());
+        QVERIFY(stream.rtde.isConnected());
+        inject(robot, "link back");
+        robot.controller.step();
+        QCOMPARE(stream.rtde.packages().size(), std::size_t(101));
+    }
+
+    void aClientDroppedWhileTheLinkIsLostLearnsOfItAfterwards() {
+        VirtualRobot robot;
+        Stream stream(robot);
+        stream.rtde.setupInputs("input_int_register_0");
+        inject(robot, "link lost");
+        inject(robot, "close-clients");
+        robot.controller.step(5);
+        QVERIFY(stream.rtde.takeAll().isEmpty());
+        QVERIFY(stream.rtde.isConnected());
+        QCOMPARE(robot.controller.rtdeClients(), 0);
+        inject(robot, "link back");
+        QVERIFY(stream.rtde.waitClosed());
+    }
+
+    void aHalfOpenConnectionIsForgottenByTheControllerOnly() {
+        VirtualRobot robot;
+        Stream stream(robot);
+        QCOMPARE(stream.rtde.setupInputs("input_int_register_3"), QByteArray("\x01INT32"));
+        inject(robot, "half-open");
+        QCOMPARE(robot.controller.rtdeClients(), 0);
+        robot.controller.step(50);
+        QVERIFY(stream.rtde.takeAll().isEmpty());
+        QVERIFY(stream.rtde.isConnected());
+        // Its inputs are free again, and a new connection works.
+        RawRtde other = robot.rtde();
+        QVERIFY(other.useVersion());
+        QCOMPARE(other.setupInputs("input_int_register_3"), QByteArray("\x01INT32"));
+        inject(robot, "clear");
+        QVERIFY(stream.rtde.waitClosed());
+    }
+
+    void silenceStopsTheStreamAndNothingElse() {
+        VirtualRobot robot;
+        Stream stream(robot);
+        inject(robot, "silence on");
+        robot.controller.step(50);
+        QVERIFY(stream.rtde.takeAll().isEmpty());
+        inject(robot, "silence off");
+        robot.controller.step(2);
+        const auto packages = stream.rtde.packages();
+        QCOMPARE(packages.size(), std::size_t(2));
+        // Time went on: what was not sent is never sent later.
+        QVERIFY(std::abs(doubleAt(packages[0].payload, 1) - robot.controller.truth().timestamp + 0.002) <
+                1e-9);
+    }
+
+    void heldRegistersAreInUse() {
+        VirtualRobot robot;
+        inject(robot, "hold-registers lower");
+        inject(robot, "hold-registers speed_slider_mask,speed_slider_fraction");
+        RawRtde rtde = robot.rtde();
+        QVERIFY(rtde.useVersion());
+        QCOMPARE(rtde.setupInputs("input_int_register_0,input_double_register_24"),
+                 QByteArray("\0IN_USE,DOUBLE", 14));
+        QCOMPARE(rtde.setupInputs("speed_slider_mask"), QByteArray("\0IN_USE", 7));
+        QCOMPARE(rtde.setupInputs("input_int_register_24"), QByteArray("\x01INT32"));
+        QVERIFY(!robot.controller.inject("hold-registers upper").ok());  // one of them has an owner
+        inject(robot, "release-registers");
+        QCOMPARE(rtde.setupInputs("input_int_register_0"), QByteArray("\x02INT32"));
+    }
+
+    void aScriptErrorEndsTheProgramWithAnException() {
+        VirtualRobot robot;
+        RawPrimary primary = robot.primary();
+        primary.send("def p():\n  sleep(100)\nend\n");
+        robot.controller.drainSockets();
+        robot.controller.step(3);
+        primary.packages();
+        inject(robot, "script-error out of thin air");
+        robot.controller.step();
+        const auto exceptions = primary.messages(10);
+        QCOMPARE(exceptions.size(), std::size_t(1));
+        QCOMPARE(exceptions[0].mid(8), QByteArray("out of thin air"));
+        QCOMPARE(robot.programState(), RuntimeState::Stopped);
+    }
+
+    void aPopupIsToldToPrimaryClients() {
+        VirtualRobot robot;
+        RawPrimary primary = robot.primary();
+        primary.packages();
+        inject(robot, "popup look here");
+        robot.controller.step();
+        const auto popups = primary.messages(2);
+        QCOMPARE(popups.size(), std::size_t(1));
+        QVERIFY(popups[0].endsWith("look here"));
+    }
+
+    void powerIsLostAtOnceAndComesBackOnRequest() {
+        VirtualRobot robot;
+        inject(robot, "power-loss");
+        robot.controller.step();
+        QCOMPARE(robot.controller.truth().robotMode, RobotMode::PowerOff);
+        QCOMPARE(robot.controller.truth().safetyMode, SafetyMode::Normal);
+        robot.dashboard().ask("brake release");
+        QVERIFY(robot.stepUntil([&] { return robot.controller.truth().robotMode == RobotMode::Running; }, 5));
+    }
+
+    void aSlowBootGoesThroughItsModesAndRestartsTheServicesOnce() {
+        auto options = VirtualRobot::options();
+        options.poweredOn = false;
+        options.bootTime = 4;
+        VirtualRobot robot(options);
+        QCOMPARE(robot.controller.truth().robotMode, RobotMode::Disconnected);
+        RawRtde early = robot.rtde();
+        QVERIFY(early.useVersion());
+        robot.controller.stepSeconds(1.9);
+        QCOMPARE(robot.controller.truth().robotMode, RobotMode::Disconnected);
+        robot.dashboard().ask("power on");  // too early: not remembered
+        robot.controller.stepSeconds(0.2);
+        QCOMPARE(robot.controller.truth().robotMode, RobotMode::Booting);
+        QVERIFY(early.waitClosed());
+        QVERIFY(robot.controller.truth().timestamp < 0.2);
+        RawPrimary primary = robot.primary();
+        robot.controller.stepSeconds(2);
+        QCOMPARE(robot.controller.truth().robotMode, RobotMode::PowerOff);
+        QVERIFY(primary.packages().size() > 15);  // ten states a second, also after time began again
+        robot.controller.stepSeconds(5);
+        QCOMPARE(robot.controller.truth().robotMode, RobotMode::PowerOff);
+    }
+
+    void anUnconfirmedSafetyConfigurationWaitsForTheOperator() {
+        VirtualRobot robot;
+        inject(robot, "restart 2 unconfirmed");
+        robot.controller.stepSeconds(30);
+        QCOMPARE(robot.controller.truth().robotMode, RobotMode::ConfirmSafety);
+        inject(robot, "confirm-safety");
+        robot.controller.stepSeconds(1.1);
+        QCOMPARE(robot.controller.truth().robotMode, RobotMode::PowerOff);
+    }
+
+    void aJointNearItsLimitStopsAMoveThatPassesIt() {
+        VirtualRobot robot;
+        inject(robot, "joint-near-limit 6 2");
+        robot.controller.step();
+        QVERIFY(std::abs(robot.controller.truth().q[5] - (kJointPositionLimit - 2 * M_PI / 180)) < 1e-3);
+        RawPrimary primary = robot.primary();
+        primary.send("def p():\n  speedj([0,0,0,0,0,0.5], 1, 5)\nend\n");
+        robot.controller.drainSockets();
+        QVERIFY(robot.stepUntil(
+            [&] { return robot.controller.truth().safetyMode == SafetyMode::ProtectiveStop; }, 5));
+        QVERIFY(robot.controller.truth().q[5] <= kJointPositionLimit + 1e-6);
+    }
+
+    void aWrongCalibrationIsReportedAgainAndTheArmStaysAsItWas() {
+        VirtualRobot robot;
+        RawPrimary primary = robot.primary();
+        robot.controller.stepSeconds(0.3);
+        const QByteArray right = firstWithKinematics(primary);
+        QVERIFY(!right.isEmpty());
+        const Pose before = robot.controller.truth().tcpPose;
+        robot.controller.stepSeconds(0.3);
+        QVERIFY(firstWithKinematics(primary).isEmpty());
+        inject(robot, "calibration 1");
+        robot.controller.stepSeconds(0.3);
+        const QByteArray wrong = firstWithKinematics(primary);
+        QVERIFY(!wrong.isEmpty());
+        QVERIFY(wrong != right);
+        const double deviation = std::abs(doubleAt(wrong, 77 + 8) - doubleAt(right, 77 + 8));  // a of joint 2
+        QVERIFY(deviation > 1e-5 && deviation <= 1e-3);
+        QVERIFY((robot.controller.truth().tcpPose.position - before.position).norm() < 1e-4);
+    }
+
+private:
+    /// KinematicsInfo of the first state that has one, among what is here.
+    static QByteArray firstWithKinematics(RawPrimary& primary) {
+        for (const QByteArray& package : primary.packages()) {
+            for (qsizetype at = 5; package[4] == 16 && at + 5 <= package.size(); at += intAt(package, at)) {
+                if (package[at + 4] == 5) {
+                    return package.mid(at, intAt(package, at));
+                }
+            }
+        }
+        return {};
+    }
+};
+
+QTEST_GUILESS_MAIN(TestFaults)
+#include "tst_faults.moc"

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+
+#include <QTest>
+
+#include "tests/integration/simulator/raw_client.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+namespace {
+
+struct GripperClient : RawClient {
+    explicit GripperClient(VirtualRobot& given)
+        : RawClient(given.host(), given.controller.ports().gripper), robot(given) {}
+    bool set(const QByteArray& what) {
+        send("SET " + what + '\n');
+        return take(3) == "ack";
+    }
+    QByteArray get(const QByteArray& name) {
+        send("GET " + name + '\n');
+        return line();
+    }
+    int value(const QByteArray& name) { return get(name).mid(name.size() + 1).trimmed().toInt(); }
+    void activate() {
+        set("ACT 1");
+        stepUntil([&] { return value("STA") == 3; });
+    }
+    /// Moves and gives what the fingers met.
+    int move(const QByteArray& what) {
+        set(what + " GTO 1");
+        stepUntil([&] { return value("OBJ") != 0; });
+        return value("OBJ");
+    }
+    template <class Condition>
+    void stepUntil(Condition condition) {
+        for (int i = 0; i < 1000 && !condition(); ++i) {
+            robot.controller.step(10);
+        }
+    }
+    VirtualRobot& robot;
+};
+
+}  // namespace
+
+class TestGripperService : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void variablesAreSetAndRead() {
+        VirtualRobot robot;
+        GripperClient gripper(robot);
+        gripper.send("SET SPE 100\n");
+        QCOMPARE(gripper.take(3), QByteArray("ack"));
+        QVERIFY(gripper.takeAll().isEmpty());  // no newline behind it: clients compare letter by letter
+        QCOMPARE(gripper.get("SPE"), QByteArray("SPE 100\n"));
+        QVERIFY(gripper.set("FOR 12 POS 300"));
+        QCOMPARE(gripper.get("FOR"), QByteArray("FOR 12\n"));
+        QCOMPARE(gripper.get("PRE"), QByteArray("PRE 255\n"));
+        QVERIFY(gripper.set("SID 9"));
+        QCOMPARE(gripper.get("NIX"), QByteArray("NIX ?\n"));
+        for (const char* wrong : {"SET NIX 1\n", "SET POS\n", "SET POS x\n", "SET\n", "HELLO\n"}) {
+            gripper.send(wrong);
+            QCOMPARE(gripper.take(4), QByteArray("nack"));
+        }
+    }
+
+    void severalQuestionsInOnePieceAreAnsweredInOnePiece() {
+        VirtualRobot robot;
+        GripperClient gripper(robot);
+        gripper.send("GET ACT\nGET STA\nGET FLT\n");
+        gripper.socket().waitForReadyRead(kPatienceMs);
+        QCOMPARE(gripper.socket().readAll(), QByteArray("ACT 0\nSTA 0\nFLT 0\n"));
+    }
+
+    void itIsActivatedBeforeItMoves() {
+        VirtualRobot robot;
+        GripperClient gripper(robot);
+        QVERIFY(gripper.set("POS 100 GTO 1"));
+        robot.controller.stepSeconds(2);
+        QCOMPARE(gripper.value("FLT"), 7);
+        QVERIFY(gripper.value("POS") < 5);
+        QVERIFY(gripper.set("ACT 0"));
+        QCOMPARE(gripper.value("STA"), 0);
+        QVERIFY(gripper.set("ACT 1"));
+        robot.controller.step();
+        QCOMPARE(gripper.value("STA"), 1);
+        robot.controller.stepSeconds(0.5);
+        QVERIFY(gripper.value("POS") > 100);  // it closes and opens once
+        gripper.activate();
+        QCOMPARE(gripper.value("STA"), 3);
+        QCOMPARE(gripper.value("FLT"), 0);
+    }
+
+    void itMovesWithItsSpeed() {
+        VirtualRobot robot;
+        GripperClient gripper(robot);
+        gripper.activate();
+        const auto duration = [&](const QByteArray& what) {
+            const double begin = robot.controller.truth().timestamp;
+            gripper.move(what);
+            return robot.controller.truth().timestamp - begin;
+        };
+        const double slow = duration("POS 200 SPE 0");
+        QCOMPARE(gripper.value("POS"), 200);
+        QCOMPARE(gripper.value("OBJ"), 3);
+        const double fast = duration("POS 3 SPE 255");
+        QVERIFY2(slow / fast > 7 && slow / fast < 8, qPrintable(QString::number(slow / fast)));
+        QCOMPARE(gripper.move("POS 255"), 3);
+        QCOMPARE(gripper.value("POS"), 230);  // the fingers touch
+        QCOMPARE(gripper.value("PRE"), 255);
+    }
+
+    void anObjectStopsTheFingersFromEitherSide() {
+        VirtualRobot robot;
+        GripperClient gripper(robot);
+        gripper.activate();
+        QVERIFY(robot.controller.inject("gripper-object 120").ok());
+        QCOMPARE(gripper.move("POS 255 SPE 255"), 2);
+        QCOMPARE(gripper.value("POS"), 120);
+        QCOMPARE(gripper.move("POS 50"), 3);
+        QVERIFY(robot.controller.inject("gripper-object none").ok());
+        QCOMPARE(gripper.move("POS 255"), 3);
+        QVERIFY(robot.controller.inject("gripper-object 100").ok());
+        QCOMPARE(gripper.move("POS 0"), 1);
+        QCOMPARE(gripper.value("POS"), 100);
+    }
+
+    void anAutomaticReleaseOpensItSlowlyAndNeedsANewActivation() {
+        VirtualRobot robot;
+        GripperClient gripper(robot);
+        gripper.activate();
+        gripper.move("POS 200 SPE 255");
+        QVERIFY(gripper.set("ARD 1 ATR 1"));
+        robot.controller.step();
+        QCOMPARE(gripper.value("FLT"), 0x0B);
+        gripper.stepUntil([&] { return gripper.value("FLT") == 0x0F; });
+        QCOMPARE(gripper.value("FLT"), 0x0F);
+        QCOMPARE(gripper.value("POS"), 3);
+        QVERIFY(gripper.set("POS 100 GTO 1"));
+        robot.controller.stepSeconds(2);
+        QCOMPARE(gripper.value("POS"), 3);
+        QVERIFY(gripper.set("ATR 0") && gripper.set("ACT 0"));
+        gripper.activate();
+        QCOMPARE(gripper.move("POS 100"), 3);
+    }
+
+    void withoutPowerItAnswersNothingAndForgets() {
+        VirtualRobot robot;
+        GripperClient gripper(robot);
+        gripper.activate();
+        QVERIFY(robot.controller.inject("power-loss").ok());
+        robot.controller.step();
+        QCOMPARE(gripper.get("POS"), QByteArray("POS ?\n"));
+        robot.dashboard().ask("brake release");
+        QVERIFY(robot.stepUntil([&] { return robot.controller.truth().robotMode == RobotMode::Running; }, 5));
+        robot.controller.step();
+        QCOMPARE(gripper.get("STA"), QByteArray("STA 0\n"));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestGripperService)
+#include "tst_gripper_service.moc"
