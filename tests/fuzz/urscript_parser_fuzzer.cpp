@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Any text: compiled, and when that succeeds run for some frames on a robot made of memory. Nothing may
-// crash, hang or grow without bound. The stream splitter sees the same bytes in two pieces.
+// crash, hang or grow without bound. The stream splitter sees the same bytes in two pieces, the reader of
+// XML-RPC replies takes them for one.
 
 #include <cstddef>
 #include <cstdint>
@@ -8,6 +9,7 @@
 
 #include "robot/simulator/urscript/interpreter.h"
 #include "robot/simulator/urscript/source_splitter.h"
+#include "robot/simulator/urscript/xml_rpc.h"
 #include "tests/unit/urscript/fake_host.h"
 
 using namespace tiller::simulator::urscript;
@@ -20,6 +22,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     splitter.feed(text.substr(size / 2));
     while (splitter.next()) {
     }
+
+    (void)xml_rpc::reply(text, size % 2 == 0);
 
     const CompileOutcome outcome = compile(text);
     if (!outcome) {

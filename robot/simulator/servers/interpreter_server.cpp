@@ -62,9 +62,10 @@ void InterpreterServer::service() {
         clients_.push_back(std::make_unique<Client>(descriptor, mayWrite));
         clients_.back()->peer.attach(link());
     }
+    int lines = kLinesAtOnce;
     for (const auto& client : clients_) {
         read(*client);
-        answer(*client);
+        answer(*client, lines);
         client->peer.flush();
     }
     removeClosed(clients_, [](const Client&) {});
@@ -104,8 +105,8 @@ void InterpreterServer::read(Client& client) {
     }
 }
 
-void InterpreterServer::answer(Client& client) {
-    while (!client.lines.empty()) {
+void InterpreterServer::answer(Client& client, int& lines) {
+    for (; !client.lines.empty() && lines > 0; --lines) {
         const std::string reply = replyTo(client, client.lines.front());
         if (reply.empty()) {
             return;

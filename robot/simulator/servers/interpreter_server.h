@@ -23,6 +23,9 @@ public:
     /// Lines of one client that may wait for a clear_interpreter(); reading stops there.
     static constexpr std::size_t kMostWaiting = 1000;
 
+    /// Lines compiled at a stretch: a flood of them shall not make the robot late.
+    static constexpr int kLinesAtOnce = 32;
+
     explicit InterpreterServer(Plant& plant) : plant_(plant) {}
 
     void service() override;
@@ -39,7 +42,7 @@ private:
         std::deque<std::string> lines;
     };
     void read(Client& client);
-    void answer(Client& client);
+    void answer(Client& client, int& lines);
     /// What to reply, or nothing yet.
     std::string replyTo(const Client& client, const std::string& line);
 

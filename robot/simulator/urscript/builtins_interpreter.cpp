@@ -43,7 +43,8 @@ Status clearInterpreter(Call& c) {
 constexpr Since kSince{10, 0, false};
 
 constexpr BuiltinRow kRows[] = {
-    {"interpreter_mode(clearQueueOnEnter=True, clearOnEnd=True)", interpreterMode, kPlain, kSince},
+    // As a bare statement it is the program from then on, like one that moves.
+    {"interpreter_mode(clearQueueOnEnter=True, clearOnEnd=True)", interpreterMode, kMotion, kSince},
     {"end_interpreter()", endInterpreter, kPlain, kSince},
     {"clear_interpreter()", clearInterpreter, kClearsInterpreter, kSince},
 };

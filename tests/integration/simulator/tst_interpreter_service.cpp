@@ -132,6 +132,37 @@ private Q_SLOTS:
         QVERIFY(i.robot.stepUntil([&] { return i.robot.programState() == RuntimeState::Stopped; }));
         QVERIFY(!i.primary.messages(10).empty());
     }
+    void aFloodOfLinesIsAnsweredInOrder() {
+        Interpreting i;
+        i.ask("n = 0");
+        QByteArray flood;
+        for (int k = 0; k < 500; ++k) {
+            flood += "n = n + 1\n";
+        }
+        i.client.send(flood);
+        for (int k = 0; k < 500; ++k) {
+            QCOMPARE(i.client.line(), "ack: " + QByteArray::number(k + 2) + ": n = n + 1\n");
+        }
+        i.robot.controller.step(10);
+        i.ask("write_output_integer_register(0, n)");
+        i.robot.controller.step(2);
+        QCOMPARE(i.ask("set_standard_digital_out(0, read_output_integer_register(0) == 500)").left(4),
+                 QByteArray("ack:"));
+        i.robot.controller.step(2);
+        QCOMPARE(i.robot.controller.truth().digitalOutputs, 1ULL);
+    }
+    void aBareStatementEntersTheModeToo() {
+        VirtualRobot robot;
+        RawPrimary primary = robot.primary();
+        primary.send("def p():\n  while True:\n    sync()\n  end\nend\n");
+        robot.stepUntil([&] { return robot.programState() == RuntimeState::Playing; });
+        primary.send("interpreter_mode()\n");
+        robot.controller.drainSockets();
+        robot.controller.step(5);
+        RawClient client(robot.host(), robot.controller.ports().interpreter);
+        client.send("a = 1\n");
+        QCOMPARE(client.line(), QByteArray("ack: 1: a = 1\n"));
+    }
     void twoClientsShareTheSession() {
         Interpreting i;
         RawClient other(i.robot.host(), i.robot.controller.ports().interpreter);

@@ -207,6 +207,31 @@ private Q_SLOTS:
         QCOMPARE(plant.programs().state(), RuntimeState::Playing);
     }
 
+    void whatPythonUrxSendsIsUnderstood() {
+        Plant plant(running());
+        simulator::urscript::SourceSplitter splitter;
+        for (const char* line :
+             {"set sim\n", "digital_out[2]=True\n", "digital_out[3]=True\n", "digital_out[3]=False\n",
+              "set_payload(1.5, (0.01,0.02,0.03))\n", "set_tcp(p[0,0,0.1,0,0,0])\n",
+              "set_gravity([0,0,9.82])\n", "speedl([0,0,0.01,0,0,0], 0.5, 0.1)\n",
+              "speedj([0,0,0,0,0,0.1], a=0.5, t_min=0.1)\n",
+              "def myProg():\n\tmovej([-1.5,-1.7,-2.2,-0.8,1.6,0], a=1.4, v=1, r=0)\nend\n"}) {
+            splitter.feed(line);
+            while (const auto unit = splitter.next()) {
+                plant.programs().submit(*unit);
+            }
+            steps(plant, 100);
+        }
+        steps(plant, 500);
+        for (const auto& message : plant.takeOutbox()) {
+            QVERIFY(message[14] != 10);  // no exception among them
+        }
+        QCOMPARE(plant.pins().digitalOutputs, 4ULL);
+        QCOMPARE(plant.arm().payload().mass, 1.5);
+        QCOMPARE(plant.arm().payload().centreOfGravity.y(), 0.02);
+        QVERIFY(std::abs(plant.arm().state().actualQ[0] - -1.5) < 1e-3);
+    }
+
     void registersAndOutputsSurviveTheProgram() {
         Plant plant(running());
         submit(plant, "def p():\n  write_output_float_register(3, 1.5)\n  set_tool_voltage(24)\nend\n");
