@@ -2,10 +2,12 @@
 #include "robot/simulator/faults.h"
 
 #include <QStringList>
+#include <limits>
 #include <numbers>
 
 #include "robot/simulator/machine.h"
 #include "robot/simulator/program_runner.h"
+#include "robot/simulator/script_host.h"
 
 namespace tiller::simulator {
 
@@ -140,6 +142,36 @@ QString hand(Machine& machine, Words& words) {
     return {};
 }
 
+QString answer(Machine& machine, Words& words) {
+    using urscript::RequestKind;
+    ScriptHost& host = machine.plant.scriptHost();
+    const auto asked = host.asked();
+    if (!asked) {
+        words.complain(QStringLiteral("no program asks for a value"));
+        return {};
+    }
+    urscript::RequestAnswer value;
+    switch (*asked) {
+        case RequestKind::Boolean:
+            value = words.choice("true", "false");
+            break;
+        case RequestKind::Integer:
+            value = std::int32_t{words.integer(std::numeric_limits<std::int32_t>::min(),
+                                               std::numeric_limits<std::int32_t>::max())};
+            break;
+        case RequestKind::Float:
+            value = words.number(-1e300, 1e300);
+            break;
+        case RequestKind::String:
+            value = words.rest().toStdString();
+            break;
+    }
+    if (words.good()) {
+        host.answerRequest(value);
+    }
+    return {};
+}
+
 QString operationalMode(Machine& machine, Words& words) {
     const QString mode = words.word();
     const bool manual = mode == QLatin1String("manual");
@@ -229,6 +261,7 @@ const Verb kVerbs[] = {
          return QString(); }},
     {"close-popup", "", "the button of the newest popup is pressed",
      [](Machine& m, Words& w) { if (w.good()) { m.plant.popups().closeNewest(); } return QString(); }},
+    {"answer", "VALUE", "a person answers what a program asks primary clients for: true|false, a number, a text", &answer},
     {"hold-registers", "lower|upper|NAME,NAME...", "RTDE inputs owned by somebody else", &holdRegisters},
     {"release-registers", "", "and free again",
      [](Machine& m, Words& w) { if (w.good()) { m.services.rtde().releaseHeldInputs(); } return QString(); }},

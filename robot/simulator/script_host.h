@@ -32,6 +32,8 @@ public:
     /// A person answers what a program asks for, the oldest question first. False when nothing is asked, or
     /// something of another type.
     bool answerRequest(const urscript::RequestAnswer& answer);
+    /// What kind of value the oldest question asks for; nothing when none is open.
+    std::optional<urscript::RequestKind> asked() const;
 
     // MotionHost
     Result<void> startMotion(urscript::ThreadId thread, const urscript::MotionCommand& command) override;

@@ -109,6 +109,15 @@ std::optional<urscript::RequestAnswer> ScriptHost::requestedValue(int id) {
     return answer;
 }
 
+std::optional<urscript::RequestKind> ScriptHost::asked() const {
+    for (const auto& [id, request] : requests_) {
+        if (!request.answer) {
+            return request.kind;
+        }
+    }
+    return std::nullopt;
+}
+
 bool ScriptHost::answerRequest(const urscript::RequestAnswer& answer) {
     // The oldest that still waits, and only with a value of its type: index and kind count alike.
     for (auto& [id, request] : requests_) {

@@ -73,6 +73,27 @@ private Q_SLOTS:
         QCOMPARE(robot.controller.inject("status").value(), before);
     }
 
+    void questionsOfProgramsAreAnswered() {
+        VirtualRobot robot;
+        RawPrimary primary = robot.primary();
+        QVERIFY(!robot.controller.inject("answer 1").ok());  // nobody asks
+        primary.send(
+            "def p():\n  n = request_integer_from_primary_client(\"How many?\")\n"
+            "  b = request_boolean_from_primary_client(\"Sure?\")\n"
+            "  s = request_string_from_primary_client(\"Who?\")\n"
+            "  f = request_float_from_primary_client(\"How much?\")\n"
+            "  textmsg(str_cat(n, str_cat(b, str_cat(s, f))))\nend\n");
+        robot.stepUntil([&] { return robot.programState() == RuntimeState::Playing; });
+        robot.controller.step(2);
+        QVERIFY(!robot.controller.inject("answer many").ok());
+        for (const char* answer : {"answer 3", "answer true", "answer the left one", "answer 0.5"}) {
+            inject(robot, QString::fromLatin1(answer));
+            robot.controller.step(3);
+        }
+        QVERIFY(robot.stepUntil([&] { return robot.programState() == RuntimeState::Stopped; }));
+        QCOMPARE(primary.messages(0).back(), QByteArray("3Truethe left one0.5"));
+    }
+
     void theFaultPortSpeaksTheSameWords() {
         VirtualRobot robot;
         RawClient console(robot.host(), robot.controller.ports().faults);
