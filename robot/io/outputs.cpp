@@ -6,6 +6,8 @@
 #include <cmath>
 #include <condition_variable>
 #include <mutex>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "robot/receive/robot_state.h"
@@ -18,11 +20,11 @@ namespace {
 using std::chrono::milliseconds;
 
 /// The recipes of the connection, one for what can be owned separately.
-enum Group : std::size_t { kStandard, kConfigurable, kTool, kSlider, kGroups };
+enum Group : std::size_t { kStandard, kConfigurable, kTool, kSlider, kAnalog, kGroups };
 
 struct GroupFacts {
     const char* name;
-    std::array<const char*, 2> fields;
+    std::array<const char*, 4> fields;  ///< the first ones that are not null
     int firstBit;
     int bits;
 };
@@ -41,15 +43,45 @@ constexpr std::array<GroupFacts, kGroups> kFacts = {{
      kFirstTool,
      kDigitalOutputs - kFirstTool},
     {"speed slider", {"speed_slider_mask", "speed_slider_fraction"}, 0, 0},
+    {"analog outputs",
+     {"standard_analog_output_mask", "standard_analog_output_type", "standard_analog_output_0",
+      "standard_analog_output_1"},
+     0,
+     0},
 }};
 
+constexpr int kAnalogOutputs = 2;
 constexpr std::uint32_t kAllOutputs = (1U << kDigitalOutputs) - 1;
 // A slider is shown in whole percents; the robot may round to something of its own.
 constexpr double kSliderTolerance = 0.005;
 constexpr std::int64_t kFreshNs = 1 * kNsPerSecond;
 
+std::vector<std::string> fieldsOf(const GroupFacts& facts) {
+    std::vector<std::string> names;
+    for (const char* field : facts.fields) {
+        if (field != nullptr) {
+            names.emplace_back(field);
+        }
+    }
+    return names;
+}
+
 Group groupOf(int output) {
     return output < kFirstConfigurable ? kStandard : output < kFirstTool ? kConfigurable : kTool;
+}
+
+/// Controllers report currents in mA or in A: the two cannot be mistaken for each other.
+bool isLevel(double reported, AnalogDomain domain, double level) {
+    constexpr double kTolerance = 0.01;  // of the range
+    if (domain == AnalogDomain::Voltage) {
+        constexpr double kVolts = 10.0;
+        return std::abs(reported / kVolts - level) < kTolerance;
+    }
+    constexpr double kSurelyMilliamperes = 1.0;
+    constexpr double kLeast = 4.0;   // [mA]
+    constexpr double kRange = 16.0;  // [mA]
+    const double milliamperes = reported > kSurelyMilliamperes ? reported : reported * 1000.0;
+    return std::abs((milliamperes - kLeast) / kRange - level) < kTolerance;
 }
 
 Error invalid(const QString& what) {
@@ -73,6 +105,11 @@ Feedback Feedback::fromReceiver(const receive::Receiver& receiver) {
         if (state.has("target_speed_fraction")) {
             report.speedSlider = state.speedSlider();
         }
+        if (state.has("standard_analog_output0") && state.has("analog_io_types")) {
+            constexpr unsigned kFirstOutput = 2;  // bits 0 and 1 are the inputs
+            report.analogOutputs = {state.analogOutput(0), state.analogOutput(1)};
+            report.analogDomains = state.analogIoTypes() >> kFirstOutput;
+        }
         return report;
     }};
 }
@@ -93,7 +130,7 @@ struct Outputs::Link {
         wanted.host = options.host;
         wanted.port = options.port;
         for (const GroupFacts& facts : kFacts) {
-            wanted.request.inputs.push_back({{facts.fields[0], facts.fields[1]}, false});
+            wanted.request.inputs.push_back({fieldsOf(facts), false});
         }
         auto opened = rtde::Connection::open(wanted, deadline);
         if (!opened) {
@@ -122,7 +159,7 @@ struct Outputs::Link {
             return Error{ErrorCode::NotConnected, QStringLiteral("no connection for outputs"), {}};
         }
         const rtde::Recipe& recipe = connection->inputs()[group];
-        if (recipe.isValid() && recipe.fields().size() == 2) {
+        if (recipe.isValid() && recipe.fields().size() == fieldsOf(kFacts[group]).size()) {
             return {};
         }
         const QString name = QString::fromLatin1(kFacts[group].name);
@@ -138,11 +175,10 @@ struct Outputs::Link {
                      {}};
     }
 
-    Result<void> send(Group group, double mask, double value) {
+    Result<void> send(Group group, std::span<const double> values) {
         if (auto ready = available(group); !ready) {
             return ready;
         }
-        const std::array<double, 2> values{mask, value};
         switch (connection->sendInputs(group, values)) {
             case rtde::Connection::Send::Sent:
                 return {};
@@ -231,7 +267,9 @@ Result<void> Outputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values
             const std::uint32_t width = (1U << kFacts[group].bits) - 1;
             const std::uint32_t groupMask = (mask >> kFacts[group].firstBit) & width;
             const std::uint32_t groupValues = (values >> kFacts[group].firstBit) & groupMask;
-            if (auto sent = d_->send(group, groupMask, groupValues); !sent) {
+            const std::array<double, 2> package{static_cast<double>(groupMask),
+                                                static_cast<double>(groupValues)};
+            if (auto sent = d_->send(group, package); !sent) {
                 return sent;
             }
         }
@@ -265,13 +303,52 @@ Result<void> Outputs::setSpeedSlider(double fraction, const Deadline& deadline) 
             }
         }
         before = d_->feedback.newest().sequence;
-        if (auto sent = d_->send(kSlider, 1, fraction); !sent) {
+        if (auto sent = d_->send(kSlider, std::array{1.0, fraction}); !sent) {
             return sent;
         }
     }
     return d_->confirm(QStringLiteral("set the speed slider"), before, deadline, [&](const Report& report) {
         return report.speedSlider && std::abs(*report.speedSlider - fraction) < kSliderTolerance;
     });
+}
+
+Result<void> Outputs::setAnalogOutput(int output, AnalogDomain domain, double level,
+                                      const Deadline& deadline) {
+    if (output < 0 || output >= kAnalogOutputs) {
+        return invalid(QStringLiteral("analog output %1; they are 0 and 1").arg(output));
+    }
+    if (!std::isfinite(level) || level < 0 || level > 1) {
+        return invalid(QStringLiteral("analog level %1; it goes from 0 to 1").arg(level));
+    }
+    const auto which = static_cast<std::size_t>(output);
+    const unsigned bit = 1U << which;
+    std::uint64_t before = 0;
+    {
+        const std::lock_guard lock(d_->mutex);
+        if (!d_->isAlive()) {
+            if (auto opened = d_->open(deadline); !opened) {
+                return opened;
+            }
+        }
+        before = d_->feedback.newest().sequence;
+        const std::array<double, 4> package{static_cast<double>(bit),
+                                            domain == AnalogDomain::Voltage ? static_cast<double>(bit) : 0.0,
+                                            level, level};
+        if (auto sent = d_->send(kAnalog, package); !sent) {
+            return sent;
+        }
+    }
+    return d_->confirm(QStringLiteral("set analog output %1").arg(output), before, deadline,
+                       [&](const Report& report) {
+                           const bool voltage = (report.analogDomains & bit) != 0;
+                           return report.analogOutputs && voltage == (domain == AnalogDomain::Voltage) &&
+                                  isLevel((*report.analogOutputs)[which], domain, level);
+                       });
+}
+
+Result<void> Outputs::canSetAnalogOutput() const {
+    const std::lock_guard lock(d_->mutex);
+    return d_->available(kAnalog);
 }
 
 Result<void> Outputs::canSetDigitalOutput(int output) const {

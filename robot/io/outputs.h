@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Sets digital outputs and the speed slider through an RTDE connection of its own, whether or not a program
-// runs. Only the bits asked for are touched (masks), and a command is done when the robot reports the new
-// value, not when it was sent. Others may own some of these inputs: then only those are unavailable, and say
-// so.
+// Sets digital and analog outputs and the speed slider through an RTDE connection of its own, whether or not
+// a program runs. Only the bits asked for are touched (masks), and a command is done when the robot reports
+// the new value, not when it was sent. Others may own some of these inputs: then only those are unavailable,
+// and say so.
 
 #include <QString>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -32,6 +33,9 @@ struct Report {
     std::uint64_t sequence = 0;  ///< rises with every report; only newer ones than the command confirm it
     std::optional<std::uint64_t> digitalOutputs;  ///< bits 0-7 standard, 8-15 configurable, 16-17 tool
     std::optional<double> speedSlider;            ///< 0 ... 1
+    /// Both analog outputs as the robot writes them (mA or A, V), and bit 0, 1: 0 current, 1 voltage.
+    std::optional<std::array<double, 2>> analogOutputs;
+    unsigned analogDomains = 0;
 };
 struct Feedback {
     /// The newest report; called from the thread that waits for a confirmation.
@@ -40,6 +44,8 @@ struct Feedback {
     /// From the newest sample of a receiver, which must outlive the Outputs.
     static Feedback fromReceiver(const receive::Receiver& receiver);
 };
+
+enum class AnalogDomain : std::uint8_t { Current, Voltage };
 
 struct OutputsOptions {
     QString host;
@@ -75,9 +81,15 @@ public:
     /// Errors    as setDigitalOutputs; InvalidArgument when it is no number or above 1
     Result<void> setSpeedSlider(double fraction, const Deadline& deadline);
 
+    /// output  0 or 1
+    /// level   0 ... 1 of 4 to 20 mA or 0 to 10 V. The domain is set with it: never left to what it was.
+    /// Errors  as setDigitalOutputs
+    Result<void> setAnalogOutput(int output, AnalogDomain domain, double level, const Deadline& deadline);
+
     /// Whether a group of outputs can be set; the error says why not.
     Result<void> canSetDigitalOutput(int output) const;
     Result<void> canSetSpeedSlider() const;
+    Result<void> canSetAnalogOutput() const;
 
 private:
     struct Link;
