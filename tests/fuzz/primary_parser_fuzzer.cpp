@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Any bytes on the primary interface, cut in any way: understood or refused, never a crash, and never more
+// memory than a package may take.
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "robot/script/primary_parser.h"
+
+using namespace tiller::script;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    if (size == 0) {
+        return 0;
+    }
+    // The first byte decides how the rest is cut.
+    const std::size_t step = 1 + data[0];
+    std::span<const std::uint8_t> rest(data + 1, size - 1);
+    PrimaryParser parser;
+    std::size_t messages = 0;
+    while (!rest.empty()) {
+        const auto piece = rest.first(std::min(step, rest.size()));
+        rest = rest.subspan(piece.size());
+        if (!parser.feed(piece, 0)) {
+            parser.reset();
+        }
+        for (const ControllerMessage& message : parser.takeMessages()) {
+            messages += message.text.size() >= 0 && message.codeName().size() >= 0 ? 1U : 0U;
+        }
+    }
+    // A message takes its header at least.
+    if (messages > size) {
+        __builtin_trap();
+    }
+    return 0;
+}
