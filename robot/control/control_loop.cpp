@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 #include "robot/core/clock.h"
 
@@ -27,6 +28,8 @@ void ControlLoop::begin(std::int32_t session, double period, const ArmLimits& ar
     meter_.cancel();
     inControl_.store(false, std::memory_order_release);
     endRequested_.store(false, std::memory_order_release);
+    nextSession_.store(0, std::memory_order_release);
+    forcePermitted_.store(false, std::memory_order_release);
     data_ = {};
     data_.hostNs = nowNs;
     hasData_ = false;
@@ -42,7 +45,27 @@ void ControlLoop::begin(std::int32_t session, double period, const ArmLimits& ar
     publish();
 }
 
+std::int32_t ControlLoop::ask(Request request) {
+    constexpr std::int32_t kLast = 0x3fffffff;
+    asked_ = asked_ >= kLast ? 1 : asked_ + 1;
+    request.number = asked_;
+    request_.publish(request);
+    return asked_;
+}
+
+void ControlLoop::setHook(CycleHook* hook) {
+    hook_.store(hook);
+    while (hookInUse_.load()) {
+        std::this_thread::yield();
+    }
+}
+
 Command ControlLoop::tick(const Feedback& data) {
+    if (const std::int32_t session = nextSession_.exchange(0, std::memory_order_acq_rel); session != 0) {
+        session_ = session;
+        endRequested_.store(false, std::memory_order_release);
+        leave(ControlLoss::Taking, StopCause::ControlLost, data.hostNs);
+    }
     const std::int64_t sinceLast = data.hostNs - data_.hostNs;
     if (hasData_) {
         if (static_cast<double>(sinceLast) > 1.5 * period_ * static_cast<double>(kNsPerSecond)) {
@@ -109,7 +132,11 @@ void ControlLoop::publishLoss(ControlLoss loss) {
 
 void ControlLoop::followEcho(const Feedback& data) {
     const Echo& echo = data.echo;
-    if (echo.session != session_ || echo.sequence == echoed_) {
+    if (echo.session != session_) {
+        return;
+    }
+    answer_.store(echo.answer);
+    if (echo.sequence == echoed_) {
         return;
     }
     echoed_ = echo.sequence;
@@ -140,9 +167,13 @@ void ControlLoop::watch(const Feedback& data) {
     status_.speedFraction = data.speedFraction;
     status_.dataTimeNs = data.hostNs;
     status_.q = data.q.array();
+    status_.tcpPose = data.tcpPose.array();
     status_.tcpOffset = data.tcpOffset.array();
+    status_.speedScaling = data.speedScaling;
+    status_.runtimeState = data.runtimeState;
     if (data.robotMode != RobotMode::Running || !allowsMotion(data.safetyMode)) {
         endActive(StopCause::UnsafeMode, data.hostNs);
+        forcePermitted_.store(false, std::memory_order_release);
     }
     if (!isInControl()) {
         endActive(StopCause::ControlLost, data.hostNs);
@@ -150,8 +181,8 @@ void ControlLoop::watch(const Feedback& data) {
     }
     if (data.runtimeState != RuntimeState::Playing) {
         const bool asked = endRequested_.load(std::memory_order_acquire);
-        leave(asked ? ControlLoss::Released : ControlLoss::ScriptStopped, StopCause::ControlLost,
-              data.hostNs);
+        leave(asked ? endLoss_.load(std::memory_order_relaxed) : ControlLoss::ScriptStopped,
+              StopCause::ControlLost, data.hostNs);
         return;
     }
     const std::int64_t unanswered = unansweredSinceNs_ == 0 ? 0 : data.hostNs - unansweredSinceNs_;
@@ -169,16 +200,35 @@ void ControlLoop::watch(const Feedback& data) {
     const MotionId motion = mailbox_.epoch().activeMotion();
     const bool answersThis = motion != kNoMotion && data.echo.epoch == static_cast<std::int32_t>(motion);
     status_.executing = answersThis && data.echo.state == ScriptState::Executing;
-    if (answersThis && data.echo.state == ScriptState::Done) {
-        endActive(StopCause::Completed, data.hostNs);
-    } else if (answersThis && data.echo.state == ScriptState::Expired) {
-        endActive(StopCause::LinkLost, data.hostNs);
+    status_.waypoint = answersThis ? data.echo.waypoint : status_.waypoint;
+    if (data.echo.state != ScriptState::Executing && data.echo.state != ScriptState::Braking) {
+        status_.restingEpoch = std::max(status_.restingEpoch, static_cast<std::uint64_t>(data.echo.epoch));
+    }
+    if (answersThis) {
+        switch (data.echo.state) {
+            case ScriptState::Done:
+                endActive(StopCause::Completed, data.hostNs);
+                break;
+            case ScriptState::Expired:
+                endActive(StopCause::LinkLost, data.hostNs);
+                break;
+            case ScriptState::OutOfReach:
+                endActive(StopCause::Unreachable, data.hostNs);
+                break;
+            case ScriptState::Contact:
+                endActive(StopCause::Contact, data.hostNs);
+                break;
+            case ScriptState::Ready:
+            case ScriptState::Executing:
+            case ScriptState::Braking:
+                break;
+        }
     }
     // Whoever moves the TCP offset under a running jog moves the point it turns about.
     constexpr double kSameOffset = 1e-6;
     const bool tcpChanged = (data.tcpOffset.position - followedTcp_.position).norm() > kSameOffset ||
                             (data.tcpOffset.rotation - followedTcp_.rotation).norm() > kSameOffset;
-    if (motion != kNoMotion && motion == followed_ && tcpChanged) {
+    if (motion != kNoMotion && motion == followed_ && followedByHand_ && tcpChanged) {
         endActive(StopCause::SelectionChanged, data.hostNs);
     }
 }
@@ -186,6 +236,7 @@ void ControlLoop::watch(const Feedback& data) {
 void ControlLoop::leave(ControlLoss loss, StopCause cause, std::int64_t nowNs) {
     endActive(cause, nowNs);
     inControl_.store(false, std::memory_order_release);
+    forcePermitted_.store(false, std::memory_order_release);
     status_.inControl = false;
     status_.executing = false;
     status_.loss = loss;
@@ -211,6 +262,7 @@ void ControlLoop::compose(const Feedback& data, Command& command) {
     if (motion->id != followed_) {
         noteEnded(data.hostNs);
         followed_ = motion->id;
+        followedByHand_ = motion->kind != MotionCommand::Kind::Program;
         followedTcp_ = data.tcpOffset;
         status_.limiter = {};
         // What is still being measured belongs to a motion that another one has followed before standstill.
@@ -218,12 +270,40 @@ void ControlLoop::compose(const Feedback& data, Command& command) {
     }
     if (motion->kind == MotionCommand::Kind::Jog) {
         composeJog(*motion, data, command);
-        return;
+    } else {
+        composeProgram(*motion, data, command);
     }
-    command.kind = motion->kind == MotionCommand::Kind::MoveJ ? ScriptCommand::MoveJ : ScriptCommand::MoveL;
-    command.values = motion->target;
-    command.speed = motion->speed;
-    command.acceleration = motion->acceleration;
+}
+
+void ControlLoop::composeProgram(const MotionCommand& motion, const Feedback& data, Command& command) {
+    const MotionCommand* from = &motion;
+    MotionCommand hooked;
+    hookInUse_.store(true);
+    CycleHook* const hook = hook_.load();
+    if (hook != nullptr && hook->motion() == motion.id) {
+        hooked = motion;
+        from = &hooked;
+        if (!hook->cycle(data, period_, hooked)) {
+            mailbox_.end(motion.id, StopCause::Completed, data.hostNs);
+        }
+    }
+    hookInUse_.store(false);
+    switch (from->kind) {
+        case MotionCommand::Kind::MoveJ:
+            command.kind = ScriptCommand::MoveJ;
+            break;
+        case MotionCommand::Kind::MoveL:
+            command.kind = ScriptCommand::MoveL;
+            break;
+        default:
+            command.kind = static_cast<ScriptCommand>(from->program);
+            break;
+    }
+    command.choice = from->choice;
+    command.values = from->target;
+    command.speed = from->speed;
+    command.acceleration = from->acceleration;
+    command.rotationAcceleration = from->rotationAcceleration;
 }
 
 void ControlLoop::composeJog(const MotionCommand& motion, const Feedback& data, Command& command) {
@@ -251,7 +331,7 @@ void ControlLoop::composeJog(const MotionCommand& motion, const Feedback& data, 
         slowing = fastest(data.qd) > qd.cwiseAbs().maxCoeff() + kStillJointSpeed;
         command.acceleration = slowing ? limits_.jointDeceleration : limits_.jointAcceleration;
     }
-    command.frame = target.frame;
+    command.choice = static_cast<std::int32_t>(target.frame);
     const Eigen::Vector3d& rotation = target.T_base_frame.rotation;
     command.rotation = {rotation.x(), rotation.y(), rotation.z()};
 }
@@ -293,10 +373,18 @@ void ControlLoop::seal(Command& command, std::int64_t nowNs) {
         command.epoch = static_cast<std::int32_t>(followed_);
         sentMotion_ = followed_;
     } else {
-        command.kind = moves ? ScriptCommand::Idle : command.kind;
+        const ScriptCommand kind = moves ? ScriptCommand::Idle : command.kind;
+        const Brake brake = mailbox_.brake();
+        command = {};
+        command.kind = kind;
+        command.choice = static_cast<std::int32_t>(brake.along);
+        command.acceleration = brake.deceleration;
+        command.rotationAcceleration = brake.rotationDeceleration;
         command.epoch = static_cast<std::int32_t>(mailbox_.epoch().deadUpTo());
         sentMotion_ = kNoMotion;
     }
+    command.request = request_.newest();
+    command.forcePermitted = forcePermitted_.load(std::memory_order_acquire);
     constexpr std::int32_t kWrap = 0x3fffffff;
     sequence_ = sequence_ >= kWrap ? 1 : sequence_ + 1;
     command.sequence = sequence_;

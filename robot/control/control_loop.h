@@ -15,6 +15,7 @@
 #include "robot/control/stop_meter.h"
 #include "robot/control/velocity_limiter.h"
 #include "robot/realtime/seqlock.h"
+#include "robot/realtime/triple_buffer.h"
 
 namespace tiller::control {
 
@@ -23,8 +24,19 @@ inline constexpr std::int64_t kMaxDataAgeNs = 100'000'000;
 /// A link on which a command takes longer than this to the robot and back is none to move on either.
 inline constexpr double kMaxRoundTripMs = 100.0;
 
-/// Threads  tick(), fallback(), lost(): the control thread. requestEnd(), status(), isInControl(): any.
-///          begin(): before the control thread starts.
+/// Computes the target of one motion in step with the packages: see packet_loop.h.
+class CycleHook {
+public:
+    virtual MotionId motion() const = 0;
+    /// Called in the control thread. Returns  false to end the motion
+    virtual bool cycle(const Feedback& data, double period, MotionCommand& target) = 0;
+
+protected:
+    ~CycleHook() = default;
+};
+
+/// Threads  tick(), fallback(), lost(): the control thread. begin(): before the control thread starts. All
+///          others: any; ask() and setHook() one at a time.
 /// Real-time: yes
 class ControlLoop {
 public:
@@ -42,8 +54,22 @@ public:
     /// The connection is gone.
     void lost(std::int64_t nowNs, ControlLoss loss);
 
-    /// From the next tick on the program is told to end.
-    void requestEnd() { endRequested_.store(true, std::memory_order_release); }
+    /// From the next tick on the program is told to end; that it ended is called `loss`.
+    void requestEnd(ControlLoss loss = ControlLoss::Released) {
+        endLoss_.store(loss, std::memory_order_relaxed);
+        endRequested_.store(true, std::memory_order_release);
+    }
+    /// From the next tick on only the program with this session is ours, and its echo is waited for.
+    void expectSession(std::int32_t session) { nextSession_.store(session, std::memory_order_release); }
+
+    /// Puts a request into the packages until another one is asked. Returns  its number
+    std::int32_t ask(Request request);
+    /// The newest answer of our program.
+    Answer answer() const { return answer_.load(); }
+    /// Force mode may go on, until this is taken back, by the caller, an unsafe mode or the loss of control.
+    void permitForce(bool permitted) { forcePermitted_.store(permitted, std::memory_order_release); }
+    /// Null takes it away; when the call returns it is not in use any more.
+    void setHook(CycleHook* hook);
 
     bool isInControl() const { return inControl_.load(std::memory_order_acquire); }
     ControllerStatus status() const { return published_.load(); }
@@ -56,6 +82,7 @@ private:
     void leave(ControlLoss loss, StopCause cause, std::int64_t nowNs);
     void endActive(StopCause cause, std::int64_t nowNs);
     void compose(const Feedback& data, Command& command);
+    void composeProgram(const MotionCommand& motion, const Feedback& data, Command& command);
     void composeJog(const MotionCommand& motion, const Feedback& data, Command& command);
     void noteEnded(std::int64_t nowNs);
     void publish();
@@ -70,6 +97,14 @@ private:
     double period_ = 0.002;
     std::atomic<bool> inControl_{false};
     std::atomic<bool> endRequested_{false};
+    std::atomic<ControlLoss> endLoss_{ControlLoss::Released};
+    std::atomic<std::int32_t> nextSession_{0};  ///< 0: none
+    std::atomic<bool> forcePermitted_{false};
+    std::atomic<CycleHook*> hook_{nullptr};
+    std::atomic<bool> hookInUse_{false};
+    std::int32_t asked_ = 0;  ///< under the caller's lock: number of the last request
+    realtime::TripleBuffer<Request> request_;
+    realtime::Seqlock<Answer> answer_;
 
     Feedback data_;  ///< the newest
     bool hasData_ = false;
@@ -82,6 +117,7 @@ private:
 
     MotionId sentMotion_ = kNoMotion;  ///< what the robot was last told to do
     MotionId followed_ = kNoMotion;    ///< the motion the last command was for
+    bool followedByHand_ = false;      ///< a jog or a move of the interface
     Pose followedTcp_;                 ///< TCP offset when it began
 
     ControllerStatus status_;

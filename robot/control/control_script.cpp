@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "robot/control/control_script.h"
 
+#include <QRegularExpression>
+#include <QSet>
+#include <QStringList>
+
 #include "robot/control/registers.h"
 
 namespace tiller::control {
 
 namespace {
+
+constexpr auto kIndent = "        ";
 
 QString number(double value) {
     constexpr int kDigits = 6;
@@ -17,15 +23,80 @@ QString stepTime(const SoftwareVersion& version) {
     return hasFunction ? QStringLiteral("get_steptime()") : number(version.controlPeriod());
 }
 
+/// "5.10 3.15": from these e-Series and CB3 versions on; with the e-Series version only, never on CB3.
+bool isSince(const SoftwareVersion& version, const QString& since) {
+    constexpr std::uint32_t kFirstESeries = 5;
+    const QStringList both = since.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    const qsizetype which = version.major >= kFirstESeries ? 0 : 1;
+    if (which >= both.size()) {
+        return false;
+    }
+    const QStringList parts = both[which].split(QLatin1Char('.'));
+    return version >= SoftwareVersion{parts.value(0).toUInt(), parts.value(1).toUInt(), 0, 0};
+}
+
+/// Empties the lines that are not for this software; none is taken out, so that numbers stay what they are.
+QString linesFor(const SoftwareVersion& version, const QString& source) {
+    QStringList lines = source.split(QLatin1Char('\n'));
+    bool wanted = true;
+    for (QString& line : lines) {
+        const QString mark = line.trimmed();
+        if (mark.startsWith(QLatin1String("#{{SINCE "))) {
+            wanted = isSince(version, mark.mid(9).chopped(2));
+        } else if (mark == QLatin1String("#{{ELSE}}")) {
+            wanted = !wanted;
+        } else if (mark == QLatin1String("#{{END}}")) {
+            wanted = true;
+        } else if (wanted) {
+            continue;
+        }
+        line.clear();
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
+/// Gives the program's own names a prefix, so that no section collides with them.
+QString prefixed(const QString& program) {
+    static const QRegularExpression kDefinition(QStringLiteral("^    (?:(?:def|thread) (\\w+)\\(|(\\w+) = )"),
+                                                QRegularExpression::MultilineOption);
+    static const QRegularExpression kWord(
+        QStringLiteral("\\{\\{[^}]*\\}\\}|#[^\\n]*|\"[^\"]*\"|\\b[A-Za-z_]\\w*\\b"));
+    QSet<QString> own;
+    for (auto it = kDefinition.globalMatch(program); it.hasNext();) {
+        const auto match = it.next();
+        own.insert(match.captured(1).isEmpty() ? match.captured(2) : match.captured(1));
+    }
+    QString out;
+    qsizetype done = 0;
+    for (auto it = kWord.globalMatch(program); it.hasNext();) {
+        const auto match = it.next();
+        if (own.contains(match.captured())) {
+            out += QStringView(program).mid(done, match.capturedStart() - done);
+            out += QLatin1String("tiller_") + match.captured();
+            done = match.capturedEnd();
+        }
+    }
+    return out + QStringView(program).mid(done).toString();
+}
+
 }  // namespace
 
+QString ControlScript::place(int line, int column) const {
+    const int inSection = line - sectionLine + 1;
+    if (inSection >= 1 && inSection <= sectionLines && sectionLines > 0 && sectionLine > 0) {
+        return QStringLiteral("line %1").arg(inSection);
+    }
+    const int added = line > sectionLine ? sectionLines - 1 : 0;
+    return QStringLiteral("control.script line %1, column %2").arg(line - added + firstLine - 1).arg(column);
+}
+
 ControlScript controlScript(const SoftwareVersion& version, RegisterRange range, std::int32_t session,
-                            const MotionLimits& limits) {
+                            const MotionLimits& limits, const QString& section) {
     const QString source = QString::fromUtf8(controlScriptTemplate());
     // Ports that take scripts also take single lines: what stands in front of the program must not be sent.
     const qsizetype begin = source.indexOf(QLatin1String("def "));
     ControlScript script;
-    script.text = source.mid(begin);
+    script.text = prefixed(linesFor(version, source.mid(begin)));
     script.firstLine = static_cast<int>(source.left(begin).count(QLatin1Char('\n'))) + 1;
     const auto fill = [&](const char* name, const QString& value) {
         script.text.replace(QStringLiteral("{{%1}}").arg(QLatin1String(name)), value);
@@ -36,6 +107,14 @@ ControlScript controlScript(const SoftwareVersion& version, RegisterRange range,
     fill("BRAKE_LINEAR", number(limits.jogDeceleration));
     fill("BRAKE_ROTATION", number(limits.jointDeceleration));
     fill("BRAKE_JOINTS", number(limits.jointDeceleration));
+    fill("WATCHDOG", QString::fromStdString(watchdogName(range)));
+    QStringList lines = section.trimmed().isEmpty() ? QStringList{QStringLiteral("sync()")}
+                                                    : section.split(QLatin1Char('\n'));
+    const qsizetype at = script.text.indexOf(QLatin1String("{{SECTION}}"));
+    script.sectionLine = static_cast<int>(script.text.left(at).count(QLatin1Char('\n'))) + 1;
+    script.sectionLines = static_cast<int>(lines.size());
+    script.text.replace(at, QLatin1String("{{SECTION}}").size(),
+                        lines.join(QLatin1Char('\n') + QLatin1String(kIndent)));
     return script;
 }
 

@@ -17,11 +17,20 @@ const char* controlScriptTemplate();
 struct ControlScript {
     QString text;
     int firstLine = 1;  ///< of `text` in control.script, to find the lines of the controller's messages there
+    int sectionLine = 0;   ///< of the section in `text`, counted from 1
+    int sectionLines = 1;  ///< how many it takes
+
+    /// What a line of `text`, counted from 1, is called: "control.script line 13", or "line 2" of the
+    /// section.
+    QString place(int line, int column) const;
 };
 
-/// version  software without get_steptime() gets its control period as a number
+/// version  software without a function gets the lines that do without it
 /// session  marks this start of the program; echoed by it
+/// section  lines of a path or a function, run by ScriptCommand::Section. Names beginning with tiller_ are
+/// the
+///          program's own
 ControlScript controlScript(const SoftwareVersion& version, RegisterRange range, std::int32_t session,
-                            const MotionLimits& limits);
+                            const MotionLimits& limits, const QString& section = {});
 
 }  // namespace tiller::control

@@ -73,10 +73,11 @@ struct ControllerStatus {
     StopCause lastCause = StopCause::None;  ///< and why
     StopMeasurement lastStop;
 
-    std::uint64_t epoch = 0;   ///< moves on with every stop
-    double roundTripMs = 0;    ///< command out to echo back; 0 = not known yet
-    double speedFraction = 1;  ///< speed slider
-    double speedScaling = 1;   ///< what the controller's own limits leave of it
+    std::uint64_t epoch = 0;         ///< moves on with every stop
+    std::uint64_t restingEpoch = 0;  ///< newest epoch for which the robot said that it moves nothing
+    double roundTripMs = 0;          ///< command out to echo back; 0 = not known yet
+    double speedFraction = 1;        ///< speed slider
+    double speedScaling = 1;         ///< what the controller's own limits leave of it
     RuntimeState runtimeState = RuntimeState::Stopped;
     int waypoint = 0;                   ///< of a path, counted from 1: the one headed for
     std::array<double, 6> q{};          ///< actual joint positions of the newest data [rad]

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "robot/control/controller.h"
 
-#include <QStringList>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
+#include "robot/control/argument_check.h"
 #include "robot/control/controller_private.h"
 #include "robot/kinematics/speed_bounds.h"
 #include "robot/realtime/thread_priority.h"
@@ -22,17 +24,8 @@ bool isFinite(const JogTarget& target) {
            target.T_base_frame.allFinite();
 }
 
-bool isPositive(double value) {
-    return std::isfinite(value) && value > 0;
-}
-
 Error invalid(const QString& context, const QString& what) {
     return {ErrorCode::InvalidArgument, context, what};
-}
-
-QString degrees(double radians) {
-    constexpr double kDegreesPerRadian = 57.29577951308232;
-    return QString::number(radians * kDegreesPerRadian, 'f', 1);
 }
 
 }  // namespace
@@ -51,6 +44,7 @@ Result<void> Controller::takeControl(const Deadline& deadline) {
     if (d_->running && d_->loop.isInControl()) {
         return {};
     }
+    const UnderWay cancellable(*d_, deadline);
     d_->stopThread();
     auto taken = d_->take(deadline);
     if (!taken) {
@@ -61,14 +55,19 @@ Result<void> Controller::takeControl(const Deadline& deadline) {
 }
 
 void Controller::release() {
+    {
+        const std::lock_guard lock(d_->patience);
+        d_->underWay.cancel();
+    }
     const std::lock_guard lock(d_->taking);
-    d_->mailbox.stop(StopCause::ControlLost, d_->now());
+    stop(StopCause::ControlLost);
     if (!d_->running) {
         d_->stopThread();
         return;
     }
     d_->loop.requestEnd();
-    const Deadline patience = Deadline::after(std::chrono::milliseconds(600));
+    // Enough to see the arm come to rest from a jog; a longer way it brakes without us.
+    const Deadline patience = Deadline::after(std::chrono::milliseconds(160));
     while (d_->running && d_->loop.isInControl() && !patience.hasExpired()) {
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
@@ -80,9 +79,20 @@ void Controller::Private::run() {
     realtime::nameThread("control");
     loop.setPriorityGranted(options.priority <= 0 || realtime::requestThreadPriority(options.priority).ok());
     std::vector<double> values(connection->outputs().size());
-    const auto send = [this](const Command& command) {
+    const auto isSent = [this](Inputs recipe, std::span<const double> inputs) {
+        return connection->sendInputs(recipe, inputs) != rtde::Connection::Send::Failed;
+    };
+    const auto send = [&](const Command& command) {
         const auto inputs = encode(command);
-        return connection->sendInputs(0, inputs) != rtde::Connection::Send::Failed;
+        bool sent = isSent(kCommandInputs, inputs);
+        if (sent && kick.exchange(false, std::memory_order_acq_rel)) {
+            constexpr std::array<double, 1> kNothing{};
+            sent = isSent(kWatchdogInputs, kNothing);
+        }
+        if (const auto* measured = sent ? wrench.take() : nullptr; measured != nullptr) {
+            sent = isSent(kWrenchInputs, *measured);
+        }
+        return sent;
     };
     bool alive = true;
     while (alive && !quit.load(std::memory_order_acquire)) {
@@ -159,30 +169,16 @@ bool Controller::refreshJog(JogId jog, const JogTarget& target) {
 }
 
 Result<MoveId> Controller::moveJ(const JointPositions& target, const MoveParameters& parameters) {
-    const QString context = QStringLiteral("start a MoveJ");
-    if (!target.allFinite() || !isPositive(parameters.speed) || !isPositive(parameters.acceleration)) {
-        return invalid(context, QStringLiteral("target, speed and acceleration must be positive numbers"));
+    const ArmLimits arm = d_->armNow();
+    const ArgumentCheck check =
+        ArgumentCheck("start a MoveJ")
+            .joints("target", target, arm)
+            .positive("speed", parameters.speed, highestJointSpeed(arm), "rad/s", "deg/s")
+            .positive("acceleration", parameters.acceleration, kJointAccelerationLimit, "rad/s2", "deg/s2");
+    if (!check.ok()) {
+        return check.error();
     }
-    ArmLimits arm;
-    {
-        const std::lock_guard lock(d_->arm);
-        arm = d_->armLimits;
-    }
-    for (int joint = 0; joint < kJointCount; ++joint) {
-        const auto i = static_cast<std::size_t>(joint);
-        if (target[joint] < arm.minPosition[i] || target[joint] > arm.maxPosition[i]) {
-            return Error{ErrorCode::LimitExceeded, context,
-                         QStringLiteral("%1 at %2 deg is outside %3 to %4 deg")
-                             .arg(QLatin1String(kJointNames[i]), degrees(target[joint]),
-                                  degrees(arm.minPosition[i]), degrees(arm.maxPosition[i]))};
-        }
-        if (parameters.speed > arm.maxSpeed[i] || parameters.acceleration > kJointAccelerationLimit) {
-            return Error{ErrorCode::LimitExceeded, context,
-                         QStringLiteral("%1 cannot turn faster than %2 deg/s")
-                             .arg(QLatin1String(kJointNames[i]), degrees(arm.maxSpeed[i]))};
-        }
-    }
-    if (const Error error = d_->obstacle(context); error.code != ErrorCode::None) {
+    if (const Error error = d_->obstacle(QStringLiteral("start a MoveJ")); error.code != ErrorCode::None) {
         return error;
     }
     MotionCommand command;
@@ -199,28 +195,21 @@ Result<MoveId> Controller::moveJ(const JointPositions& target, const MoveParamet
 }
 
 Result<MoveId> Controller::moveL(const Pose& target, const MoveParameters& parameters) {
-    const QString context = QStringLiteral("start a MoveL");
-    if (!target.allFinite() || !isPositive(parameters.speed) || !isPositive(parameters.acceleration)) {
-        return invalid(context, QStringLiteral("target, speed and acceleration must be positive numbers"));
+    const MotionLimits& limits = d_->options.limits;
+    const ArgumentCheck check =
+        ArgumentCheck("start a MoveL")
+            .pose("target", target)
+            .positive("speed", parameters.speed, std::min(limits.tcpSpeed, kHighestToolSpeed), "m/s", "mm/s")
+            .positive("acceleration", parameters.acceleration, kHighestToolAcceleration, "m/s2", "mm/s2");
+    if (!check.ok()) {
+        return check.error();
     }
-    constexpr double kRounding = 1e-9;
-    if (parameters.speed > d_->options.limits.tcpSpeed + kRounding) {
-        return Error{ErrorCode::LimitExceeded, context,
-                     QStringLiteral("%1 m/s is above the cap of %2 m/s")
-                         .arg(parameters.speed)
-                         .arg(d_->options.limits.tcpSpeed)};
-    }
-    if (const Error error = d_->obstacle(context); error.code != ErrorCode::None) {
+    if (const Error error = d_->obstacle(QStringLiteral("start a MoveL")); error.code != ErrorCode::None) {
         return error;
     }
     MotionCommand command;
-    ArmLimits arm;
-    {
-        const std::lock_guard lock(d_->arm);
-        arm = d_->armLimits;
-    }
+    const ArmLimits arm = d_->armNow();
     const ControllerStatus status = d_->loop.status();
-    const MotionLimits& limits = d_->options.limits;
     command.kind = MotionCommand::Kind::MoveL;
     command.held = parameters.holding == Holding::Held;
     command.target = target.array();
@@ -237,6 +226,7 @@ bool Controller::refreshMove(MoveId move) {
 }
 
 void Controller::stop(StopCause cause) {
+    d_->loop.permitForce(false);
     d_->mailbox.stop(cause, d_->now());
 }
 
@@ -257,8 +247,7 @@ const MotionLimits& Controller::limits() const {
 }
 
 SoftwareVersion Controller::version() const {
-    const std::lock_guard lock(d_->arm);
-    return d_->version;
+    return d_->versionNow();
 }
 
 }  // namespace tiller::control

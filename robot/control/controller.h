@@ -71,8 +71,10 @@ public:
     /// Threads  any but the control thread; one at a time. Blocks: until the deadline
     Result<void> takeControl(const Deadline& deadline);
 
-    /// Stops what moves, ends the control program and closes the connection.
-    /// Threads  as takeControl. Blocks: up to half a second while a motion comes to rest
+    /// Stops what moves, ends the control program and closes the connection. Cancels a call that is waiting
+    /// (takeControl() and all that sends programs), through its deadline's token.
+    /// Threads  any but the control thread. Blocks: 250 ms at most, whatever the peer does; the arm brakes on
+    ///          by itself
     void release();
 
     // All of the following: threads any; never block (callers wait for each other's copy of a command, some
@@ -98,7 +100,8 @@ public:
     /// Returns  false when the move has ended
     bool refreshMove(MoveId move);
 
-    /// Ends whatever is active. When it returns, no command given before can move the arm any more.
+    /// Ends whatever is active, force mode too. When it returns, no command given before can move the arm any
+    /// more.
     void stop(StopCause cause);
     /// Ends this motion; another one goes on.
     /// Returns  false when it had ended already
@@ -110,8 +113,10 @@ public:
     /// From the connection of the last takeControl(); zeros before.
     SoftwareVersion version() const;
 
-private:
     struct Private;
+
+private:
+    friend struct ControllerAccess;
     std::unique_ptr<Private> d_;
 };
 

@@ -1,20 +1,26 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The inside of Controller: the control thread and the way into control. For controller.cpp and
-// take_control.cpp only.
+// The inside of Controller: the control thread, the way into control, and the channel for requests. For the
+// sources of this folder only.
 
+#include <array>
 #include <atomic>
 #include <mutex>
+#include <optional>
+#include <span>
 #include <thread>
 #include <vector>
 
 #include "robot/control/control_loop.h"
+#include "robot/control/control_script.h"
 #include "robot/control/controller.h"
 #include "robot/control/mailbox.h"
+#include "robot/control/motion.h"
 #include "robot/control/registers.h"
 #include "robot/rtde/connection.h"
 #include "robot/script/primary_client.h"
+#include "robot/script/script_client.h"
 
 namespace tiller::control {
 
@@ -25,7 +31,9 @@ struct Controller::Private {
     Mailbox mailbox;
     ControlLoop loop;
 
-    std::mutex taking;  ///< takeControl() and release() one after the other
+    std::mutex taking;  ///< takeControl(), release() and all that sends programs, one after the other
+    std::mutex patience;
+    CancelToken underWay;  ///< under `patience`: of the call that holds `taking`
 
     std::unique_ptr<rtde::Connection> connection;  ///< the control thread's while it runs
     FeedbackLayout layout;
@@ -33,28 +41,117 @@ struct Controller::Private {
     std::atomic<bool> quit{false};
     std::atomic<bool> running{false};
 
-    mutable std::mutex arm;  ///< of the two below
+    mutable std::mutex arm;  ///< of all below
     SoftwareVersion version;
     ArmLimits armLimits;
+    std::unique_ptr<script::PrimaryClient> primary;  ///< what the controller says about our programs
+    ControlScript program;                           ///< the one sent last
+    QString sectionName;                             ///< what its section is called in messages
+
+    std::timed_mutex requesting;  ///< one request at a time
+    /// Under it: numbers 6 to 17 as the program keeps them; nothing where that is not known.
+    std::array<std::optional<std::array<double, 6>>, 2> stored;
+    std::atomic<bool> watchdogUsable{false};
+    std::atomic<bool> wrenchUsable{false};
+    std::atomic<bool> kick{false};
+    std::mutex wrenchCallers;
+    realtime::TripleBuffer<std::array<double, 6>> wrench;
 
     int primaryPort() const {
         return options.primaryPort != 0 ? options.primaryPort : 30001 + options.portOffset;
     }
     int rtdePort() const { return options.rtdePort != 0 ? options.rtdePort : 30004 + options.portOffset; }
     std::int64_t now() const { return options.clock->nowNs(); }
+    ArmLimits armNow() const {
+        const std::lock_guard lock(arm);
+        return armLimits;
+    }
+    SoftwareVersion versionNow() const {
+        const std::lock_guard lock(arm);
+        return version;
+    }
 
     // take_control.cpp
+    static std::int32_t newSession();
     Result<void> take(const Deadline& deadline);
     Result<void> openRegisters(const Deadline& deadline);
     Result<void> checkModes(const Deadline& deadline);
-    Result<void> upload(std::int32_t session, script::PrimaryClient& primary, const Deadline& deadline);
+    Result<void> upload(std::int32_t session, const QString& section, const Deadline& deadline);
     void startThread(std::int32_t session, const ArmLimits& limits);
     void stopThread();
+    /// What the controller complained of since the last upload; code None when it did not.
+    Error complaint(const QString& context);
+
+    // programs.cpp
+    /// Ends the control program, if it runs. Needs `taking`.
+    Result<void> endProgram(ControlLoss loss, const Deadline& deadline);
+    /// Ends the control program and sends it again with this section in it. Needs `taking`.
+    Result<void> restart(const QString& section, const QString& name, const Deadline& deadline);
+    /// Starts the section of the program sent last.
+    Result<MotionId> startSection(const QString& section, const QString& name, Holding holding,
+                                  const Deadline& deadline, const QString& context);
 
     // controller.cpp
     void run();
     /// Why no motion may begin now; code None when it may.
     Error obstacle(const QString& context) const;
+
+    // requests.cpp
+    /// Asks the control program and waits for its answer.
+    /// numbers  up to 18; those after the sixth go ahead, unless the program has them already
+    Result<Answer> request(RequestKind kind, std::int32_t whole, std::span<const double> numbers,
+                           const QString& context, const Deadline& deadline);
+    Result<Answer> exchange(const Request& request, const QString& context, const Deadline& deadline);
+    /// Errors  VersionUnsupported below these versions; a CB3 version of zeros: never there
+    Result<void> needs(const SoftwareVersion& eSeries, const SoftwareVersion& cb3,
+                       const QString& context) const;
+};
+
+/// The way of the commands' classes into the controller.
+struct ControllerAccess {
+    static Controller::Private& of(Controller& controller) { return *controller.d_; }
+};
+
+/// Makes handles, and looks into them.
+struct MotionAccess {
+    static Motion make(Controller& controller, MotionId id, MotionKind kind) {
+        Motion motion;
+        motion.controller_ = &controller;
+        motion.id_ = id;
+        motion.kind_ = kind;
+        return motion;
+    }
+    static Motion make(Controller& controller, MotionId id, MotionKind kind,
+                       const std::array<double, 6>& from, const std::array<double, 6>& to) {
+        Motion motion = make(controller, id, kind);
+        motion.from_ = from;
+        motion.to_ = to;
+        return motion;
+    }
+    static Motion path(Controller& controller, MotionId id, int waypoints) {
+        Motion motion = make(controller, id, MotionKind::Path);
+        motion.waypoints_ = waypoints;
+        return motion;
+    }
+    static Controller* controller(const Motion& motion) { return motion.controller_; }
+};
+
+/// A deadline that release() can end: registers its token for as long as it lives. Needs `taking`.
+class UnderWay {
+public:
+    UnderWay(Controller::Private& d, const Deadline& deadline) : d_(d) {
+        const std::lock_guard lock(d_.patience);
+        d_.underWay = deadline.token();
+    }
+    ~UnderWay() {
+        const std::lock_guard lock(d_.patience);
+        d_.underWay = CancelToken();
+    }
+    UnderWay(const UnderWay&) = delete;
+    UnderWay& operator=(const UnderWay&) = delete;
+
+private:
+    Controller::Private& d_;
 };
 
 }  // namespace tiller::control

@@ -35,10 +35,21 @@ MotionId Epoch::beginMotion(std::int64_t nowNs) {
     return epochOf(seen) + 1;
 }
 
-void Epoch::stop(StopCause cause, std::int64_t nowNs) {
+MotionId Epoch::beginMotionAfter(std::uint64_t epoch, std::int64_t nowNs) {
+    Word seen = word_.load(std::memory_order_acquire);
+    while (epochOf(seen) == epoch) {
+        if (replace(seen, true, StopCause::Superseded, nowNs)) {
+            return epoch + 1;
+        }
+    }
+    return kNoMotion;
+}
+
+std::uint64_t Epoch::stop(StopCause cause, std::int64_t nowNs) {
     Word seen = word_.load(std::memory_order_acquire);
     while (!replace(seen, false, cause, nowNs)) {
     }
+    return epochOf(seen) + 1;
 }
 
 bool Epoch::end(MotionId motion, StopCause cause, std::int64_t nowNs) {

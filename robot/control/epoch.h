@@ -18,8 +18,11 @@ class Epoch {
 public:
     /// Begins the epoch of a new motion; what was active ends with StopCause::Superseded.
     MotionId beginMotion(std::int64_t nowNs);
+    /// The same, unless the epoch has moved on from this one; kNoMotion then.
+    MotionId beginMotionAfter(std::uint64_t epoch, std::int64_t nowNs);
     /// Begins an empty epoch: ends whatever is active.
-    void stop(StopCause cause, std::int64_t nowNs);
+    /// Returns  that epoch
+    std::uint64_t stop(StopCause cause, std::int64_t nowNs);
     /// The same, but only if that motion is the active one.
     bool end(MotionId motion, StopCause cause, std::int64_t nowNs);
 

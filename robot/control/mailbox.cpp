@@ -12,17 +12,52 @@ MotionId Mailbox::start(MotionCommand command, std::int64_t nowNs) {
     return command.id;
 }
 
+MotionId Mailbox::startAfter(std::uint64_t epoch, MotionCommand command, std::int64_t nowNs) {
+    const std::lock_guard lock(callers_);
+    if (epoch_.current() != epoch) {
+        return kNoMotion;
+    }
+    refreshedNs_.store(nowNs, std::memory_order_release);
+    command.id = epoch_.beginMotionAfter(epoch, nowNs);
+    if (command.id != kNoMotion) {
+        publish(command);
+    }
+    return command.id;
+}
+
 bool Mailbox::refresh(MotionId motion, std::int64_t nowNs) {
     const std::lock_guard lock(callers_);
-    return refreshLocked(motion, nullptr, nowNs);
+    return isRefreshable(motion, nowNs) && epoch_.isActive(motion);
 }
 
 bool Mailbox::refresh(MotionId motion, const JogTarget& target, std::int64_t nowNs) {
     const std::lock_guard lock(callers_);
-    return refreshLocked(motion, &target, nowNs);
+    if (!isRefreshable(motion, nowNs)) {
+        return false;
+    }
+    if (last_.kind == MotionCommand::Kind::Jog && last_.jog != target) {
+        MotionCommand changed = last_;
+        changed.jog = target;
+        publish(changed);
+    }
+    return epoch_.isActive(motion);
 }
 
-bool Mailbox::refreshLocked(MotionId motion, const JogTarget* target, std::int64_t nowNs) {
+bool Mailbox::change(MotionId motion, const MotionCommand& values, std::int64_t nowNs) {
+    const std::lock_guard lock(callers_);
+    if (!isRefreshable(motion, nowNs) || last_.kind != MotionCommand::Kind::Program) {
+        return false;
+    }
+    MotionCommand changed = values;
+    changed.id = last_.id;
+    changed.kind = last_.kind;
+    changed.held = last_.held;
+    changed.program = last_.program;
+    publish(changed);
+    return epoch_.isActive(motion);
+}
+
+bool Mailbox::isRefreshable(MotionId motion, std::int64_t nowNs) {
     if (!epoch_.isActive(motion) || last_.id != motion) {
         return false;
     }
@@ -31,25 +66,36 @@ bool Mailbox::refreshLocked(MotionId motion, const JogTarget* target, std::int64
         return false;
     }
     refreshedNs_.store(nowNs, std::memory_order_release);
-    if (target != nullptr && last_.kind == MotionCommand::Kind::Jog && last_.jog != *target) {
-        MotionCommand changed = last_;
-        changed.jog = *target;
-        publish(changed);
+    return true;
+}
+
+std::uint64_t Mailbox::stop(const Brake& brake, StopCause cause, std::int64_t nowNs) {
+    const std::lock_guard lock(callers_);
+    // Published before the stop, so that the arm does not begin to brake in another way; again when somebody
+    // else's stop came in between.
+    Brake chosen = brake;
+    chosen.epoch = epoch_.current() + 1;
+    brake_.publish(chosen);
+    const std::uint64_t made = epoch_.stop(cause, nowNs);
+    if (made != chosen.epoch) {
+        chosen.epoch = made;
+        brake_.publish(chosen);
     }
-    return epoch_.isActive(motion);
+    return made;
+}
+
+Brake Mailbox::brake() {
+    const Brake& newest = brake_.newest();
+    return newest.epoch == epoch_.current() ? newest : Brake{};
 }
 
 void Mailbox::publish(const MotionCommand& command) {
     last_ = command;
-    slots_[back_] = command;
-    back_ = middle_.exchange(back_ | kFresh, std::memory_order_acq_rel) & ~kFresh;
+    newest_.publish(command);
 }
 
 const MotionCommand* Mailbox::active(std::int64_t nowNs) {
-    if ((middle_.load(std::memory_order_relaxed) & kFresh) != 0) {
-        front_ = middle_.exchange(front_, std::memory_order_acq_rel) & ~kFresh;
-    }
-    const MotionCommand& command = slots_[front_];
+    const MotionCommand& command = newest_.newest();
     if (!epoch_.isActive(command.id)) {
         return nullptr;
     }

@@ -11,6 +11,7 @@
 
 #include "robot/control/epoch.h"
 #include "robot/control/motion_types.h"
+#include "robot/realtime/triple_buffer.h"
 
 namespace tiller::control {
 
@@ -18,14 +19,27 @@ namespace tiller::control {
 inline constexpr std::int64_t kHoldTimeNs = 100'000'000;
 
 struct MotionCommand {
-    enum class Kind : std::uint8_t { None, Jog, MoveJ, MoveL };
+    enum class Kind : std::uint8_t { None, Jog, MoveJ, MoveL, Program };
     MotionId id = kNoMotion;
     Kind kind = Kind::None;
     bool held = true;
-    JogTarget jog;                   ///< Jog
-    std::array<double, 6> target{};  ///< MoveJ: q [rad]; MoveL: pose in the base frame [m, rad]
+    JogTarget jog;             ///< Jog
+    std::int32_t program = 0;  ///< Program: what control.script shall do, a ScriptCommand
+    std::int32_t choice = 0;   ///< Program: as control.script says
+    /// MoveJ: q [rad]; MoveL: pose in the base frame [m, rad]; Program: as control.script says
+    std::array<double, 6> target{};
     double speed = 0;
     double acceleration = 0;
+    double rotationAcceleration = 0;
+};
+
+/// A stop that chooses its deceleration; it counts for the epoch it made.
+struct Brake {
+    enum class Along : std::uint8_t { AsFits, Joints, Line };
+    std::uint64_t epoch = 0;
+    Along along = Along::AsFits;
+    double deceleration = 0;
+    double rotationDeceleration = 0;
 };
 
 /// Callers' side: threads any; they wait for each other's copy of a command, never for the control thread,
@@ -33,9 +47,16 @@ struct MotionCommand {
 class Mailbox {
 public:
     MotionId start(MotionCommand command, std::int64_t nowNs);
+    /// The same, unless a stop or another motion came since `epoch` was the current one.
+    /// Returns  kNoMotion then
+    MotionId startAfter(std::uint64_t epoch, MotionCommand command, std::int64_t nowNs);
     /// Returns  false when the motion has ended, if only by this call coming too late
     bool refresh(MotionId motion, std::int64_t nowNs);
     bool refresh(MotionId motion, const JogTarget& target, std::int64_t nowNs);
+    /// Refreshes a Program with other values; its identity and holding stay.
+    bool change(MotionId motion, const MotionCommand& values, std::int64_t nowNs);
+    /// Returns  the epoch of the stop
+    std::uint64_t stop(const Brake& brake, StopCause cause, std::int64_t nowNs);
     void stop(StopCause cause, std::int64_t nowNs) { epoch_.stop(cause, nowNs); }
     bool end(MotionId motion, StopCause cause, std::int64_t nowNs) {
         return epoch_.end(motion, cause, nowNs);
@@ -45,9 +66,11 @@ public:
     /// The command to follow now, or null. Ends it first when its holder has fallen silent.
     /// Threads  the control thread only; the reference lives until the next call
     const MotionCommand* active(std::int64_t nowNs);
+    /// How to brake in the present, empty epoch. Threads: the control thread only
+    Brake brake();
 
 private:
-    bool refreshLocked(MotionId motion, const JogTarget* target, std::int64_t nowNs);
+    bool isRefreshable(MotionId motion, std::int64_t nowNs);
     void publish(const MotionCommand& command);
 
     Epoch epoch_;
@@ -56,13 +79,8 @@ private:
     std::mutex callers_;
     MotionCommand last_;  ///< under the mutex: what was published last
 
-    // Triple buffer: the callers fill `back_`, the control thread reads `front_`, and the third changes hands
-    // through `middle_` (its index, and kFresh when the callers put it there).
-    static constexpr unsigned kFresh = 4;
-    std::array<MotionCommand, 3> slots_;
-    std::atomic<unsigned> middle_{1};
-    unsigned back_ = 0;   ///< under the mutex
-    unsigned front_ = 2;  ///< control thread
+    realtime::TripleBuffer<MotionCommand> newest_;  ///< published under the mutex
+    realtime::TripleBuffer<Brake> brake_;           ///< published under the mutex
 };
 
 }  // namespace tiller::control

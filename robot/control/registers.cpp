@@ -10,10 +10,13 @@ namespace tiller::control {
 
 namespace {
 
-constexpr int kIntInputs = 5;
-constexpr int kDoubleInputs = 12;
+constexpr int kIntInputs = 9;
+// Of the range's 24 the last six are left to others: clients set registers 18 to 22 by hand.
+constexpr int kDoubleInputs = 18;
 static_assert(kIntInputs + kDoubleInputs == kCommandSize);
-constexpr int kIntOutputs = 4;
+constexpr int kWatchdogRegister = 9;
+constexpr int kIntOutputs = 8;
+constexpr int kDoubleOutputs = 6;
 
 std::array<double, 6> six(std::span<const double> values, std::size_t first) {
     std::array<double, 6> out{};
@@ -28,16 +31,30 @@ int firstRegister(RegisterRange range) {
 }
 
 std::vector<std::string> outputNames(RegisterRange range) {
-    std::vector<std::string> names{
-        "timestamp", "runtime_state", "robot_mode",      "safety_mode",      "target_speed_fraction",
-        "actual_q",  "actual_qd",     "actual_TCP_pose", "actual_TCP_speed", "tcp_offset"};
+    std::vector<std::string> names{"timestamp",   "runtime_state",         "robot_mode",
+                                   "safety_mode", "target_speed_fraction", "actual_q",
+                                   "actual_qd",   "actual_TCP_pose",       "actual_TCP_speed",
+                                   "tcp_offset",  "speed_scaling"};
     for (int i = 0; i < kIntOutputs; ++i) {
         names.push_back(rtde::intRegisterName(rtde::Direction::Output, firstRegister(range) + i));
+    }
+    for (int i = 0; i < kDoubleOutputs; ++i) {
+        names.push_back(rtde::doubleRegisterName(rtde::Direction::Output, firstRegister(range) + i));
     }
     return names;
 }
 
-std::vector<std::string> inputNames(RegisterRange range) {
+std::string watchdogName(RegisterRange range) {
+    return rtde::intRegisterName(rtde::Direction::Input, firstRegister(range) + kWatchdogRegister);
+}
+
+std::vector<std::string> inputNames(RegisterRange range, Inputs recipe) {
+    if (recipe == kWatchdogInputs) {
+        return {watchdogName(range)};
+    }
+    if (recipe == kWrenchInputs) {
+        return {"external_force_torque"};
+    }
     std::vector<std::string> names;
     for (int i = 0; i < kIntInputs; ++i) {
         names.push_back(rtde::intRegisterName(rtde::Direction::Input, firstRegister(range) + i));
@@ -68,6 +85,11 @@ Result<FeedbackLayout> FeedbackLayout::of(const rtde::Recipe& outputs, RegisterR
     layout.tcpPose_ = find("actual_TCP_pose");
     layout.tcpSpeed_ = find("actual_TCP_speed");
     layout.tcpOffset_ = outputs.indexOf("tcp_offset");  // older software has none
+    layout.speedScaling_ = outputs.indexOf("speed_scaling");
+    for (int i = 0; i < kDoubleOutputs; ++i) {
+        layout.numbers_[static_cast<std::size_t>(i)] =
+            find(rtde::doubleRegisterName(rtde::Direction::Output, firstRegister(range) + i));
+    }
     for (int i = 0; i < kIntOutputs; ++i) {
         layout.echo_[static_cast<std::size_t>(i)] =
             find(rtde::intRegisterName(rtde::Direction::Output, firstRegister(range) + i));
@@ -95,10 +117,21 @@ Feedback FeedbackLayout::decode(std::span<const double> values, std::int64_t hos
     if (tcpOffset_) {
         f.tcpOffset = Pose::fromArray(six(values, *tcpOffset_));
     }
-    f.echo.sequence = static_cast<std::int32_t>(values[echo_[0]]);
-    f.echo.epoch = static_cast<std::int32_t>(values[echo_[1]]);
-    f.echo.state = static_cast<ScriptState>(values[echo_[2]]);
-    f.echo.session = static_cast<std::int32_t>(values[echo_[3]]);
+    if (speedScaling_) {
+        f.speedScaling = values[*speedScaling_];
+    }
+    const auto whole = [&](std::size_t i) { return static_cast<std::int32_t>(values[echo_[i]]); };
+    f.echo.sequence = whole(0);
+    f.echo.epoch = whole(1);
+    f.echo.state = static_cast<ScriptState>(whole(2));
+    f.echo.session = whole(3);
+    f.echo.answer.number = whole(4);
+    f.echo.answer.outcome = static_cast<Outcome>(whole(5));
+    f.echo.answer.whole = whole(6);
+    f.echo.waypoint = whole(7);
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+        f.echo.answer.numbers[i] = values[numbers_[i]];
+    }
     return f;
 }
 
@@ -108,13 +141,18 @@ std::array<double, kCommandSize> encode(const Command& command) {
     *at++ = command.sequence;
     *at++ = command.epoch;
     *at++ = static_cast<double>(command.kind);
-    *at++ = static_cast<double>(command.frame);
+    *at++ = command.choice;
     *at++ = command.session;
+    *at++ = command.request.number;
+    *at++ = static_cast<double>(command.request.kind);
+    *at++ = command.request.whole;
+    *at++ = command.forcePermitted ? 1 : 0;
     at = std::copy(command.values.begin(), command.values.end(), at);
     *at++ = command.speed;
     *at++ = command.acceleration;
     *at++ = command.rotationAcceleration;
-    std::copy(command.rotation.begin(), command.rotation.end(), at);
+    at = std::copy(command.rotation.begin(), command.rotation.end(), at);
+    std::copy(command.request.numbers.begin(), command.request.numbers.end(), at);
     return out;
 }
 

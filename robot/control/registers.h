@@ -24,7 +24,18 @@ enum class ScriptCommand : std::int32_t {
     JogJoints = 2,
     MoveJ = 3,
     MoveL = 4,
+    MoveJToPose = 5,
+    MoveLToJoints = 6,
+    Section = 7,  ///< the path or function sent with the program
+    UntilContact = 8,
     End = 9,  ///< stop, then end the program
+    ServoJ = 11,
+    ServoL = 12,
+    ServoC = 13,
+    SpeedJ = 14,
+    SpeedL = 15,
+    Freedrive = 16,
+    Teach = 17,
 };
 
 enum class ScriptState : std::int32_t {
@@ -32,7 +43,59 @@ enum class ScriptState : std::int32_t {
     Executing = 1,  ///< the command of the echoed epoch
     Done = 2,       ///< the move of the echoed epoch reached its target
     Braking = 3,
-    Expired = 4,  ///< no fresh sequence number for 100 ms: stopped, and the echoed epoch is dead
+    Expired = 4,     ///< no fresh sequence number for 100 ms: stopped, and the echoed epoch is dead
+    OutOfReach = 5,  ///< no joint positions for the target: stopped, dead
+    Contact = 6,     ///< contact detection found one: stopped, dead
+};
+
+/// Questions and settings. Source: serve() in control.script
+enum class RequestKind : std::int32_t {
+    None = 0,
+    Store = 1,  ///< six numbers for requests to come, beside their own: `whole` 0 or 6 of twelve
+    SetPayload = 2,
+    SetTargetPayload = 3,
+    SetTcp = 4,
+    SetGravity = 5,
+    ZeroForceSensor = 6,
+    ExternalSensor = 7,
+    ExternalSensorLegacy = 8,
+    SetWatchdog = 9,
+    ProtectiveStop = 10,
+    ForceMode = 11,
+    EndForceMode = 12,
+    ForceDamping = 13,
+    ForceGainScaling = 14,
+    WatchContact = 15,
+    ReadContact = 16,
+    InverseKinematics = 20,
+    ForwardKinematics = 21,
+    PoseIsSafe = 22,
+    JointsAreSafe = 23,
+    JointTorques = 24,
+    IsSteady = 25,
+    ToolContact = 26,
+    JointHistory = 27,
+    TargetWaypoint = 28,
+    StepTime = 29,
+    TcpOffset = 30,
+    FlangePose = 31,
+    FreedriveStatus = 32,
+};
+
+struct Request {
+    std::int32_t number = 0;  ///< another one for each
+    RequestKind kind = RequestKind::None;
+    std::int32_t whole = 0;
+    std::array<double, 6> numbers{};
+};
+
+enum class Outcome : std::int32_t { Done = 0, NoSolution = 1, Unknown = 2 };
+
+struct Answer {
+    std::int32_t number = 0;  ///< of the request
+    Outcome outcome = Outcome::Done;
+    std::int32_t whole = 0;
+    std::array<double, 6> numbers{};
 };
 
 /// One package to the robot.
@@ -40,13 +103,15 @@ struct Command {
     std::int32_t sequence = 0;  ///< another one each time: the heartbeat
     std::int32_t epoch = 0;
     ScriptCommand kind = ScriptCommand::Idle;
-    JogFrame frame = JogFrame::Base;
+    std::int32_t choice = 0;           ///< jogs: a JogFrame; others as control.script says
     std::int32_t session = 0;          ///< tells the program's instances apart
     std::array<double, 6> values{};    ///< twist, joint speeds or target
     double speed = 0;                  ///< moves only
     double acceleration = 0;           ///< [m/s2] or [rad/s2]
-    double rotationAcceleration = 0;   ///< JogCartesian [rad/s2]
+    double rotationAcceleration = 0;   ///< [rad/s2]
     std::array<double, 3> rotation{};  ///< JogFrame::Custom: rotation vector of the frame
+    Request request;
+    bool forcePermitted = false;  ///< force mode may go on
 };
 
 /// What control.script says in its output registers.
@@ -55,6 +120,8 @@ struct Echo {
     std::int32_t epoch = 0;
     ScriptState state = ScriptState::Ready;
     std::int32_t session = 0;
+    std::int32_t waypoint = 0;  ///< of a path: the one headed for, from 1
+    Answer answer;
 };
 
 /// One package from the robot, as far as the control thread needs it.
@@ -65,6 +132,7 @@ struct Feedback {
     RobotMode robotMode = RobotMode::NoController;
     SafetyMode safetyMode = SafetyMode::Undefined;
     double speedFraction = 1;
+    double speedScaling = 1;
     JointPositions q;
     JointVelocities qd;
     Pose tcpPose;
@@ -74,7 +142,11 @@ struct Feedback {
 };
 
 std::vector<std::string> outputNames(RegisterRange range);
-std::vector<std::string> inputNames(RegisterRange range);
+/// The recipes of the control connection, in this order.
+enum Inputs : std::size_t { kCommandInputs, kWatchdogInputs, kWrenchInputs, kInputRecipes };
+std::vector<std::string> inputNames(RegisterRange range, Inputs recipe = kCommandInputs);
+/// The register that kicks the watchdog.
+std::string watchdogName(RegisterRange range);
 
 /// Finds the values of a recipe once, so that decoding is copying.
 class FeedbackLayout {
@@ -87,11 +159,12 @@ public:
 private:
     std::size_t timestamp_ = 0, runtimeState_ = 0, robotMode_ = 0, safetyMode_ = 0, speedFraction_ = 0;
     std::size_t q_ = 0, qd_ = 0, tcpPose_ = 0, tcpSpeed_ = 0;
-    std::optional<std::size_t> tcpOffset_;
-    std::array<std::size_t, 4> echo_{};
+    std::optional<std::size_t> tcpOffset_, speedScaling_;
+    std::array<std::size_t, 8> echo_{};
+    std::array<std::size_t, 6> numbers_{};
 };
 
-inline constexpr std::size_t kCommandSize = 17;
+inline constexpr std::size_t kCommandSize = 27;
 /// The values in the order of inputNames(). Real-time: yes
 std::array<double, kCommandSize> encode(const Command& command);
 

@@ -2,12 +2,10 @@
 // The way into control, step by step, each with its own reason for not working.
 
 #include <QRandomGenerator>
-#include <QStringList>
 #include <algorithm>
 
 #include "robot/control/control_script.h"
 #include "robot/control/controller_private.h"
-#include "robot/script/script_client.h"
 
 namespace tiller::control {
 
@@ -42,26 +40,6 @@ Error explainUnknown(const QString& context, RegisterRange range) {
             QStringLiteral("The controller has no %1 registers: %2.").arg(rangeText(range), advice)};
 }
 
-// What the controller says about our program; code None when it says nothing bad.
-Error complaint(const std::vector<script::ControllerMessage>& messages, int firstLine,
-                const QString& context) {
-    constexpr int kReadOnlySocket = 210;
-    for (const auto& message : messages) {
-        if (message.kind == script::MessageKind::RuntimeException) {
-            const QString place = message.line > 0 ? QStringLiteral("control.script line %1, column %2: ")
-                                                         .arg(message.line + firstLine - 1)
-                                                         .arg(message.column)
-                                                   : QString();
-            return {ErrorCode::ScriptError, context, place + message.text};
-        }
-        if (message.kind == script::MessageKind::ErrorCode && message.code == kReadOnlySocket) {
-            return {ErrorCode::RemoteControlRequired, context,
-                    message.text.isEmpty() ? message.codeName() : message.text};
-        }
-    }
-    return {};
-}
-
 }  // namespace
 
 Result<void> Controller::Private::take(const Deadline& deadline) {
@@ -72,8 +50,8 @@ Result<void> Controller::Private::take(const Deadline& deadline) {
     listening.port = primaryPort();
     listening.clock = options.clock;
     listening.reconnect = false;
-    script::PrimaryClient primary(listening);
-    primary.start();
+    auto listener = std::make_unique<script::PrimaryClient>(listening);
+    listener->start();
 
     if (auto opened = openRegisters(deadline); !opened) {
         return opened;
@@ -81,21 +59,26 @@ Result<void> Controller::Private::take(const Deadline& deadline) {
     if (auto safe = checkModes(deadline); !safe) {
         return safe;
     }
-    if (auto heard = primary.waitForState(deadline); !heard) {
+    if (auto heard = listener->waitForState(deadline); !heard) {
         return heard;
     }
     ArmLimits limits = ArmLimits::of(robotModel(options.model));
-    if (const auto told = primary.configuration()) {
+    if (const auto told = listener->configuration()) {
         limits = {told->dh, told->minPosition, told->maxPosition, told->maxSpeed};
     }
     {
         const std::lock_guard lock(arm);
         armLimits = limits;
         version = connection->version();
+        primary = std::move(listener);
     }
-    const auto session = static_cast<std::int32_t>(QRandomGenerator::system()->bounded(1, 0x7fffffff));
+    const std::int32_t session = newSession();
     startThread(session, limits);
-    return upload(session, primary, deadline);
+    return upload(session, {}, deadline);
+}
+
+std::int32_t Controller::Private::newSession() {
+    return static_cast<std::int32_t>(QRandomGenerator::system()->bounded(1, 0x7fffffff));
 }
 
 Result<void> Controller::Private::openRegisters(const Deadline& deadline) {
@@ -103,7 +86,10 @@ Result<void> Controller::Private::openRegisters(const Deadline& deadline) {
     wanted.host = options.host;
     wanted.port = static_cast<std::uint16_t>(rtdePort());
     wanted.request.outputs = outputNames(options.registers);
-    wanted.request.inputs = {{inputNames(options.registers), true}};
+    // Without watchdog or external wrench the arm can be moved all the same.
+    wanted.request.inputs = {{inputNames(options.registers, kCommandInputs), true},
+                             {inputNames(options.registers, kWatchdogInputs), false},
+                             {inputNames(options.registers, kWrenchInputs), false}};
     // A controller may hold the registers of a connection that has just ended for a moment longer.
     const Deadline grace = Deadline::after(std::min(milliseconds(1000), deadline.remaining() / 2));
     auto opened = rtde::Connection::open(wanted, deadline);
@@ -127,6 +113,8 @@ Result<void> Controller::Private::openRegisters(const Deadline& deadline) {
         return explainUnknown(context, options.registers);
     }
     layout = *found;
+    watchdogUsable = connection->inputs()[kWatchdogInputs].isValid();
+    wrenchUsable = connection->inputs()[kWrenchInputs].isValid();
     return {};
 }
 
@@ -153,23 +141,26 @@ Result<void> Controller::Private::checkModes(const Deadline& deadline) {
                  QStringLiteral("no data package")};
 }
 
-Result<void> Controller::Private::upload(std::int32_t session, script::PrimaryClient& primary,
+Result<void> Controller::Private::upload(std::int32_t session, const QString& section,
                                          const Deadline& deadline) {
     const QString context =
         QStringLiteral("start the control program at %1:%2").arg(options.host).arg(primaryPort());
-    primary.takeMessages();  // what was said before is not about us
-    const ControlScript program =
-        controlScript(connection->version(), options.registers, session, options.limits);
+    const ControlScript script =
+        controlScript(versionNow(), options.registers, session, options.limits, section);
+    {
+        const std::lock_guard lock(arm);
+        primary->takeMessages();  // what was said before is not about us
+        program = script;
+    }
     script::ScriptClient client(options.host, primaryPort());
     if (auto connected = client.connect(deadline); !connected) {
         return connected;
     }
-    if (auto sent = client.send(program.text, deadline); !sent) {
+    if (auto sent = client.send(script.text, deadline); !sent) {
         return sent;
     }
     while (!loop.isInControl()) {
-        if (const Error bad = complaint(primary.takeMessages(), program.firstLine, context);
-            bad.code != ErrorCode::None) {
+        if (const Error bad = complaint(context); bad.code != ErrorCode::None) {
             return bad;
         }
         if (!running) {
@@ -181,6 +172,27 @@ Result<void> Controller::Private::upload(std::int32_t session, script::PrimaryCl
                                         "Remote control, and are scripts allowed on this port?")};
         }
         std::this_thread::sleep_for(std::min(deadline.nextPoll(), milliseconds(2)));
+    }
+    return {};
+}
+
+Error Controller::Private::complaint(const QString& context) {
+    constexpr int kReadOnlySocket = 210;
+    const std::lock_guard lock(arm);
+    if (!primary) {
+        return {};
+    }
+    for (const auto& message : primary->takeMessages()) {
+        if (message.kind == script::MessageKind::RuntimeException) {
+            const QString place = message.line > 0 ? program.place(message.line, message.column) + ": " : "";
+            const QString name = sectionName.isEmpty() ? QString() : sectionName + QLatin1Char(' ');
+            const bool ours = place.startsWith(QLatin1String("control.script"));
+            return {ErrorCode::ScriptError, context, (ours ? QString() : name) + place + message.text};
+        }
+        if (message.kind == script::MessageKind::ErrorCode && message.code == kReadOnlySocket) {
+            return {ErrorCode::RemoteControlRequired, context,
+                    message.text.isEmpty() ? message.codeName() : message.text};
+        }
     }
     return {};
 }
@@ -199,6 +211,13 @@ void Controller::Private::stopThread() {
     }
     running.store(false, std::memory_order_release);
     connection.reset();
+    watchdogUsable = false;
+    wrenchUsable = false;
+    std::unique_ptr<script::PrimaryClient> listener;
+    {
+        const std::lock_guard lock(arm);
+        listener = std::move(primary);
+    }
 }
 
 }  // namespace tiller::control

@@ -6,6 +6,7 @@
 
 #include <QTest>
 #include <functional>
+#include <optional>
 #include <thread>
 
 #include "robot/control/controller.h"
@@ -19,7 +20,8 @@ inline constexpr double kDeg = 3.14159265358979323846 / 180;
 class Cell {
 public:
     explicit Cell(std::function<void(simulator::ControllerOptions&)> adjust = {},
-                  control::RegisterRange range = control::RegisterRange::Upper)
+                  control::RegisterRange range = control::RegisterRange::Upper,
+                  const control::MotionLimits& limits = {})
         : robot(robotOptions(adjust)) {
         if (const auto started = robot.start(); !started) {
             qFatal("%s", qPrintable(started.error().toString()));
@@ -30,6 +32,7 @@ public:
         options.rtdePort = robot.ports().rtde;
         options.clock = &clock;
         options.registers = range;
+        options.limits = limits;
         options.priority = 0;
         controller = std::make_unique<control::Controller>(options);
     }
@@ -53,6 +56,27 @@ public:
         taking.join();
         settle();
         return result;
+    }
+
+    /// Runs something that waits for the robot while time goes on.
+    template <class Call>
+    auto during(Call call) {
+        std::optional<decltype(call())> result;
+        std::atomic<bool> done{false};
+        std::thread caller([&] {
+            result.emplace(call());
+            done = true;
+        });
+        while (!done) {
+            const std::uint64_t inputs = robot.inputPackages();
+            tick();
+            if (everyTick) {
+                everyTick();
+            }
+            robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::milliseconds(20)));
+        }
+        caller.join();
+        return *result;
     }
 
     /// Releases while time goes on.

@@ -1,100 +1,18 @@
 // SPDX-License-Identifier: MIT
-// control.script in our own interpreter, frame by frame, on a robot made of memory.
+// The rules of control.script: one slot, epochs, time-to-live. See tst_control_script_commands.cpp for the
+// rest.
 #include <QTest>
 
-#include "robot/control/control_script.h"
-#include "robot/control/registers.h"
-#include "robot/simulator/urscript/interpreter.h"
-#include "tests/unit/urscript/fake_host.h"
+#include "tests/unit/control/script_bench.h"
 
 using namespace tiller;
 using namespace tiller::control;
+using namespace tiller::test;
 namespace urscript = tiller::simulator::urscript;
 
 namespace {
 
-constexpr std::int32_t kSession = 99;
-
-struct Bench {
-    urscript::FakeHost host;
-    std::unique_ptr<urscript::Interpreter> program;
-    int first;
-    std::int32_t sequence = 1000;
-
-    explicit Bench(RegisterRange range = RegisterRange::Upper, SoftwareVersion version = {5, 22, 0, 0})
-        : first(firstRegister(range)) {
-        host.step = version.controlPeriod();
-        host.moveFrames = 20;
-        urscript::CompileOptions options;
-        options.version = version;
-        const auto compiled = urscript::compile(
-            controlScript(version, range, kSession, MotionLimits{}).text.toStdString(), options);
-        if (!compiled) {
-            qFatal("control.script line %d, column %d: %s", compiled.error.line, compiled.error.column,
-                   compiled.error.text.c_str());
-        }
-        program = std::make_unique<urscript::Interpreter>(compiled.program, host);
-    }
-
-    // What a package of the controller does to the registers.
-    void send(ScriptCommand kind, std::int32_t epoch, std::array<double, 6> values = {}) {
-        Command command;
-        command.kind = kind;
-        command.epoch = epoch;
-        command.values = values;
-        command.speed = 0.5;
-        command.acceleration = 1.4;
-        command.rotationAcceleration = 2;
-        send(command);
-    }
-    void send(Command command) {
-        command.session = command.session == 0 ? kSession : command.session;
-        command.sequence = ++sequence;
-        const auto values = encode(command);
-        for (std::size_t i = 0; i < 5; ++i) {
-            host.intIn[static_cast<std::size_t>(first) + i] = static_cast<std::int32_t>(values[i]);
-        }
-        for (std::size_t i = 0; i < 12; ++i) {
-            host.floatIn[static_cast<std::size_t>(first) + i] = values[5 + i];
-        }
-    }
-    void frame(int times = 1) {
-        for (int i = 0; i < times; ++i) {
-            program->runFrame();
-            if (program->error()) {
-                qFatal("line %d: %s", program->error()->line, program->error()->text.c_str());
-            }
-        }
-    }
-    // Frames with a heartbeat in each.
-    void hold(ScriptCommand kind, std::int32_t epoch, int times, std::array<double, 6> values = {}) {
-        for (int i = 0; i < times; ++i) {
-            send(kind, epoch, values);
-            frame();
-        }
-    }
-    int out(int index) const { return host.intOut[static_cast<std::size_t>(first + index)]; }
-    ScriptState state() const { return static_cast<ScriptState>(out(2)); }
-    bool running() const { return !program->ended(); }
-    int silentFrames() const { return static_cast<int>(0.1 / host.step + 0.5); }
-
-    template <class T>
-    int count() const {
-        int n = 0;
-        for (const auto& motion : host.motions) {
-            n += std::holds_alternative<T>(motion.command);
-        }
-        return n;
-    }
-    template <class T>
-    const T* last() const {
-        return host.motions.empty() ? nullptr : std::get_if<T>(&host.motions.back().command);
-    }
-};
-
-bool near(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    return (a - b).norm() < 1e-9;
-}
+using Bench = ScriptBench;
 
 }  // namespace
 
@@ -197,7 +115,7 @@ private Q_SLOTS:
         Command jog;
         jog.kind = ScriptCommand::JogCartesian;
         jog.epoch = 2;
-        jog.frame = JogFrame::Tool;
+        jog.choice = static_cast<std::int32_t>(JogFrame::Tool);
         jog.values = {0.01, 0.02, 0.03, 0.1, 0.2, 0.3};
         bench.send(jog);
         bench.frame();
@@ -205,7 +123,7 @@ private Q_SLOTS:
         QVERIFY(near(bench.last<urscript::SpeedL>()->xd.linear, R * Eigen::Vector3d(0.01, 0.02, 0.03)));
         QVERIFY(near(bench.last<urscript::SpeedL>()->xd.angular, R * Eigen::Vector3d(0.1, 0.2, 0.3)));
         jog.epoch = 3;
-        jog.frame = JogFrame::Custom;
+        jog.choice = static_cast<std::int32_t>(JogFrame::Custom);
         jog.rotation = {0.3, -0.2, 0.5};
         bench.send(jog);
         bench.frame(2);

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include "robot/control/argument_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tiller::control {
+
+namespace {
+
+// No robot of this kind turns or reaches so far: what is larger was given in another unit.
+constexpr double kSurelyDegrees = 25.0;                           // [rad] of a joint
+constexpr double kSurelyDegreesOfRotation = 6.2831853072 * 1.05;  // [rad] of a rotation vector
+constexpr double kSurelyMillimetres = 5.0;                        // [m]
+constexpr double kRounding = 1e-9;
+
+constexpr std::array<const char*, 6> kPoseParts = {"x", "y", "z", "rx", "ry", "rz"};
+
+QString degrees(double radians) {
+    constexpr double kDegreesPerRadian = 57.29577951308232;
+    return QString::number(radians * kDegreesPerRadian, 'f', 1);
+}
+
+QString text(const char* literal) {
+    return QString::fromLatin1(literal);
+}
+
+}  // namespace
+
+double highestJointSpeed(const ArmLimits& arm) {
+    return *std::max_element(arm.maxSpeed.begin(), arm.maxSpeed.end());
+}
+
+void ArgumentCheck::refuse(ErrorCode code, const QString& message) {
+    if (ok()) {
+        error_ = {code, text(context_), message};
+    }
+}
+
+bool ArgumentCheck::checkFinite(const char* name, const char* part, double value) {
+    if (std::isfinite(value)) {
+        return true;
+    }
+    refuse(ErrorCode::InvalidArgument, QStringLiteral("%1: %2 is not a number").arg(text(name), text(part)));
+    return false;
+}
+
+ArgumentCheck& ArgumentCheck::joints(const char* name, const JointPositions& q, const ArmLimits& arm) {
+    for (int joint = 0; joint < kJointCount; ++joint) {
+        const auto i = static_cast<std::size_t>(joint);
+        if (!checkFinite(name, kJointNames[i], q[joint])) {
+            return *this;
+        }
+        if (std::abs(q[joint]) > kSurelyDegrees) {
+            refuse(ErrorCode::InvalidArgument, QStringLiteral("%1: %2 is %3 rad. Was it given in degrees?")
+                                                   .arg(text(name), text(kJointNames[i]))
+                                                   .arg(q[joint]));
+            return *this;
+        }
+    }
+    for (int joint = 0; joint < kJointCount; ++joint) {
+        const auto i = static_cast<std::size_t>(joint);
+        if (q[joint] < arm.minPosition[i] || q[joint] > arm.maxPosition[i]) {
+            refuse(ErrorCode::LimitExceeded,
+                   QStringLiteral("%1: %2 at %3 deg is outside %4 to %5 deg")
+                       .arg(text(name), text(kJointNames[i]), degrees(q[joint]), degrees(arm.minPosition[i]),
+                            degrees(arm.maxPosition[i])));
+            return *this;
+        }
+    }
+    return *this;
+}
+
+ArgumentCheck& ArgumentCheck::pose(const char* name, const Pose& pose) {
+    const auto values = pose.array();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!checkFinite(name, kPoseParts[i], values[i])) {
+            return *this;
+        }
+    }
+    if (pose.rotation.norm() > kSurelyDegreesOfRotation) {
+        refuse(ErrorCode::InvalidArgument,
+               QStringLiteral("%1: a rotation vector of %2 rad. Was it given in degrees?")
+                   .arg(text(name))
+                   .arg(pose.rotation.norm()));
+    }
+    return offset(name, pose.position, kSurelyMillimetres);
+}
+
+ArgumentCheck& ArgumentCheck::jointSpeeds(const char* name, const JointVelocities& qd, const ArmLimits& arm) {
+    for (int joint = 0; joint < kJointCount; ++joint) {
+        const auto i = static_cast<std::size_t>(joint);
+        if (!checkFinite(name, kJointNames[i], qd[joint])) {
+            return *this;
+        }
+        if (std::abs(qd[joint]) > arm.maxSpeed[i] + kRounding) {
+            refuse(ErrorCode::LimitExceeded,
+                   QStringLiteral("%1: %2 at %3 rad/s; it cannot turn faster than %4 rad/s")
+                       .arg(text(name), text(kJointNames[i]))
+                       .arg(qd[joint])
+                       .arg(arm.maxSpeed[i]));
+            return *this;
+        }
+    }
+    return *this;
+}
+
+ArgumentCheck& ArgumentCheck::twist(const char* name, const Twist& twist, double cap) {
+    const Vector6 values = twist.vector();
+    for (int i = 0; i < kJointCount; ++i) {
+        if (!checkFinite(name, kPoseParts[static_cast<std::size_t>(i)], values[i])) {
+            return *this;
+        }
+    }
+    if (twist.linear.norm() > cap + kRounding) {
+        const bool millimetres = twist.linear.norm() > kSurelyMillimetres;
+        refuse(millimetres ? ErrorCode::InvalidArgument : ErrorCode::LimitExceeded,
+               QStringLiteral("%1: %2 m/s is above %3 m/s%4")
+                   .arg(text(name))
+                   .arg(twist.linear.norm())
+                   .arg(cap)
+                   .arg(millimetres ? QStringLiteral(". Was it given in mm/s?") : QString()));
+    }
+    constexpr double kFastestRotation = 12.0;  // [rad/s]: no wrist turns faster
+    if (twist.angular.norm() > kFastestRotation) {
+        refuse(
+            ErrorCode::InvalidArgument,
+            QStringLiteral("%1: %2 rad/s. Was it given in deg/s?").arg(text(name)).arg(twist.angular.norm()));
+    }
+    return *this;
+}
+
+ArgumentCheck& ArgumentCheck::offset(const char* name, const Eigen::Vector3d& metres, double largest) {
+    for (int i = 0; i < 3; ++i) {
+        if (!checkFinite(name, kPoseParts[static_cast<std::size_t>(i)], metres[i])) {
+            return *this;
+        }
+    }
+    if (metres.norm() > largest) {
+        refuse(
+            ErrorCode::InvalidArgument,
+            QStringLiteral("%1: %2 m away. Was it given in millimetres?").arg(text(name)).arg(metres.norm()));
+    }
+    return *this;
+}
+
+ArgumentCheck& ArgumentCheck::finite(const char* name, const double* values, int count) {
+    for (int i = 0; i < count; ++i) {
+        if (!std::isfinite(values[i])) {
+            refuse(ErrorCode::InvalidArgument,
+                   QStringLiteral("%1: number %2 of %3 is none").arg(text(name)).arg(i + 1).arg(count));
+        }
+    }
+    return *this;
+}
+
+ArgumentCheck& ArgumentCheck::range(const char* name, double value, double low, double high,
+                                    const char* unit) {
+    if (!checkFinite(name, "it", value)) {
+        return *this;
+    }
+    if (value < low - kRounding || value > high + kRounding) {
+        refuse(ErrorCode::LimitExceeded, QStringLiteral("%1: %2 is outside %3 to %4 %5")
+                                             .arg(text(name))
+                                             .arg(value)
+                                             .arg(low)
+                                             .arg(high)
+                                             .arg(text(unit))
+                                             .trimmed());
+    }
+    return *this;
+}
+
+ArgumentCheck& ArgumentCheck::positive(const char* name, double value, double high, const char* unit,
+                                       const char* hint) {
+    if (!checkFinite(name, "it", value)) {
+        return *this;
+    }
+    if (value <= 0) {
+        refuse(ErrorCode::InvalidArgument,
+               QStringLiteral("%1: %2 %3; it must be above 0").arg(text(name)).arg(value).arg(text(unit)));
+    } else if (value > high + kRounding) {
+        constexpr double kFar = 5.0;
+        const bool otherUnit = hint != nullptr && value > kFar * high;
+        refuse(ErrorCode::LimitExceeded,
+               QStringLiteral("%1: %2 is above %3 %4%5")
+                   .arg(text(name))
+                   .arg(value)
+                   .arg(high)
+                   .arg(text(unit),
+                        otherUnit ? QStringLiteral(". Was it given in %1?").arg(text(hint)) : QString()));
+    }
+    return *this;
+}
+
+}  // namespace tiller::control

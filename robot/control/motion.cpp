@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "robot/control/motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "robot/control/controller_private.h"
+
+namespace tiller::control {
+
+namespace {
+
+using std::chrono::milliseconds;
+
+bool isLinear(MotionKind kind) {
+    return kind == MotionKind::MoveL;
+}
+
+bool runsSection(MotionKind kind) {
+    return kind == MotionKind::Path || kind == MotionKind::Function;
+}
+
+double distance(const std::array<double, 6>& a, const std::array<double, 6>& b, std::size_t count) {
+    double sum = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        sum += (a[i] - b[i]) * (a[i] - b[i]);
+    }
+    return std::sqrt(sum);
+}
+
+/// What an end other than the target means to who waits for it.
+Error errorOf(StopCause cause) {
+    const QString context = QStringLiteral("wait for a motion");
+    switch (cause) {
+        case StopCause::UnsafeMode:
+            return {ErrorCode::UnsafeState, context, QStringLiteral("the robot or safety mode changed")};
+        case StopCause::Unreachable:
+            return {ErrorCode::NoSolution, context, QStringLiteral("the arm cannot reach the target")};
+        case StopCause::LinkLost:
+        case StopCause::DataStale:
+            return {ErrorCode::LinkLost, context, {}};
+        case StopCause::ControlLost:
+            return {ErrorCode::NotInControl, context, QStringLiteral("the control program ended")};
+        case StopCause::Superseded:
+            return {ErrorCode::Stopped, context, QStringLiteral("another motion took its place")};
+        case StopCause::Contact:
+            return {ErrorCode::Stopped, context, QStringLiteral("contact")};
+        case StopCause::EventLoopStalled:
+            return {ErrorCode::Stopped, context, QStringLiteral("it was not refreshed in time")};
+        case StopCause::LimitReached:
+            return {ErrorCode::Stopped, context, QStringLiteral("a limit was reached")};
+        default:
+            return {ErrorCode::Stopped, context, QStringLiteral("it was stopped")};
+    }
+}
+
+}  // namespace
+
+MotionState Motion::state() const {
+    if (controller_ == nullptr) {
+        return {};
+    }
+    if (kind_ != MotionKind::Stop) {
+        return controller_->motionState(id_);
+    }
+    const ControllerStatus status = controller_->status();
+    if (!status.inControl) {
+        return {MotionPhase::Ended, StopCause::ControlLost};
+    }
+    const bool stands = status.restingEpoch >= id_ || status.epoch > id_;
+    return {stands ? MotionPhase::Ended : MotionPhase::Active,
+            stands ? StopCause::Completed : StopCause::None};
+}
+
+MotionProgress Motion::progress() const {
+    MotionProgress progress;
+    if (controller_ == nullptr) {
+        return progress;
+    }
+    const MotionState now = state();
+    const ControllerStatus status = controller_->status();
+    progress.phase = now.phase;
+    progress.cause = now.cause;
+    progress.waypoints = waypoints_;
+    progress.speedFraction = status.speedFraction;
+    progress.speedScaling = status.speedScaling;
+    const bool active = now.phase == MotionPhase::Active;
+    progress.executing = active && status.motion == id_ && status.executing;
+    if (now.cause == StopCause::Completed) {
+        progress.fraction = 1;
+        progress.waypoint = waypoints_;
+    } else if (active && status.motion == id_) {
+        if (waypoints_ > 0) {
+            progress.waypoint = status.waypoint;
+            progress.fraction = std::max(0.0, static_cast<double>(status.waypoint - 1) / waypoints_);
+        } else if (kind_ == MotionKind::MoveJ || isLinear(kind_)) {
+            const std::size_t count = isLinear(kind_) ? 3 : 6;
+            const double whole = distance(from_, to_, count);
+            const double left = distance(isLinear(kind_) ? status.tcpPose : status.q, to_, count);
+            progress.fraction = whole > 0 ? std::clamp(1 - left / whole, 0.0, 1.0) : 0;
+        }
+    }
+    return progress;
+}
+
+Result<void> Motion::wait(const Deadline& deadline) const {
+    constexpr milliseconds kLook(1);
+    MotionState now = state();
+    while (now.phase == MotionPhase::Active) {
+        if (deadline.hasExpired()) {
+            return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout,
+                         QStringLiteral("wait for a motion"), QStringLiteral("it goes on")};
+        }
+        std::this_thread::sleep_for(std::min(deadline.nextPoll(), kLook));
+        now = state();
+    }
+    if (now.cause == StopCause::Completed) {
+        return {};
+    }
+    if (controller_ != nullptr && runsSection(kind_) && now.cause == StopCause::ControlLost) {
+        // The controller's own words come on another connection, a little later.
+        const Deadline soon = Deadline::after(milliseconds(500), deadline.token());
+        auto& d = ControllerAccess::of(*controller_);
+        while (!soon.hasExpired() && !deadline.hasExpired()) {
+            const Error said = d.complaint(QStringLiteral("run a script"));
+            if (said.code != ErrorCode::None) {
+                return said;
+            }
+            std::this_thread::sleep_for(milliseconds(2));
+        }
+    }
+    return errorOf(now.cause);
+}
+
+bool Motion::cancel(StopCause cause) const {
+    return controller_ != nullptr && kind_ != MotionKind::Stop && controller_->end(id_, cause);
+}
+
+}  // namespace tiller::control

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// How targets and parameters of a stream are looked at and put into a command. Inside this folder only.
+
+#include "robot/control/mailbox.h"
+#include "robot/control/setpoints.h"
+#include "robot/control/velocity_limiter.h"
+#include "robot/core/error.h"
+
+namespace tiller::control {
+
+/// Real-time: yes, as long as there is nothing to complain about. An error with code None is none.
+struct SetpointRules {
+    ArmLimits arm;
+    double toolSpeed = 0;  ///< [m/s]
+
+    Error check(const JointPositions& target) const;
+    Error check(const Pose& target) const;
+    Error check(const JointVelocities& target) const;
+    Error check(const Twist& target) const;
+    Error check(const ServoParameters& parameters) const;
+    Error check(const CircularServoParameters& parameters) const;
+    Error check(const SpeedParameters& parameters) const;
+};
+
+SetpointRules rulesOf(Controller& controller);
+
+void fill(MotionCommand& command, const JointPositions& target);
+void fill(MotionCommand& command, const Pose& target);
+void fill(MotionCommand& command, const JointVelocities& target);
+void fill(MotionCommand& command, const Twist& target);
+void fill(MotionCommand& command, const ServoParameters& parameters, double period);
+void fill(MotionCommand& command, const CircularServoParameters& parameters, double period);
+void fill(MotionCommand& command, const SpeedParameters& parameters, double period);
+
+}  // namespace tiller::control

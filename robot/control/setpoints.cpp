@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "robot/control/setpoints.h"
+
+#include <algorithm>
+
+#include "robot/control/argument_check.h"
+#include "robot/control/controller_private.h"
+#include "robot/control/motions.h"
+#include "robot/control/setpoint_command.h"
+
+namespace tiller::control {
+
+namespace {
+
+std::array<double, 6> six(const Vector6& v) {
+    std::array<double, 6> out{};
+    std::copy_n(v.data(), out.size(), out.begin());
+    return out;
+}
+
+double orSame(double rotation, double linear) {
+    return rotation == 0 ? linear : rotation;
+}
+
+}  // namespace
+
+Error SetpointRules::check(const JointPositions& target) const {
+    return ArgumentCheck("send a servo target").joints("target", target, arm).error();
+}
+Error SetpointRules::check(const Pose& target) const {
+    return ArgumentCheck("send a servo target").pose("target", target).error();
+}
+Error SetpointRules::check(const JointVelocities& target) const {
+    return ArgumentCheck("send joint speeds").jointSpeeds("target", target, arm).error();
+}
+Error SetpointRules::check(const Twist& target) const {
+    return ArgumentCheck("send a tool speed").twist("target", target, toolSpeed).error();
+}
+
+Error SetpointRules::check(const ServoParameters& p) const {
+    constexpr double kLongest = 10.0;
+    return ArgumentCheck("servo parameters")
+        .range("duration", p.duration, 0, kLongest, "s")
+        .range("lookahead", p.lookahead, 0.03, 0.2, "s")
+        .range("gain", p.gain, 100, 2000, "")
+        .error();
+}
+Error SetpointRules::check(const CircularServoParameters& p) const {
+    return ArgumentCheck("servo parameters")
+        .positive("speed", p.speed, toolSpeed, "m/s", "mm/s")
+        .positive("acceleration", p.acceleration, kHighestToolAcceleration, "m/s2", "mm/s2")
+        .range("blend", p.blend, 0, kHighestBlend, "m")
+        .error();
+}
+Error SetpointRules::check(const SpeedParameters& p) const {
+    return ArgumentCheck("speed parameters")
+        .positive("acceleration", p.acceleration, kHighestToolAcceleration, "m/s2 or rad/s2", "mm/s2")
+        .positive("rotationAcceleration", orSame(p.rotationAcceleration, p.acceleration),
+                  kHighestToolAcceleration, "rad/s2", "deg/s2")
+        .error();
+}
+
+void fill(MotionCommand& command, const JointPositions& target) {
+    command.target = target.array();
+    command.choice = 1;
+}
+void fill(MotionCommand& command, const Pose& target) {
+    command.target = target.array();
+    command.choice = 1;
+}
+void fill(MotionCommand& command, const JointVelocities& target) {
+    command.target = six(target.values);
+}
+void fill(MotionCommand& command, const Twist& target) {
+    command.target = six(target.vector());
+}
+
+void fill(MotionCommand& command, const ServoParameters& p, double period) {
+    command.speed = p.duration > 0 ? p.duration : period;
+    command.acceleration = p.lookahead;
+    command.rotationAcceleration = p.gain;
+}
+void fill(MotionCommand& command, const CircularServoParameters& p, double) {
+    command.speed = p.speed;
+    command.acceleration = p.acceleration;
+    command.rotationAcceleration = p.blend;
+}
+void fill(MotionCommand& command, const SpeedParameters& p, double) {
+    command.acceleration = p.acceleration;
+    command.rotationAcceleration = orSame(p.rotationAcceleration, p.acceleration);
+}
+
+SetpointRules rulesOf(Controller& controller) {
+    auto& d = ControllerAccess::of(controller);
+    return {d.armNow(), std::min(d.options.limits.tcpSpeed, kHighestToolSpeed)};
+}
+
+template <class Target, class Parameters>
+Result<void> Setpoints<Target, Parameters>::send(const Target& target) {
+    return send(target, parameters_);
+}
+
+template <class Target, class Parameters>
+Result<void> Setpoints<Target, Parameters>::send(const Target& target, const Parameters& parameters) {
+    Controller* const controller = MotionAccess::controller(motion_);
+    if (controller == nullptr) {
+        return Error{ErrorCode::Stopped, QStringLiteral("send a target"), QStringLiteral("not started")};
+    }
+    auto& d = ControllerAccess::of(*controller);
+    const SetpointRules rules = rulesOf(*controller);
+    if (const Error error = rules.check(target); error.code != ErrorCode::None) {
+        return error;
+    }
+    if (const Error error = rules.check(parameters); error.code != ErrorCode::None) {
+        return error;
+    }
+    MotionCommand command;
+    fill(command, target);
+    fill(command, parameters, d.versionNow().controlPeriod());
+    if (!d.mailbox.change(motion_.id(), command, d.now())) {
+        return Error{ErrorCode::Stopped, QStringLiteral("send a target"),
+                     QStringLiteral("the stream has ended")};
+    }
+    return {};
+}
+
+template class Setpoints<JointPositions, ServoParameters>;
+template class Setpoints<Pose, ServoParameters>;
+template class Setpoints<Pose, CircularServoParameters>;
+template class Setpoints<JointVelocities, SpeedParameters>;
+template class Setpoints<Twist, SpeedParameters>;
+
+namespace {
+
+template <class Parameters>
+Result<Motion> startStream(Controller& controller, ScriptCommand what, MotionKind kind,
+                           const Parameters& parameters, Holding holding) {
+    auto& d = ControllerAccess::of(controller);
+    if (const Error error = rulesOf(controller).check(parameters); error.code != ErrorCode::None) {
+        return error;
+    }
+    if (const Error error = d.obstacle(QStringLiteral("start a stream")); error.code != ErrorCode::None) {
+        return error;
+    }
+    MotionCommand command;
+    command.kind = MotionCommand::Kind::Program;
+    command.program = static_cast<std::int32_t>(what);
+    command.held = holding == Holding::Held;
+    fill(command, parameters, d.versionNow().controlPeriod());
+    return MotionAccess::make(controller, d.mailbox.start(command, d.now()), kind);
+}
+
+}  // namespace
+
+Result<JointServo> Motions::startServoJ(const ServoParameters& parameters, Holding holding) {
+    const auto motion =
+        startStream(*controller_, ScriptCommand::ServoJ, MotionKind::ServoJ, parameters, holding);
+    return motion ? Result<JointServo>(JointServo(*motion, parameters)) : motion.error();
+}
+
+Result<PoseServo> Motions::startServoL(const ServoParameters& parameters, Holding holding) {
+    const auto motion =
+        startStream(*controller_, ScriptCommand::ServoL, MotionKind::ServoL, parameters, holding);
+    return motion ? Result<PoseServo>(PoseServo(*motion, parameters)) : motion.error();
+}
+
+Result<CircularServo> Motions::startServoC(const CircularServoParameters& parameters, Holding holding) {
+    const auto motion =
+        startStream(*controller_, ScriptCommand::ServoC, MotionKind::ServoC, parameters, holding);
+    return motion ? Result<CircularServo>(CircularServo(*motion, parameters)) : motion.error();
+}
+
+Result<JointSpeed> Motions::startSpeedJ(const SpeedParameters& parameters, Holding holding) {
+    const auto motion =
+        startStream(*controller_, ScriptCommand::SpeedJ, MotionKind::SpeedJ, parameters, holding);
+    return motion ? Result<JointSpeed>(JointSpeed(*motion, parameters)) : motion.error();
+}
+
+Result<ToolSpeed> Motions::startSpeedL(const SpeedParameters& parameters, Holding holding) {
+    const auto motion =
+        startStream(*controller_, ScriptCommand::SpeedL, MotionKind::SpeedL, parameters, holding);
+    return motion ? Result<ToolSpeed>(ToolSpeed(*motion, parameters)) : motion.error();
+}
+
+}  // namespace tiller::control

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "robot/control/tool_setup.h"
+
+#include <algorithm>
+#include <thread>
+
+#include "robot/control/argument_check.h"
+#include "robot/control/controller_private.h"
+
+namespace tiller::control {
+
+namespace {
+
+constexpr SoftwareVersion kESeries{5, 0, 0, 0};
+constexpr double kHeaviestPayload = 50.0;  ///< [kg] above that of every model; the controller knows its own
+constexpr double kFarthest = 2.0;          ///< [m] from the flange
+
+Result<void> noAnswer(const Result<Answer>& answer) {
+    return answer ? Result<void>() : Result<void>(answer.error());
+}
+
+std::array<double, 7> numbersOf(double first, const Eigen::Vector3d& a,
+                                const Eigen::Vector3d& b = Eigen::Vector3d::Zero()) {
+    return {first, a.x(), a.y(), a.z(), b.x(), b.y(), b.z()};
+}
+
+Error check(const char* context, const ExternalSensor& sensor) {
+    return ArgumentCheck(context)
+        .range("mass", sensor.mass, 0, kHeaviestPayload, "kg")
+        .offset("measuringOffset", sensor.measuringOffset, kFarthest)
+        .offset("centreOfGravity", sensor.centreOfGravity, kFarthest)
+        .error();
+}
+
+}  // namespace
+
+Result<void> ToolSetup::setPayload(double mass, const std::optional<Eigen::Vector3d>& centreOfGravity,
+                                   const Deadline& deadline) {
+    const Eigen::Vector3d centre = centreOfGravity.value_or(Eigen::Vector3d::Zero());
+    const ArgumentCheck check = ArgumentCheck("set the payload")
+                                    .range("mass", mass, 0, kHeaviestPayload, "kg")
+                                    .offset("centreOfGravity", centre, kFarthest);
+    if (!check.ok()) {
+        return check.error();
+    }
+    return noAnswer(ControllerAccess::of(*controller_)
+                        .request(RequestKind::SetPayload, centreOfGravity ? 1 : 0,
+                                 std::span<const double>(numbersOf(mass, centre)).first(4),
+                                 QStringLiteral("set the payload"), deadline));
+}
+
+Result<void> ToolSetup::setTargetPayload(double mass, const Eigen::Vector3d& centreOfGravity,
+                                         const std::array<double, 6>& inertia, const Deadline& deadline) {
+    constexpr auto kContext = "set the target payload";
+    const ArgumentCheck check = ArgumentCheck(kContext)
+                                    .range("mass", mass, 0, kHeaviestPayload, "kg")
+                                    .offset("centreOfGravity", centreOfGravity, kFarthest)
+                                    .finite("inertia", inertia.data(), 6);
+    if (!check.ok()) {
+        return check.error();
+    }
+    auto& d = ControllerAccess::of(*controller_);
+    const QString context = QString::fromLatin1(kContext);
+    if (const auto known = d.needs({5, 10, 0, 0}, {}, context); !known) {
+        return known;
+    }
+    const Eigen::Vector3d& c = centreOfGravity;
+    std::array<double, 10> numbers{mass, c.x(), c.y(), c.z()};
+    std::copy(inertia.begin(), inertia.end(), numbers.begin() + 4);
+    return noAnswer(d.request(RequestKind::SetTargetPayload, 0, numbers, context, deadline));
+}
+
+Result<void> ToolSetup::setTcp(const Pose& tcp, const Deadline& deadline) {
+    const ArgumentCheck check =
+        ArgumentCheck("set the TCP").pose("tcp", tcp).offset("tcp", tcp.position, kFarthest);
+    if (!check.ok()) {
+        return check.error();
+    }
+    const auto numbers = tcp.array();
+    return noAnswer(ControllerAccess::of(*controller_)
+                        .request(RequestKind::SetTcp, 0, numbers, QStringLiteral("set the TCP"), deadline));
+}
+
+Result<void> ToolSetup::setGravity(const Eigen::Vector3d& direction, const Deadline& deadline) {
+    constexpr double kOnAnyPlanet = 30.0;
+    ArgumentCheck check = ArgumentCheck("set gravity").finite("direction", direction.data(), 3);
+    if (check.ok()) {
+        check.range("direction", direction.norm(), 0, kOnAnyPlanet, "m/s2");
+    }
+    if (!check.ok()) {
+        return check.error();
+    }
+    return noAnswer(ControllerAccess::of(*controller_)
+                        .request(RequestKind::SetGravity, 0, {direction.data(), 3},
+                                 QStringLiteral("set gravity"), deadline));
+}
+
+Result<void> ToolSetup::zeroForceSensor(const Deadline& deadline) {
+    return noAnswer(
+        ControllerAccess::of(*controller_)
+            .request(RequestKind::ZeroForceSensor, 0, {}, QStringLiteral("zero the force sensor"), deadline));
+}
+
+Result<void> ToolSetup::useExternalSensor(const ExternalSensor& sensor, const Deadline& deadline) {
+    constexpr auto kContext = "use an external force sensor";
+    if (const Error error = check(kContext, sensor); error.code != ErrorCode::None) {
+        return error;
+    }
+    auto& d = ControllerAccess::of(*controller_);
+    const QString context = QString::fromLatin1(kContext);
+    if (const auto known = d.needs({5, 9, 0, 0}, {3, 14, 0, 0}, context); !known) {
+        return known;
+    }
+    return noAnswer(d.request(RequestKind::ExternalSensor, 1,
+                              numbersOf(sensor.mass, sensor.measuringOffset, sensor.centreOfGravity), context,
+                              deadline));
+}
+
+Result<void> ToolSetup::useExternalSensorLegacy(const ExternalSensor& sensor, const Deadline& deadline) {
+    constexpr auto kContext = "use an external force sensor";
+    if (const Error error = check(kContext, sensor); error.code != ErrorCode::None) {
+        return error;
+    }
+    return noAnswer(ControllerAccess::of(*controller_)
+                        .request(RequestKind::ExternalSensorLegacy, 1,
+                                 numbersOf(sensor.mass, sensor.measuringOffset, sensor.centreOfGravity),
+                                 QString::fromLatin1(kContext), deadline));
+}
+
+Result<void> ToolSetup::useOwnSensor(const Deadline& deadline) {
+    auto& d = ControllerAccess::of(*controller_);
+    const QString context = QStringLiteral("use the robot's own force sensor");
+    const bool modern = d.needs({5, 9, 0, 0}, {3, 14, 0, 0}, context).ok();
+    return noAnswer(d.request(modern ? RequestKind::ExternalSensor : RequestKind::ExternalSensorLegacy, 0, {},
+                              context, deadline));
+}
+
+Result<void> ToolSetup::setExternalWrench(const Wrench& wrench) {
+    const Vector6 values = wrench.vector();
+    const ArgumentCheck check = ArgumentCheck("send a wrench").finite("wrench", values.data(), 6);
+    if (!check.ok()) {
+        return check.error();
+    }
+    auto& d = ControllerAccess::of(*controller_);
+    if (!d.running) {
+        return Error{ErrorCode::NotInControl, QStringLiteral("send a wrench"), {}};
+    }
+    if (!d.wrenchUsable) {
+        return Error{
+            ErrorCode::RegisterInUse, QStringLiteral("send a wrench"),
+            QStringLiteral("this robot has no input external_force_torque, or another client owns it")};
+    }
+    std::array<double, 6> numbers{};
+    std::copy_n(values.data(), numbers.size(), numbers.begin());
+    const std::lock_guard lock(d.wrenchCallers);
+    d.wrench.publish(numbers);
+    return {};
+}
+
+Result<void> ToolSetup::setWatchdog(double minFrequency, const Deadline& deadline) {
+    constexpr double kControlRate = 500.0;
+    constexpr double kSlowest = 0.01;
+    const ArgumentCheck check =
+        ArgumentCheck("set the watchdog").range("minFrequency", minFrequency, kSlowest, kControlRate, "Hz");
+    if (!check.ok()) {
+        return check.error();
+    }
+    if (auto kicked = kickWatchdog(); !kicked) {
+        return kicked;
+    }
+    return noAnswer(ControllerAccess::of(*controller_)
+                        .request(RequestKind::SetWatchdog, 0, {&minFrequency, 1},
+                                 QStringLiteral("set the watchdog"), deadline));
+}
+
+Result<void> ToolSetup::kickWatchdog() {
+    auto& d = ControllerAccess::of(*controller_);
+    if (!d.running) {
+        return Error{ErrorCode::NotInControl, QStringLiteral("kick the watchdog"), {}};
+    }
+    if (!d.watchdogUsable) {
+        return Error{ErrorCode::RegisterInUse, QStringLiteral("kick the watchdog"),
+                     QStringLiteral("another client owns the register it needs")};
+    }
+    d.kick.store(true, std::memory_order_release);
+    return {};
+}
+
+Result<void> ToolSetup::triggerProtectiveStop(const Deadline& deadline) {
+    auto& d = ControllerAccess::of(*controller_);
+    const QString context = QStringLiteral("trigger a protective stop");
+    if (const auto known = d.needs(kESeries, {3, 8, 0, 0}, context); !known) {
+        return known;
+    }
+    // The program is paused by it, so that the answer may never come: what counts is the safety mode.
+    const Deadline answerTime = Deadline::after(std::chrono::milliseconds(100), deadline.token());
+    const auto asked = d.request(RequestKind::ProtectiveStop, 0, {}, context, answerTime);
+    if (!asked && asked.error().code == ErrorCode::Cancelled) {
+        return asked.error();
+    }
+    while (d.loop.status().safetyMode != SafetyMode::ProtectiveStop) {
+        if (!d.running) {
+            return Error{asked ? ErrorCode::LinkLost : asked.error().code, context, {}};
+        }
+        if (deadline.hasExpired()) {
+            return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
+                         safetyModeName(d.loop.status().safetyMode)};
+        }
+        std::this_thread::sleep_for(std::min(deadline.nextPoll(), std::chrono::milliseconds(1)));
+    }
+    return {};
+}
+
+}  // namespace tiller::control

@@ -1,0 +1,475 @@
+// SPDX-License-Identifier: MIT
+// Moves with a handle, paths, functions, questions and settings: through sockets, to the simulated robot.
+#include <cmath>
+
+#include "robot/control/arm_queries.h"
+#include "robot/control/compliance.h"
+#include "robot/control/motions.h"
+#include "robot/control/programs.h"
+#include "robot/control/tool_setup.h"
+#include "robot/kinematics/arm_kinematics.h"
+#include "tests/integration/control/cell.h"
+
+using namespace tiller;
+using namespace tiller::control;
+using namespace tiller::test;
+
+namespace {
+
+Deadline patience() {
+    return Deadline::after(std::chrono::seconds(60));
+}
+
+template <class R>
+QByteArray why(const R& result) {
+    return result.error().toString().toUtf8();
+}
+
+double apart(const JointPositions& a, const JointPositions& b) {
+    return (a.values - b.values).cwiseAbs().maxCoeff();
+}
+
+Pose moved(Pose pose, double x, double y, double z) {
+    pose.position += Eigen::Vector3d(x, y, z);
+    return pose;
+}
+
+}  // namespace
+
+class TestCommands : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aMoveIsWaitedForWithItsProgress() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        JointPositions target = cell.robot.truth().q;
+        target[0] += 20 * kDeg;
+        const auto move = Motions(*cell.controller).moveJ(target, {0.5, 1.4, Holding::Free});
+        QVERIFY2(move.ok(), why(move));
+        double last = 0;
+        bool rises = true;
+        cell.everyTick = [&] {
+            const double now = move->progress().fraction;
+            rises = rises && now >= last - 1e-3;
+            last = now;
+        };
+        const auto ended = cell.during([&] { return move->wait(patience()); });
+        QVERIFY2(ended.ok(), why(ended));
+        QVERIFY(rises);
+        QCOMPARE(move->progress().fraction, 1.0);
+        QVERIFY(apart(cell.robot.truth().q, target) < 1e-3);
+        QVERIFY(!move->cancel());
+    }
+
+    // 2 %: fifty times as long, and no wait gives up.
+    void aWaitDoesNotTimeOutAtTwoPercent() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        cell.robot.setSpeedSlider(0.02);
+        JointPositions target = cell.robot.truth().q;
+        target[5] += 3 * kDeg;
+        const auto move = Motions(*cell.controller).moveJ(target, {0.5, 1.4, Holding::Free});
+        const auto ended = cell.during([&] { return move->wait(Deadline::never()); });
+        QVERIFY2(ended.ok(), why(ended));
+        QVERIFY(apart(cell.robot.truth().q, target) < 1e-3);
+        QVERIFY(std::abs(move->progress().speedFraction - 0.02) < 1e-6);
+    }
+
+    void movesToPosesAndAlongLinesToJoints() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        Motions motions(*cell.controller);
+        const Pose start = cell.tcp();
+        const Pose there = moved(start, 0.05, 0.02, 0.04);
+        const auto ik = motions.moveJ(there, {0.5, 1.4, Holding::Free});
+        QVERIFY2(ik.ok(), why(ik));
+        QVERIFY(cell.during([&] { return ik->wait(patience()); }).ok());
+        QVERIFY((cell.tcp().position - there.position).norm() < 1e-3);
+        const JointPositions q = cell.robot.truth().q;
+        const auto back = motions.moveL(start, {0.1, 0.5, Holding::Free});
+        QVERIFY(cell.during([&] { return back->wait(patience()); }).ok());
+        const auto fk = motions.moveL(q, {0.1, 0.5, Holding::Free});
+        QVERIFY2(fk.ok(), why(fk));
+        QVERIFY(cell.during([&] { return fk->wait(patience()); }).ok());
+        QVERIFY((cell.tcp().position - there.position).norm() < 1e-3);
+        QCOMPARE(motions.moveL(moved(start, 0, 0, 4), {0.1, 0.5}).error().code, ErrorCode::NoSolution);
+        QCOMPARE(motions.moveJ(moved(start, 0, 0, 4), {0.1, 0.5}).error().code, ErrorCode::NoSolution);
+    }
+
+    void aPathOfEveryKindRunsToItsEnd() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        const Pose start = cell.tcp();
+        JointPositions turned = cell.robot.truth().q;
+        turned[5] += 5 * kDeg;
+        using Kind = PathEntry::Kind;
+        const Pose end = moved(start, 0, 0, 0.06);
+        const MotionPath path{
+            {Kind::MoveJ, turned, {}, 0.5, 1.4, 0.005},
+            {Kind::MoveL, moved(start, 0.04, 0, 0), {}, 0.1, 0.5, 0.01},
+            {Kind::MoveP, moved(start, 0.04, 0, 0.04), {}, 0.1, 0.5, 0.005},
+            {Kind::MoveC, end, moved(start, 0.03, 0, 0.06), 0.1, 0.5, 0.02},
+        };
+        const auto motion = cell.during([&] { return Motions(*cell.controller).movePath(path, patience()); });
+        QVERIFY2(motion.ok(), why(motion));
+        int waypoint = 0;
+        cell.everyTick = [&] { waypoint = std::max(waypoint, motion->progress().waypoint); };
+        const auto ended = cell.during([&] { return motion->wait(patience()); });
+        QVERIFY2(ended.ok(), why(ended));
+        QCOMPARE(waypoint, 4);
+        QCOMPARE(motion->progress().waypoints, 4);
+        QVERIFY((cell.tcp().position - end.position).norm() < 1e-3);
+        // And the next move needs nothing special.
+        const auto move = Motions(*cell.controller).moveL(start, {0.1, 0.5, Holding::Free});
+        QVERIFY(cell.during([&] { return move->wait(patience()); }).ok());
+    }
+
+    void aStopEndsAPath() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        const MotionPath path{{PathEntry::Kind::MoveL, moved(cell.tcp(), 0, 0, 0.1), {}, 0.05, 0.5, 0}};
+        const auto motion = cell.during([&] { return Motions(*cell.controller).movePath(path, patience()); });
+        QVERIFY(motion.ok());
+        QVERIFY(cell.stepMs(600));
+        QVERIFY(!cell.isStanding());
+        cell.controller->stop(StopCause::StopButton);
+        QVERIFY(cell.ticksToStandstill(500) >= 0);
+        QCOMPARE(motion->wait(patience()).error().code, ErrorCode::Stopped);
+        const Pose stands = cell.tcp();
+        QVERIFY(cell.stepMs(300));
+        QVERIFY((cell.tcp().position - stands.position).norm() < 1e-5);
+    }
+
+    void aFunctionRunsUnderTheControlProgram() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        Programs programs(*cell.controller);
+        const auto function = cell.during([&] {
+            return programs.startFunction(
+                QStringLiteral("paint"),
+                QStringLiteral("speed = 3\nset_standard_digital_out(2, True)\nsleep(0.1)"), patience());
+        });
+        QVERIFY2(function.ok(), why(function));
+        QVERIFY(cell.during([&] { return function->wait(patience()); }).ok());
+        QVERIFY((cell.robot.truth().digitalOutputs & 4U) != 0);
+        QVERIFY(cell.controller->status().inControl);
+    }
+
+    void aFunctionThatDoesNotCompileIsToldWithItsLine() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        Programs programs(*cell.controller);
+        const Error error =
+            cell.during([&] {
+                    return programs.startFunction(QStringLiteral("broken"),
+                                                  QStringLiteral("a = 1\nb = = 2\nc = 3"), patience());
+                })
+                .error();
+        QCOMPARE(error.code, ErrorCode::ScriptError);
+        QVERIFY2(error.controllerMessage.contains(QStringLiteral("broken line 2")),
+                 qPrintable(error.toString()));
+        QVERIFY(cell.controller->status().inControl);
+    }
+
+    void aFunctionThatFailsIsToldWithItsLine() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        Programs programs(*cell.controller);
+        const auto function = cell.during([&] {
+            return programs.startFunction(QStringLiteral("root"), QStringLiteral("sync()\nx = sqrt(-1)"),
+                                          patience());
+        });
+        QVERIFY2(function.ok(), why(function));
+        const Error error = cell.during([&] { return function->wait(patience()); }).error();
+        QCOMPARE(error.code, ErrorCode::ScriptError);
+        QVERIFY2(error.controllerMessage.contains(QStringLiteral("root line 2")),
+                 qPrintable(error.toString()));
+        QVERIFY(!cell.controller->status().inControl);
+        const auto back = cell.during([&] { return programs.reupload(patience()); });
+        QVERIFY2(back.ok(), why(back));
+        QVERIFY(cell.controller->status().inControl);
+    }
+
+    void aWholeScriptRunsAndControlComesBack() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        Programs programs(*cell.controller);
+        const auto ran = cell.during([&] {
+            return programs.runScript(
+                QStringLiteral("def mine():\n  set_standard_digital_out(1, True)\n  sleep(0.2)\nend\n"),
+                patience());
+        });
+        QVERIFY2(ran.ok(), why(ran));
+        QVERIFY((cell.robot.truth().digitalOutputs & 2U) != 0);
+        QVERIFY(cell.controller->status().inControl);
+        const Error error =
+            cell.during([&] {
+                    return programs.runScript(QStringLiteral("def bad():\n  x = = 1\nend\n"), patience());
+                })
+                .error();
+        QCOMPARE(error.code, ErrorCode::ScriptError);
+        QVERIFY2(error.controllerMessage.contains(QStringLiteral("line 2")), qPrintable(error.toString()));
+        QVERIFY(cell.controller->status().inControl);
+    }
+
+    void theControlProgramEndsAndComesBack() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        Programs programs(*cell.controller);
+        QVERIFY(programs.isProgramRunning());
+        QVERIFY(cell.during([&] { return programs.endControlProgram(patience()); }).ok());
+        QVERIFY(!programs.isProgramRunning());
+        QCOMPARE(Motions(*cell.controller).moveJ(cell.robot.truth().q, {0.5, 1}).error().code,
+                 ErrorCode::NotInControl);
+        QVERIFY(cell.during([&] { return programs.reupload(patience()); }).ok());
+        QVERIFY(cell.controller->status().inControl);
+    }
+
+    void questionsAreAnswered() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        QVERIFY(cell.stepMs(1000));
+        ArmQueries ask(*cell.controller);
+        const auto with = [&](auto call) { return cell.during([&] { return call(patience()); }); };
+        const JointPositions q = cell.robot.truth().q;
+        const Pose pose = cell.tcp();
+
+        const auto forward = with([&](const Deadline& d) { return ask.forwardKinematics(q, {}, d); });
+        QVERIFY2(forward.ok(), why(forward));
+        QVERIFY((forward->position - pose.position).norm() < 1e-4);
+        const Pose tcp(0, 0, 0.1, 0, 0, 0);
+        const auto tool = with([&](const Deadline& d) { return ask.forwardKinematics(q, tcp, d); });
+        QVERIFY2(tool.ok(), why(tool));
+        QVERIFY(std::abs((tool->position - pose.position).norm() - 0.1) < 1e-4);
+        const auto inverse = with([&](const Deadline& d) { return ask.inverseKinematics(pose, {}, d); });
+        QVERIFY2(inverse.ok(), why(inverse));
+        QVERIFY(apart(*inverse, q) < 1e-3);
+        InverseOptions near;
+        near.near = JointPositions(0.3, -1.2, 1.4, -1.8, -1.5, 0.2);
+        near.maxPositionError = 1e-6;
+        const auto other = with([&](const Deadline& d) { return ask.inverseKinematics(pose, near, d); });
+        QVERIFY2(other.ok(), why(other));
+        QVERIFY((kinematics::forwardTcp(robotModel(RobotModelId::UR5e).dh, *other).position - pose.position)
+                    .norm() < 1e-3);
+        const Pose far = moved(pose, 0, 0, 3);
+        QCOMPARE(with([&](const Deadline& d) { return ask.inverseKinematics(far, {}, d); }).error().code,
+                 ErrorCode::NoSolution);
+        const auto has = with([&](const Deadline& d) { return ask.hasInverseKinematics(far, {}, d); });
+        QVERIFY(has.ok() && !*has);
+        const auto safe = with([&](const Deadline& d) { return ask.isWithinSafetyLimits(pose, d); });
+        QVERIFY(safe.ok() && *safe);
+        const auto wide = with(
+            [&](const Deadline& d) { return ask.isWithinSafetyLimits(JointPositions(9, 0, 0, 0, 0, 0), d); });
+        QVERIFY(wide.ok() && !*wide);
+        QVERIFY(with([&](const Deadline& d) { return ask.jointTorques(d); })->allFinite());
+        QVERIFY(*with([&](const Deadline& d) { return ask.isSteady(d); }));
+        QCOMPARE(*with([&](const Deadline& d) { return ask.toolContact({}, d); }), 0);
+        QVERIFY((with([&](const Deadline& d) { return ask.targetWaypoint(d); })->position - pose.position)
+                    .norm() < 1e-3);
+        QVERIFY(apart(*with([&](const Deadline& d) { return ask.jointPositionsHistory(100, d); }), q) < 1e-3);
+        QCOMPARE(*with([&](const Deadline& d) { return ask.stepTime(d); }), 0.002);
+        QVERIFY(with([&](const Deadline& d) { return ask.tcpOffset(d); })->position.norm() < 1e-9);
+        QVERIFY(
+            (with([&](const Deadline& d) { return ask.flangePose(d); })->position - pose.position).norm() <
+            1e-3);
+        QCOMPARE(*with([&](const Deadline& d) { return ask.freedriveStatus(d); }), 0);
+    }
+
+    void settingsArriveAtTheRobot() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        ToolSetup setup(*cell.controller);
+        const auto with = [&](auto call) { return cell.during([&] { return call(patience()); }); };
+        const Pose before = cell.tcp();
+        const auto tcp = with([&](const Deadline& d) { return setup.setTcp(Pose(0, 0, 0.1, 0, 0, 0), d); });
+        QVERIFY2(tcp.ok(), why(tcp));
+        QVERIFY(cell.stepMs(20));
+        QVERIFY(std::abs((cell.tcp().position - before.position).norm() - 0.1) < 1e-4);
+        QVERIFY(with([&](const Deadline& d) {
+                    return setup.setPayload(1.5, Eigen::Vector3d(0, 0, 0.05), d);
+                }).ok());
+        QVERIFY(with([&](const Deadline& d) { return setup.setPayload(1.0, {}, d); }).ok());
+        QVERIFY(with([&](const Deadline& d) {
+                    return setup.setTargetPayload(1.5, {0, 0, 0.05}, {0.1, 0.1, 0.1, 0, 0, 0}, d);
+                }).ok());
+        QVERIFY(with([&](const Deadline& d) { return setup.setGravity({0, 0, 9.82}, d); }).ok());
+        QVERIFY(with([&](const Deadline& d) { return setup.zeroForceSensor(d); }).ok());
+        QVERIFY(with([&](const Deadline& d) { return setup.useExternalSensor({0.2, {}, {}}, d); }).ok());
+        QVERIFY(setup.setExternalWrench({}).ok());
+        QVERIFY(with([&](const Deadline& d) { return setup.useOwnSensor(d); }).ok());
+        QVERIFY(with([&](const Deadline& d) { return setup.useExternalSensorLegacy({}, d); }).ok());
+        QVERIFY(setup.setExternalWrench({}).ok());
+        QVERIFY(with([&](const Deadline& d) { return setup.useOwnSensor(d); }).ok());
+        QVERIFY(cell.controller->status().inControl);
+    }
+
+    void aWatchdogNobodyKicksStopsTheProgram() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        ToolSetup setup(*cell.controller);
+        QVERIFY(cell.during([&] { return setup.setWatchdog(10, patience()); }).ok());
+        for (int i = 0; i < 20; ++i) {
+            QVERIFY(setup.kickWatchdog().ok());
+            QVERIFY(cell.stepMs(50));
+        }
+        QVERIFY(cell.controller->status().inControl);
+        QVERIFY(cell.stepMs(300));
+        QVERIFY(!cell.controller->status().inControl);
+        QCOMPARE(cell.robot.truth().runtimeState, RuntimeState::Stopped);
+    }
+
+    void aProtectiveStopIsTriggeredAndSeen() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        const auto stopped =
+            cell.during([&] { return ToolSetup(*cell.controller).triggerProtectiveStop(patience()); });
+        QVERIFY2(stopped.ok(), why(stopped));
+        QCOMPARE(cell.controller->status().safetyMode, SafetyMode::ProtectiveStop);
+        QCOMPARE(Motions(*cell.controller).startServoJ().error().code != ErrorCode::None, true);
+    }
+
+    void forceModePushesUntilItIsEndedOrStopped() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        Compliance compliance(*cell.controller);
+        ForceMode mode;
+        mode.compliant = {false, false, true, false, false, false};
+        mode.wrench.force.z() = 10;
+        mode.limits = {0.1, 0.1, 0.05, 0.5, 0.5, 0.5};
+        const auto with = [&](auto call) { return cell.during([&] { return call(patience()); }); };
+        QVERIFY(with([&](const Deadline& d) { return compliance.setForceDamping(0.1, d); }).ok());
+        QVERIFY(with([&](const Deadline& d) { return compliance.setForceGainScaling(0.5, d); }).ok());
+        const double low = cell.tcp().position.z();
+        const auto on = with([&](const Deadline& d) { return compliance.setForceMode(mode, d); });
+        QVERIFY2(on.ok(), why(on));
+        QVERIFY(cell.stepMs(600));
+        QVERIFY(cell.tcp().position.z() > low + 0.002);
+        QVERIFY(with([&](const Deadline& d) { return compliance.endForceMode(d); }).ok());
+        QVERIFY(cell.ticksToStandstill(500) >= 0);
+        QVERIFY(with([&](const Deadline& d) { return compliance.setForceMode(mode, d); }).ok());
+        QVERIFY(cell.stepMs(400));
+        QVERIFY(!cell.isStanding());
+        cell.controller->stop(StopCause::StopButton);
+        QVERIFY(cell.ticksToStandstill(500) >= 0);
+        const Pose stands = cell.tcp();
+        QVERIFY(cell.stepMs(400));
+        QVERIFY((cell.tcp().position - stands.position).norm() < 1e-4);
+    }
+
+    void freedriveLastsUntilItIsCancelled() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        Compliance compliance(*cell.controller);
+        const auto free = compliance.startFreedrive();
+        QVERIFY2(free.ok(), why(free));
+        QVERIFY(cell.stepMs(200));
+        QVERIFY(free->progress().executing);
+        QVERIFY(free->cancel());
+        QVERIFY(cell.ticksToStandstill(300) >= 0);
+        const auto teach = compliance.startTeachMode(Holding::Held);
+        QVERIFY(teach.ok());
+        QVERIFY(cell.stepMs(120));
+        QCOMPARE(teach->state().cause, StopCause::EventLoopStalled);
+    }
+
+    void wrongArgumentsAreRefusedByName_data() {
+        QTest::addColumn<int>("which");
+        QTest::addColumn<int>("code");
+        QTest::addColumn<QString>("name");
+        int n = 0;
+        const auto row = [&](const char* title, ErrorCode code, const char* name) {
+            QTest::newRow(title) << n++ << static_cast<int>(code) << QString::fromLatin1(name);
+        };
+        row("joints in degrees", ErrorCode::InvalidArgument, "target");
+        row("millimetres", ErrorCode::InvalidArgument, "target");
+        row("rotation in degrees", ErrorCode::InvalidArgument, "target");
+        row("speed in mm/s", ErrorCode::LimitExceeded, "speed");
+        row("no acceleration", ErrorCode::InvalidArgument, "acceleration");
+        row("lookahead", ErrorCode::LimitExceeded, "lookahead");
+        row("gain", ErrorCode::LimitExceeded, "gain");
+        row("blend in mm", ErrorCode::LimitExceeded, "blend");
+        row("empty path", ErrorCode::InvalidArgument, "path");
+        row("arc without via", ErrorCode::InvalidArgument, "via");
+        row("force limits", ErrorCode::InvalidArgument, "limits");
+        row("force not a number", ErrorCode::InvalidArgument, "wrench");
+        row("damping", ErrorCode::LimitExceeded, "damping");
+        row("payload in grams", ErrorCode::LimitExceeded, "mass");
+        row("centre in mm", ErrorCode::InvalidArgument, "centreOfGravity");
+        row("TCP in mm", ErrorCode::InvalidArgument, "tcp");
+        row("watchdog", ErrorCode::LimitExceeded, "minFrequency");
+        row("history", ErrorCode::LimitExceeded, "steps");
+        row("deceleration", ErrorCode::InvalidArgument, "deceleration");
+        row("twist of nothing", ErrorCode::InvalidArgument, "twist");
+        row("function name", ErrorCode::InvalidArgument, "name");
+        row("function body", ErrorCode::InvalidArgument, "body");
+    }
+    void wrongArgumentsAreRefusedByName() {
+        QFETCH(int, which);
+        QFETCH(int, code);
+        QFETCH(QString, name);
+        Cell cell;
+        Controller& c = *cell.controller;
+        Motions m(c);
+        ToolSetup s(c);
+        Compliance f(c);
+        const MoveParameters usual{0.1, 0.5, Holding::Free};
+        const Deadline d = patience();
+        const double nan = std::nan("");
+        ForceMode force;
+        force.limits = {1, 1, 1, 1, 1, 1};
+        ForceMode noLimits;
+        ForceMode noForce = force;
+        noForce.wrench.force.x() = nan;
+        const JointPositions q(0, -1, 1, 0, 0, 0);
+        using Kind = PathEntry::Kind;
+        const std::vector<std::function<Error()>> calls{
+            [&] { return m.moveJ(JointPositions(90, -90, 90, 0, 0, 0), usual).error(); },
+            [&] { return m.moveL(Pose(300, -200, 400, 0, 3, 0), usual).error(); },
+            [&] { return m.moveJ(Pose(0.3, -0.2, 0.4, 0, 180, 0), usual).error(); },
+            [&] {
+                return m.moveL(Pose(0.3, -0.2, 0.4, 0, 3, 0), {250, 0.5, Holding::Free}).error();
+            },
+            [&] {
+                return m.moveJ(q, {0.5, 0, Holding::Free}).error();
+            },
+            [&] {
+                return m.startServoJ({0.002, 0.5, 300}).error();
+            },
+            [&] {
+                return m.startServoL({0.002, 0.1, 20}).error();
+            },
+            [&] {
+                return m.movePath({{Kind::MoveJ, q, {}, 0.5, 1, 50}}, d).error();
+            },
+            [&] { return m.movePath({}, d).error(); },
+            [&] {
+                return m.movePath({{Kind::MoveC, q, {}, 0.5, 1, 0}}, d).error();
+            },
+            [&] { return f.setForceMode(noLimits, d).error(); },
+            [&] { return f.setForceMode(noForce, d).error(); },
+            [&] { return f.setForceDamping(1.5, d).error(); },
+            [&] { return s.setPayload(1500, {}, d).error(); },
+            [&] { return s.setPayload(1, Eigen::Vector3d(0, 0, 50), d).error(); },
+            [&] { return s.setTcp(Pose(0, 0, 150, 0, 0, 0), d).error(); },
+            [&] { return s.setWatchdog(0, d).error(); },
+            [&] { return ArmQueries(c).jointPositionsHistory(-1, d).error(); },
+            [&] { return m.stopJ(0).error(); },
+            [&] { return m.moveUntilContact({}, {}, 1, d).error(); },
+            [&] {
+                return Programs(c).startFunction(QStringLiteral("1st"), QStringLiteral("x = 1"), d).error();
+            },
+            [&] {
+                return Programs(c)
+                    .startFunction(QStringLiteral("f"), QStringLiteral("tiller_x = 1"), d)
+                    .error();
+            },
+        };
+        const Error error = calls.at(static_cast<std::size_t>(which))();
+        QVERIFY2(static_cast<int>(error.code) == code, qPrintable(error.toString()));
+        QVERIFY2(error.controllerMessage.contains(name), qPrintable(error.toString()));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCommands)
+#include "tst_commands.moc"

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// Neither loop allocates or locks once it runs: counted over sockets to a simulated robot, in virtual time.
+#include "robot/control/motions.h"
+#include "robot/realtime/thread_priority.h"
+#include "robot/receive/receiver.h"
+#include "tests/integration/control/cell.h"
+#include "tests/support/hot_threads.h"
+
+using namespace tiller;
+using namespace tiller::control;
+using namespace tiller::test;
+
+class TestLoopCosts : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void theCounterCounts() {
+        std::mutex mutex;
+        countHotThreads(true);
+        std::thread guilty([&] {
+            realtime::nameThread("control");
+            const std::lock_guard lock(mutex);
+            ::operator delete(::operator new(16));  // a new-expression might be left out
+        });
+        guilty.join();
+        countHotThreads(false);
+        QVERIFY(hotCounts().locks >= 1);
+        QVERIFY(hotCounts().allocations >= 1);
+    }
+
+    // 10 s of robot time; TILLER_LOOP_SECONDS makes it longer.
+    void receiveAndControlAllocateAndLockNothing() {
+        Cell cell;
+        receive::ReceiverOptions options;
+        options.host = cell.robot.listenAddress();
+        options.port = static_cast<std::uint16_t>(cell.robot.ports().rtde);
+        options.clock = &cell.clock;
+        options.priority = 0;
+        receive::Receiver receiver(options);
+        receiver.start();
+        QVERIFY(cell.takeControl().ok());
+        for (int i = 0; i < 2000 && receiver.counters().packets < 10; ++i) {
+            QVERIFY(cell.step());
+        }
+        auto stream = Motions(*cell.controller).startSpeedJ({1.0, 0}, Holding::Free);
+        QVERIFY(stream.ok());
+        QVERIFY(cell.stepMs(200));  // warm-up
+        const int seconds = std::max(10, qEnvironmentVariableIntValue("TILLER_LOOP_SECONDS"));
+        const HotCounts before = hotCounts();
+        const std::uint64_t packages = receiver.counters().packets;
+        const std::uint64_t ticks = cell.controller->status().ticks;
+        countHotThreads(true);
+        bool alive = true;
+        for (int i = 0; i < seconds * 500 && alive; ++i) {
+            JointVelocities qd;
+            qd[5] = (i / 250) % 2 == 0 ? 0.2 : -0.2;
+            alive = stream->send(qd).ok() && cell.step();
+        }
+        countHotThreads(false);
+        QVERIFY(alive);
+        QVERIFY(hotThreads() >= 2);
+        QVERIFY(receiver.counters().packets - packages > static_cast<std::uint64_t>(seconds) * 450);
+        QVERIFY(cell.controller->status().ticks - ticks > static_cast<std::uint64_t>(seconds) * 450);
+        QCOMPARE(hotCounts().allocations - before.allocations, 0U);
+        QCOMPARE(hotCounts().locks - before.locks, 0U);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestLoopCosts)
+#include "tst_loop_costs.moc"

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+// What control.script can do: streams, sections, braking as asked, and requests.
+#include <QTest>
+
+#include "tests/unit/control/script_bench.h"
+
+using namespace tiller;
+using namespace tiller::control;
+using namespace tiller::test;
+
+namespace {
+
+using Bench = ScriptBench;
+
+Command servo(ScriptCommand kind, std::int32_t epoch, bool target) {
+    Command command;
+    command.kind = kind;
+    command.epoch = epoch;
+    command.choice = target ? 1 : 0;
+    command.values = {0.2, -1, 1, -1, -1, 0};
+    command.speed = 0.002;
+    command.acceleration = 0.1;
+    command.rotationAcceleration = 300;
+    return command;
+}
+
+bool called(const Bench& bench, const std::string& what) {
+    return std::find(bench.host.calls.begin(), bench.host.calls.end(), what) != bench.host.calls.end();
+}
+
+}  // namespace
+
+class TestControlScriptCommands : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aServoHoldsItsPlaceThenFollows() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        for (int i = 0; i < 5; ++i) {
+            bench.send(servo(ScriptCommand::ServoJ, 2, false));
+            bench.frame();
+        }
+        QCOMPARE(bench.last<urscript::ServoJ>()->q, bench.host.q);
+        for (int i = 0; i < 5; ++i) {
+            bench.send(servo(ScriptCommand::ServoJ, 2, true));
+            bench.frame();
+        }
+        const auto* last = bench.last<urscript::ServoJ>();
+        QCOMPARE(last->q[0], 0.2);
+        QCOMPARE(last->lookahead, 0.1);
+        QCOMPARE(last->gain, 300.0);
+        QCOMPARE(last->duration, 0.002);
+    }
+
+    void aPoseOutOfReachEndsTheServoNotTheProgram() {
+        Bench bench;
+        bench.host.reachable = false;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        for (int i = 0; i < 60; ++i) {
+            bench.send(servo(ScriptCommand::ServoL, 2, true));
+            bench.frame();
+        }
+        QVERIFY(bench.running());
+        QCOMPARE(bench.state(), ScriptState::OutOfReach);
+        QVERIFY(bench.last<urscript::StopJ>() != nullptr);
+        bench.hold(ScriptCommand::MoveJToPose, 3, 60, {0.1, 0.2, 0.3, 0, 0, 0});
+        QCOMPARE(bench.state(), ScriptState::OutOfReach);
+        QCOMPARE(bench.count<urscript::Move>(), 0);
+    }
+
+    void speedStreamsGoOnWithTheNewestValues() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(ScriptCommand::SpeedL, 2, 5, {0, 0, 0.1, 0, 0, 0});
+        bench.hold(ScriptCommand::SpeedL, 2, 5, {0, 0, 0.2, 0, 0, 0});
+        QCOMPARE(bench.last<urscript::SpeedL>()->xd.linear.z(), 0.2);
+        bench.hold(ScriptCommand::SpeedJ, 3, 60, {0, 0, 0, 0, 0, 0.3});
+        QCOMPARE(bench.count<urscript::StopL>(), 1);
+        QCOMPARE(bench.last<urscript::SpeedJ>()->qd[5], 0.3);
+    }
+
+    void aStopBrakesAsItWasAskedTo() {
+        Bench bench;
+        bench.host.moveFrames = 1000;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(ScriptCommand::SpeedL, 2, 5, {0, 0, 0.1, 0, 0, 0});
+        Command stop;
+        stop.epoch = 3;
+        stop.choice = 1;  // stopj
+        stop.acceleration = 0.7;
+        bench.send(stop);
+        bench.frame();
+        QVERIFY(bench.last<urscript::StopJ>() != nullptr);
+        QCOMPARE(bench.last<urscript::StopJ>()->deceleration, 0.7);
+        bench.hold(ScriptCommand::Idle, 4, 2);  // the stop key: as hard as ever
+        QVERIFY(bench.last<urscript::StopJ>() != nullptr);
+        QCOMPARE(bench.last<urscript::StopJ>()->deceleration, 4.0);
+        QCOMPARE(bench.count<urscript::StopJ>(), 2);
+    }
+
+    void aSectionRunsOnceAndKeepsItsHandsOffTheProgram() {
+        Bench bench(RegisterRange::Upper, {5, 22, 0, 0},
+                    QStringLiteral("speed = 77\nvalues = 1\ntiller_waypoint = 2\n"
+                                   "movej([0,0,0,0,0,0], a=1, v=speed)"));
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(ScriptCommand::Section, 2, 5);
+        QCOMPARE(bench.state(), ScriptState::Executing);
+        QCOMPARE(bench.out(7), 2);
+        QCOMPARE(std::get<urscript::Move>(bench.host.motions.back().command).velocity, 77.0);
+        bench.hold(ScriptCommand::Section, 2, 60);
+        QCOMPARE(bench.state(), ScriptState::Done);
+        bench.hold(ScriptCommand::MoveJ, 3, 3, {1, 2, 3, 4, 5, 6});
+        const auto& move = std::get<urscript::Move>(bench.host.motions.back().command);
+        QCOMPARE(std::get<JointPositions>(move.target)[5], 6.0);
+        QCOMPARE(move.velocity, 0.5);
+    }
+
+    void linesOfASectionAreFoundAgain() {
+        const ControlScript plain = controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {});
+        const ControlScript script =
+            controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {}, QStringLiteral("a = 1\nb = 2\nc = 3"));
+        const QString found = script.text.section(QLatin1Char('\n'), script.sectionLine, script.sectionLine);
+        QVERIFY(found.contains(QLatin1String("b = 2")));
+        QCOMPARE(script.place(script.sectionLine + 1, 5), QStringLiteral("line 2"));
+        QCOMPARE(script.place(script.sectionLine + 5, 5), plain.place(plain.sectionLine + 3, 5));
+        QVERIFY(script.place(3, 1).startsWith(QLatin1String("control.script line ")));
+    }
+
+    void contactEndsTheMoveAndGoesBackToWhereItBegan() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(ScriptCommand::UntilContact, 2, 10, {0, 0, -0.05, 0, 0, 0});
+        QVERIFY(bench.last<urscript::SpeedL>() != nullptr);
+        bench.host.contact = 7;
+        bench.hold(ScriptCommand::UntilContact, 2, 200, {0, 0, -0.05, 0, 0, 0});
+        QCOMPARE(bench.state(), ScriptState::Done);
+        QCOMPARE(bench.count<urscript::StopL>(), 1);
+        const auto& back = std::get<urscript::Move>(bench.host.motions.back().command);
+        QCOMPARE(back.kind, urscript::Move::Kind::L);
+        QCOMPARE(std::get<JointPositions>(back.target)[0], bench.host.q[0] - 7);
+    }
+
+    void watchedContactEndsWhateverMoves() {
+        Bench bench;
+        bench.host.moveFrames = 1000;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.ask(RequestKind::WatchContact, 1, {0, 0, 1, 0, 0, 0});
+        bench.hold(ScriptCommand::MoveL, 2, 5, {0.1, 0.2, 0.3, 0, 0, 0});
+        QCOMPARE(bench.state(), ScriptState::Executing);
+        bench.host.contact = 3;
+        bench.hold(ScriptCommand::MoveL, 2, 2, {0.1, 0.2, 0.3, 0, 0, 0});
+        QCOMPARE(bench.state(), ScriptState::Braking);
+        bench.host.moveFrames = 2;
+        bench.idleEpoch = 3;
+        QCOMPARE(bench.ask(RequestKind::ReadContact).whole, 1);
+    }
+
+    void freedriveAndTeachModeEndWithTheirCommand() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        Command freedrive;
+        freedrive.kind = ScriptCommand::Freedrive;
+        freedrive.epoch = 2;
+        freedrive.choice = 5;
+        bench.send(freedrive);
+        bench.frame(2);
+        QVERIFY(called(bench, "freedrive"));
+        QVERIFY(!called(bench, "end_freedrive"));
+        bench.hold(ScriptCommand::Idle, 3, 40);
+        QVERIFY(called(bench, "end_freedrive"));
+        QCOMPARE(bench.state(), ScriptState::Ready);
+        bench.host.calls.clear();
+        bench.hold(ScriptCommand::Teach, 4, 3);
+        bench.frame(bench.silentFrames() + 1);
+        QVERIFY(called(bench, "end_freedrive"));
+    }
+
+    void forceModeLastsNoLongerThanItsPermit_data() {
+        QTest::addColumn<bool>("silence");
+        QTest::newRow("permit taken back") << false;
+        QTest::newRow("link lost") << true;
+    }
+    void forceModeLastsNoLongerThanItsPermit() {
+        QFETCH(bool, silence);
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.forcePermitted = true;
+        bench.ask(RequestKind::Store, 0, {0, 0, 0, 0, 0, 0});
+        bench.ask(RequestKind::Store, 6, {1, 1, 1, 1, 1, 1});
+        QCOMPARE(bench.ask(RequestKind::ForceMode, 4 + 2 * 64, {0, 0, 10, 0, 0, 0}).outcome, Outcome::Done);
+        QVERIFY(called(bench, "force_mode 2"));
+        bench.hold(ScriptCommand::Idle, 1, 20);
+        QVERIFY(!called(bench, "end_force_mode"));
+        if (silence) {
+            bench.frame(bench.silentFrames() + 1);
+        } else {
+            bench.forcePermitted = false;
+            bench.hold(ScriptCommand::Idle, 1, 2);
+        }
+        QVERIFY(called(bench, "end_force_mode"));
+    }
+
+    void eachRequestIsServedOnceAndAnswered() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        const Answer first = bench.ask(RequestKind::SetPayload, 1, {1.5, 0, 0, 0.1, 0, 0});
+        QCOMPARE(first.number, bench.request.number);
+        QCOMPARE(first.outcome, Outcome::Done);
+        QCOMPARE(bench.host.load.mass, 1.5);
+        bench.host.load.mass = 9;
+        bench.hold(ScriptCommand::Idle, 1, 20);  // the same number again and again
+        QCOMPARE(bench.host.load.mass, 9.0);
+        QCOMPARE(bench.ask(RequestKind::SetTcp, 0, {0, 0, 0.2, 0, 0, 0}).outcome, Outcome::Done);
+        QCOMPARE(bench.host.tcp.position.z(), 0.2);
+        const Answer torques = bench.ask(RequestKind::JointTorques);
+        QCOMPARE(torques.numbers[5], 6.0);
+        QCOMPARE(bench.ask(RequestKind::StepTime).numbers[0], 0.002);
+        bench.host.contact = 4;
+        QCOMPARE(bench.ask(RequestKind::ToolContact).whole, 4);
+        QCOMPARE(bench.ask(static_cast<RequestKind>(77)).outcome, Outcome::Unknown);
+        QVERIFY(bench.running());
+    }
+
+    void inverseKinematicsWithoutASolutionIsAnAnswer() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        QCOMPARE(bench.ask(RequestKind::InverseKinematics, 0, {0.3, 0.2, 0.1, 0, 0, 0}).outcome,
+                 Outcome::Done);
+        bench.host.reachable = false;
+        QCOMPARE(bench.ask(RequestKind::InverseKinematics, 0, {0.3, 0.2, 0.1, 0, 0, 0}).outcome,
+                 Outcome::NoSolution);
+        QVERIFY(bench.running());
+    }
+
+    void requestsOfAnotherSessionAreNotServed() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.request = {55, RequestKind::SetPayload, 0, {3, 0, 0, 0, 0, 0}};
+        Command other;
+        other.session = kSession + 1;
+        other.epoch = 1;
+        bench.send(other);
+        bench.frame(5);
+        QVERIFY(bench.host.load.mass != 3.0);
+    }
+
+    void whatOldSoftwareLacksIsNotInItsProgram() {
+        for (const auto& version : {SoftwareVersion{3, 5, 0, 0}, SoftwareVersion{5, 3, 0, 0}}) {
+            const QString text = controlScript(version, RegisterRange::Lower, 1, {}).text;
+            for (const char* name : {"tool_contact(", "get_inverse_kin_has_solution(",
+                                     "get_freedrive_status(", "set_target_payload("}) {
+                QVERIFY2(!text.contains(QLatin1String(name)), name);
+            }
+            QVERIFY(!text.contains(QLatin1String("{{")));
+            Bench bench(RegisterRange::Lower, version);
+            bench.hold(ScriptCommand::Idle, 1, 2);
+            QCOMPARE(bench.ask(RequestKind::ToolContact).outcome, Outcome::Unknown);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestControlScriptCommands)
+#include "tst_control_script_commands.moc"
