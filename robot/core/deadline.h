@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <memory>
+#include <utility>
 
 namespace tiller {
 
@@ -15,12 +17,25 @@ namespace tiller {
 /// Threads  any
 class CancelToken {
 public:
-    CancelToken() : cancelled_(std::make_shared<std::atomic<bool>>(false)) {}
-    void cancel() const { cancelled_->store(true, std::memory_order_release); }
-    bool isCancelled() const { return cancelled_->load(std::memory_order_acquire); }
+    CancelToken() : CancelToken(nullptr) {}
+    /// Also cancelled once `asked` says true; it is asked in the thread that waits, about every 10 ms. For
+    /// hosts that can tell only there that the user lost patience, as Python does.
+    explicit CancelToken(std::function<bool()> asked) : state_(std::make_shared<State>(std::move(asked))) {}
+    void cancel() const { state_->cancelled.store(true, std::memory_order_release); }
+    bool isCancelled() const {
+        if (!state_->cancelled.load(std::memory_order_acquire) && state_->asked && state_->asked()) {
+            cancel();
+        }
+        return state_->cancelled.load(std::memory_order_acquire);
+    }
 
 private:
-    std::shared_ptr<std::atomic<bool>> cancelled_;
+    struct State {
+        explicit State(std::function<bool()> a) : asked(std::move(a)) {}
+        std::atomic<bool> cancelled{false};
+        const std::function<bool()> asked;
+    };
+    std::shared_ptr<State> state_;
 };
 
 class Deadline {

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "robot/rtde/connection.h"
 
-#include <QCoreApplication>
-#include <QEventLoop>
-#include <QNetworkProxy>
-#include <QTcpSocket>
-#include <QTimer>
 #include <algorithm>
 #include <array>
 #include <optional>
+
+#include "robot/core/tcp_connect.h"
 
 namespace tiller::rtde {
 
@@ -19,74 +16,6 @@ using Status = native_socket::Status;
 using std::chrono::nanoseconds;
 
 constexpr Descriptor kNoSocket = -1;
-
-Error socketError(const QTcpSocket& socket, const QString& context) {
-    ErrorCode code = ErrorCode::HostUnreachable;
-    switch (socket.error()) {
-        case QAbstractSocket::ConnectionRefusedError:
-            code = ErrorCode::ConnectionRefused;
-            break;
-        case QAbstractSocket::HostNotFoundError:
-            code = ErrorCode::AddressInvalid;
-            break;
-        case QAbstractSocket::RemoteHostClosedError:
-            code = ErrorCode::ConnectionClosed;
-            break;
-        default:
-            break;
-    }
-    return {code, context, socket.errorString()};
-}
-
-/// Qt resolves the name and makes the connection; then the descriptor is taken over, because the Qt socket
-/// buffers, allocates, and belongs to one thread's event loop.
-Result<Descriptor> connectTcp(const QString& host, std::uint16_t port, const QString& context,
-                              const Deadline& deadline) {
-    if (host.trimmed().isEmpty()) {
-        return Error{ErrorCode::AddressInvalid, context, QStringLiteral("the address is empty")};
-    }
-    // Gives a thread that is not one of Qt's the dispatcher without which a socket never hears of its
-    // connection; it must be there before the socket.
-    std::optional<QEventLoop> dispatcher;
-    if (QCoreApplication::instance() != nullptr) {
-        dispatcher.emplace();
-    }
-    QTcpSocket socket;
-    socket.setProxy(QNetworkProxy::NoProxy);
-    socket.connectToHost(host.trimmed(), port);
-    if (QCoreApplication::instance() == nullptr) {
-        socket.waitForConnected(static_cast<int>(deadline.remaining().count()));
-    } else {
-        QEventLoop loop;
-        QTimer tick;  // to look at the deadline and its cancel flag
-        QObject::connect(&tick, &QTimer::timeout, &loop, &QEventLoop::quit);
-        QObject::connect(&socket, &QTcpSocket::connected, &loop, &QEventLoop::quit);
-        QObject::connect(&socket, &QTcpSocket::errorOccurred, &loop, &QEventLoop::quit);
-        tick.start(std::chrono::milliseconds(10));
-        while (socket.state() != QAbstractSocket::ConnectedState &&
-               socket.state() != QAbstractSocket::UnconnectedState && !deadline.hasExpired()) {
-            loop.exec(QEventLoop::ExcludeUserInputEvents);
-        }
-    }
-    if (socket.state() == QAbstractSocket::ConnectedState) {
-        const Descriptor descriptor = native_socket::duplicate(socket.socketDescriptor());
-        socket.abort();
-        if (descriptor < 0) {
-            return Error{ErrorCode::Internal, context,
-                         QStringLiteral("no descriptor left for another socket")};
-        }
-        native_socket::prepare(descriptor);
-        return descriptor;
-    }
-    if (deadline.isCancelled()) {
-        return Error{ErrorCode::Cancelled, context, {}};
-    }
-    if (socket.state() != QAbstractSocket::UnconnectedState ||
-        socket.error() == QAbstractSocket::SocketTimeoutError) {
-        return Error{ErrorCode::HostUnreachable, context, QStringLiteral("no answer in time")};
-    }
-    return socketError(socket, context);
-}
 
 }  // namespace
 
@@ -216,10 +145,14 @@ Result<std::unique_ptr<Connection>> Connection::open(const ConnectionOptions& op
                                                      const Deadline& deadline) {
     auto state = std::make_unique<State>(options.request);
     state->peer = QStringLiteral("%1:%2").arg(options.host.trimmed()).arg(options.port);
-    const auto socket = connectTcp(options.host, options.port,
-                                   QStringLiteral("connect to RTDE at %1").arg(state->peer), deadline);
+    const auto socket = connectTcp(options.host, options.port, deadline,
+                                   QStringLiteral("connect to RTDE at %1").arg(state->peer));
     if (!socket) {
-        return socket.error();
+        Error error = socket.error();
+        if (error.code == ErrorCode::Timeout) {
+            error.code = ErrorCode::HostUnreachable;  // Timeout is for hosts that were reached
+        }
+        return error;
     }
     state->socket = *socket;
     Session& session = state->session;

@@ -27,8 +27,7 @@ struct ConnectionOptions {
 
 class Connection {
 public:
-    /// Connects and shakes hands. Processes Qt events of the calling thread while the TCP connection is being
-    /// made: call it from a worker.
+    /// Connects and shakes hands.
     /// Errors   AddressInvalid, HostUnreachable, ConnectionRefused, ConnectionClosed, Timeout, Cancelled,
     ///          ProtocolError, FieldUnknown (none of the outputs exists), RegisterInUse, Rejected; the
     ///          context names host and port

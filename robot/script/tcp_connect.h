@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The one place of this room and of the dashboard's that opens a TCP connection.
+// For this room and the dashboard's: tiller::connectTcp() with Qt's socket around it.
 
 #include <QString>
 #include <memory>
@@ -16,8 +16,7 @@ namespace tiller::script {
 /// A connected socket that belongs to the calling thread, with Nagle's algorithm off.
 /// Errors   AddressInvalid, HostUnreachable, ConnectionRefused, Timeout, Cancelled; the context is
 ///          "connect to host:port"
-/// Threads  any; processes Qt events of the calling thread while it waits: call it from a worker.
-///          Blocks: until the deadline
+/// Threads  any. Blocks: until the deadline
 Result<std::unique_ptr<QTcpSocket>> connectTcp(const QString& host, int port, const Deadline& deadline);
 
 }  // namespace tiller::script

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include <QTcpServer>
+#include <QTest>
+#include <vector>
+
+#include "robot/core/tcp_connect.h"
+
+using namespace tiller;
+using namespace std::chrono_literals;
+
+class TestTcpConnect : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void connectsByAddressAndByName() {
+        QTcpServer server;
+        QVERIFY(server.listen(QHostAddress::LocalHost));
+        for (const char* host : {"127.0.0.1", " localhost "}) {
+            const auto socket = connectTcp(host, server.serverPort(), Deadline::after(10s));
+            QVERIFY2(socket.ok(), qPrintable(socket.error().toString()));
+            QVERIFY(*socket >= 0);
+            native_socket::close(*socket);
+        }
+    }
+
+    void saysWhyItCouldNot_data() {
+        QTest::addColumn<QString>("host");
+        QTest::addColumn<int>("port");
+        QTest::addColumn<int>("code");
+        QTest::newRow("empty") << "  " << 30004 << int(ErrorCode::AddressInvalid);
+        QTest::newRow("port 0") << "127.0.0.1" << 0 << int(ErrorCode::AddressInvalid);
+        QTest::newRow("port too large") << "127.0.0.1" << 70000 << int(ErrorCode::AddressInvalid);
+        QTest::newRow("not a name") << "no such host" << 30004 << int(ErrorCode::AddressInvalid);
+        QTest::newRow("nobody listens") << "127.0.0.1" << 1 << int(ErrorCode::ConnectionRefused);
+    }
+    void saysWhyItCouldNot() {
+        QFETCH(QString, host);
+        QFETCH(int, port);
+        QFETCH(int, code);
+        const auto socket = connectTcp(host, port, Deadline::after(10s));
+        QVERIFY(!socket.ok());
+        QCOMPARE(int(socket.error().code), code);
+        QVERIFY(!socket.error().context.isEmpty());
+    }
+
+    // A server that lets nobody in any more: its queue is full, and the system drops what else knocks.
+    void deadlineAndCancelEndTheWait() {
+        QTcpServer server;
+        server.setListenBacklogSize(1);
+        QVERIFY(server.listen(QHostAddress::LocalHost));
+        std::vector<native_socket::Descriptor> queue;
+        const auto patience = Deadline::after(20s);
+        ErrorCode code = ErrorCode::None;
+        while (code == ErrorCode::None && !patience.hasExpired()) {
+            const auto socket = connectTcp("127.0.0.1", server.serverPort(), Deadline::after(50ms));
+            code = socket.error().code;
+            if (socket) {
+                queue.push_back(*socket);
+            }
+        }
+        QCOMPARE(code, ErrorCode::Timeout);
+
+        const CancelToken cancelled;
+        cancelled.cancel();
+        QCOMPARE(connectTcp("127.0.0.1", server.serverPort(), Deadline::after(1h, cancelled)).error().code,
+                 ErrorCode::Cancelled);
+
+        int asked = 0;  // the host loses patience after a while
+        const CancelToken polled([&asked] { return ++asked > 3; });
+        QCOMPARE(connectTcp("127.0.0.1", server.serverPort(), Deadline::after(1h, polled)).error().code,
+                 ErrorCode::Cancelled);
+        QCOMPARE(asked, 4);
+        for (const auto socket : queue) {
+            native_socket::close(socket);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestTcpConnect)
+#include "tst_tcp_connect.moc"
