@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "robot/ur_rtde/arguments.h"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace tiller::urrtde::check {
+
+namespace {
+
+constexpr double kTwoTurns = 4 * 3.14159265358979323846 + 0.01;
+constexpr double kJointRange = 2 * 3.14159265358979323846 + 0.1;
+constexpr double kReach = 10.0;  // no arm reaches a third of it, a millimetre value is soon above
+constexpr const char* kDegrees = "; angles are in radians, is this one in degrees?";
+constexpr const char* kMillimetres = "; lengths are in metres, is this one in millimetres?";
+
+std::string at(const std::string& name, std::size_t index) {
+    return name + "[" + std::to_string(index) + "]";
+}
+
+void finite(const std::string& name, double value) {
+    if (!std::isfinite(value)) {
+        throw std::invalid_argument(name + " is not a number");
+    }
+}
+
+void inRange(const std::string& name, double value, double lowest, double highest, const std::string& unit,
+             const char* hint) {
+    finite(name, value);
+    if (value < lowest || value > highest) {
+        std::ostringstream text;
+        text << name << " = " << value << " is outside " << lowest << " to " << highest;
+        if (!unit.empty()) {
+            text << " " << unit;
+        }
+        text << hint;
+        throw std::range_error(text.str());
+    }
+}
+
+}  // namespace
+
+void number(const char* name, double value, double lowest, double highest, const char* unit) {
+    inRange(name, value, lowest, highest, unit, "");
+}
+
+void integer(const char* name, int value, int lowest, int highest) {
+    inRange(name, value, lowest, highest, "", "");
+}
+
+void list(const std::string& name, const List& values, std::size_t size) {
+    if (values.size() != size) {
+        throw std::invalid_argument(name + " has " + std::to_string(values.size()) + " values; it needs " +
+                                    std::to_string(size));
+    }
+    for (std::size_t i = 0; i < size; ++i) {
+        finite(at(name, i), values[i]);
+    }
+}
+
+void listWithin(const std::string& name, const List& values, std::size_t size, double limit, const char* unit,
+                const char* hint) {
+    list(name, values, size);
+    for (std::size_t i = 0; i < size; ++i) {
+        inRange(at(name, i), values[i], -limit, limit, unit, hint);
+    }
+}
+
+void joints(const std::string& name, const List& q) {
+    listWithin(name, q, 6, kJointRange, "rad", kDegrees);
+}
+
+void pose(const std::string& name, const List& pose) {
+    list(name, pose, 6);
+    for (std::size_t i = 0; i < 3; ++i) {
+        inRange(at(name, i), pose[i], -kReach, kReach, "m", kMillimetres);
+        inRange(at(name, i + 3), pose[i + 3], -kTwoTurns, kTwoTurns, "rad", kDegrees);
+    }
+}
+
+void jointSpeeds(const std::string& name, const List& qd) {
+    listWithin(name, qd, 6, kMaxJointSpeed, "rad/s", kDegrees);
+}
+
+void twist(const std::string& name, const List& xd) {
+    list(name, xd, 6);
+    for (std::size_t i = 0; i < 3; ++i) {
+        inRange(at(name, i), xd[i], -kMaxToolSpeed, kMaxToolSpeed, "m/s", kMillimetres);
+        inRange(at(name, i + 3), xd[i + 3], -kMaxJointSpeed, kMaxJointSpeed, "rad/s", kDegrees);
+    }
+}
+
+void jointMove(double speed, double acceleration) {
+    inRange("speed", speed, 0, kMaxJointSpeed, "rad/s", kDegrees);
+    inRange("acceleration", acceleration, 0, kMaxJointAcceleration, "rad/s2", kDegrees);
+}
+
+void toolMove(double speed, double acceleration) {
+    inRange("speed", speed, 0, kMaxToolSpeed, "m/s", kMillimetres);
+    inRange("acceleration", acceleration, 0, kMaxToolAcceleration, "m/s2", kMillimetres);
+}
+
+void flags(const char* name, const std::vector<int>& values, std::size_t size) {
+    if (values.size() != size) {
+        throw std::invalid_argument(std::string(name) + " has " + std::to_string(values.size()) +
+                                    " values; it needs " + std::to_string(size));
+    }
+    for (std::size_t i = 0; i < size; ++i) {
+        inRange(at(name, i), values[i], 0, 1, "", "");
+    }
+}
+
+void port(const char* name, int value) {
+    integer(name, value, 1, 65535);
+}
+
+void frequency(double value) {
+    if (value != -1.0) {
+        number("frequency", value, 1, 500, "Hz");
+    }
+}
+
+}  // namespace tiller::urrtde::check

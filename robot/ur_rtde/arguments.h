@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Checks of what users pass, before anything is sent. All throw std::invalid_argument (wrong number of
+// values, not a number) or std::range_error (too small, too large), naming the argument. Private to this
+// room.
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace tiller::urrtde::check {
+
+using List = std::vector<double>;
+
+inline constexpr double kMaxJointSpeed = 6.3;          ///< [rad/s]; the fastest wrist turns with 2 pi
+inline constexpr double kMaxJointAcceleration = 40.0;  ///< [rad/s2]
+inline constexpr double kMaxToolSpeed = 5.0;           ///< [m/s]
+inline constexpr double kMaxToolAcceleration = 150.0;  ///< [m/s2]
+
+void number(const char* name, double value, double lowest, double highest, const char* unit = "");
+void integer(const char* name, int value, int lowest, int highest);
+/// A list of this many numbers, whatever they are.
+void list(const std::string& name, const List& values, std::size_t size);
+void listWithin(const std::string& name, const List& values, std::size_t size, double limit, const char* unit,
+                const char* hint = "");
+/// 6 angles within two turns and a little [rad]; a value above is probably in degrees.
+void joints(const std::string& name, const List& q);
+/// 3 lengths within 10 m and a rotation vector within two turns; values above are probably millimetres or
+/// degrees.
+void pose(const std::string& name, const List& pose);
+void jointSpeeds(const std::string& name, const List& qd);
+/// 3 speeds [m/s] and 3 rotational speeds [rad/s].
+void twist(const std::string& name, const List& xd);
+void jointMove(double speed, double acceleration);
+void toolMove(double speed, double acceleration);
+void flags(const char* name, const std::vector<int>& values, std::size_t size);
+/// A port of TCP.
+void port(const char* name, int value);
+/// -1 (as many as there are) or 1 ... 500 Hz.
+void frequency(double value);
+
+}  // namespace tiller::urrtde::check

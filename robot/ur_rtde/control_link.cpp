@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+#include "robot/ur_rtde/control_link.h"
+
+#include "robot/realtime/thread_priority.h"
+#include "robot/rtde/fields.h"
+#include "robot/ur_rtde/waiting.h"
+
+namespace tiller::urrtde {
+
+namespace {
+
+using rtde::Direction;
+using std::chrono::milliseconds;
+
+constexpr milliseconds kBeatEvery(20);       // when the data come more slowly
+constexpr milliseconds kSilenceLimit(2500);  // without data for so long the link counts as broken
+constexpr std::size_t kClearRecipe = 4;
+constexpr std::size_t kBeatRecipe = 21;
+
+/// int registers 0 ..., then double registers 0 ..., then one more field.
+struct RecipeShape {
+    int ints;
+    int doubles;
+    const char* last;
+};
+constexpr const char* kIntOne = "int 1";
+constexpr RecipeShape kRecipes[] = {
+    {1, 8, kIntOne},  {1, 11, nullptr}, {8, 18, nullptr},
+    {1, 0, nullptr},  {1, 9, nullptr},  {1, 6, nullptr},
+    {1, 4, nullptr},  {1, 1, nullptr},  {2, 0, nullptr},
+    {1, 14, nullptr}, {1, 0, nullptr},  {1, 12, nullptr},
+    {1, 8, nullptr},  {1, 14, nullptr}, {2, 0, nullptr},
+    {1, 13, nullptr}, {7, 6, nullptr},  {1, 0, "external_force_torque"},
+    {2, 7, nullptr},  {1, 1, kIntOne},
+};
+
+std::vector<rtde::InputRequest> inputRequests(int offset) {
+    std::vector<rtde::InputRequest> requests;
+    for (const RecipeShape& shape : kRecipes) {
+        rtde::InputRequest request;
+        for (int i = 0; i < shape.ints; ++i) {
+            request.names.push_back(rtde::intRegisterName(Direction::Input, offset + i));
+        }
+        for (int i = 0; i < shape.doubles; ++i) {
+            request.names.push_back(rtde::doubleRegisterName(Direction::Input, offset + i));
+        }
+        if (shape.last == kIntOne) {
+            request.names.push_back(rtde::intRegisterName(Direction::Input, offset + 1));
+        } else if (shape.last != nullptr) {
+            request.names.emplace_back(shape.last);
+            request.required = false;  // another client may feed the sensor
+        }
+        requests.push_back(std::move(request));
+    }
+    requests.push_back({{rtde::intRegisterName(Direction::Input, offset + 8),
+                         rtde::intRegisterName(Direction::Input, offset + 9)},
+                        false});
+    return requests;
+}
+
+constexpr const char* kStatusFields[] = {"robot_status_bits", "safety_status_bits", "runtime_state"};
+
+std::vector<std::string> outputNames(int offset) {
+    std::vector<std::string> names(std::begin(kStatusFields), std::end(kStatusFields));
+    for (int i = 0; i < 3; ++i) {
+        names.push_back(rtde::intRegisterName(Direction::Output, offset + i));
+    }
+    for (int i = 0; i < 6; ++i) {
+        names.push_back(rtde::doubleRegisterName(Direction::Output, offset + i));
+    }
+    return names;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<ControlLink>> ControlLink::open(const LinkOptions& options, const Deadline& deadline) {
+    rtde::ConnectionOptions wanted;
+    wanted.host = options.host;
+    wanted.request.outputs = outputNames(options.offset);
+    wanted.request.frequency = options.frequency;
+    wanted.request.inputs = inputRequests(options.offset);
+    // A controller may hold the registers of a connection that has just ended for a moment longer.
+    auto opened = rtde::Connection::open(wanted, deadline);
+    for (int attempt = 0; attempt < 20 && !opened && opened.error().code == ErrorCode::RegisterInUse;
+         ++attempt) {
+        std::this_thread::sleep_for(milliseconds(50));
+        opened = rtde::Connection::open(wanted, deadline);
+    }
+    if (!opened) {
+        return opened.error();
+    }
+    std::unique_ptr<ControlLink> link(new ControlLink(options, std::move(opened).value()));
+    if (auto found = link->findFields(); !found) {
+        return found.error();
+    }
+    // What an earlier client left in the registers must be gone before a heartbeat could revive it.
+    link->clear();
+    link->thread_ = std::thread([self = link.get()] { self->run(); });
+    return link;
+}
+
+ControlLink::ControlLink(const LinkOptions& options, std::unique_ptr<rtde::Connection> connection)
+    : options_(options), connection_(std::move(connection)), version_(connection_->version()) {}
+
+ControlLink::~ControlLink() {
+    close();
+}
+
+void ControlLink::close() {
+    quit_ = true;
+    alive_ = false;
+    wake();
+    if (thread_.joinable()) {
+        thread_.join();
+    }
+    const std::lock_guard lock(sending_);
+    connection_->close();
+}
+
+Result<void> ControlLink::findFields() {
+    const rtde::Recipe& outputs = connection_->outputs();
+    std::string missing;
+    const auto find = [&](const std::string& name) {
+        const auto index = outputs.indexOf(name);
+        if (!index) {
+            missing += (missing.empty() ? "" : ", ") + name;
+        }
+        return index.value_or(0);
+    };
+    for (std::size_t i = 0; i < status_.size(); ++i) {
+        status_[i] = find(kStatusFields[i]);
+    }
+    for (int i = 0; i < 3; ++i) {
+        ints_[static_cast<std::size_t>(i)] =
+            find(rtde::intRegisterName(Direction::Output, options_.offset + i));
+    }
+    for (int i = 0; i < 6; ++i) {
+        doubles_[static_cast<std::size_t>(i)] =
+            find(rtde::doubleRegisterName(Direction::Output, options_.offset + i));
+    }
+    if (!missing.empty()) {
+        return Error{ErrorCode::FieldUnknown,
+                     QStringLiteral("control over RTDE at %1").arg(connection_->peer()),
+                     QStringLiteral("this robot does not send %1").arg(QString::fromStdString(missing))};
+    }
+    return {};
+}
+
+void ControlLink::run() {
+    realtime::nameThread("ur_rtde-control");
+    if (options_.priority > 0) {
+        realtime::requestThreadPriority(options_.priority);
+    }
+    std::vector<double> values(connection_->outputs().size());
+    auto lastData = std::chrono::steady_clock::now();
+    while (!quit_) {
+        const auto read = connection_->readPackage(values, kBeatEvery);
+        if (read == rtde::Connection::Read::Package) {
+            lastData = std::chrono::steady_clock::now();
+            publish(values);
+        } else if (read != rtde::Connection::Read::Nothing ||
+                   std::chrono::steady_clock::now() - lastData > kSilenceLimit) {
+            break;
+        }
+        beat();
+    }
+    alive_ = false;
+    {
+        const std::lock_guard lock(sending_);
+        connection_->close();
+    }
+    { const std::lock_guard lock(mutex_); }
+    changed_.notify_all();
+}
+
+void ControlLink::publish(const std::vector<double>& values) {
+    bool done = false;
+    {
+        const std::lock_guard lock(mutex_);
+        ++state_.sequence;
+        state_.robotStatus = static_cast<std::uint32_t>(values[status_[0]]);
+        state_.safetyStatus = static_cast<std::uint32_t>(values[status_[1]]);
+        state_.runtime = static_cast<RuntimeState>(values[status_[2]]);
+        state_.answer = static_cast<int>(values[ints_[0]]);
+        state_.result = static_cast<int>(values[ints_[1]]);
+        state_.progress = static_cast<int>(values[ints_[2]]);
+        for (std::size_t i = 0; i < doubles_.size(); ++i) {
+            state_.values[i] = values[doubles_[i]];
+        }
+        done = state_.answer == 2 || !state_.isPlaying();
+    }
+    changed_.notify_all();
+    if (done && clearWhenDone_.exchange(false)) {
+        clear();
+    }
+}
+
+void ControlLink::beat() {
+    if (!connection_->inputs()[kBeatRecipe - 1].isValid()) {
+        return;  // somebody else has these registers
+    }
+    constexpr int kWrap = 1 << 30;
+    heartbeat_ = heartbeat_ % kWrap + 1;
+    const std::array<double, 2> values{static_cast<double>(heartbeat_), static_cast<double>(streams_)};
+    const std::lock_guard lock(sending_);
+    connection_->sendInputs(kBeatRecipe - 1, values);
+}
+
+LinkState ControlLink::state() const {
+    const std::lock_guard lock(mutex_);
+    return state_;
+}
+
+bool ControlLink::wait(const std::function<bool(const LinkState&)>& done,
+                       const std::function<bool(const LinkState&)>& giveUp, milliseconds atMost) {
+    constexpr milliseconds kSlice(10);
+    const auto end = std::chrono::steady_clock::now() + atMost;
+    std::unique_lock lock(mutex_);
+    while (!done(state_)) {
+        if (!alive_ || giveUp(state_) || std::chrono::steady_clock::now() >= end) {
+            return false;
+        }
+        changed_.wait_for(lock, kSlice);
+        lock.unlock();
+        throwIfInterrupted();
+        lock.lock();
+    }
+    return true;
+}
+
+bool ControlLink::send(int recipe, const std::vector<double>& values) {
+    const auto index = static_cast<std::size_t>(recipe - 1);
+    const std::lock_guard lock(sending_);
+    if (!alive_ || !connection_->inputs()[index].isValid() ||
+        connection_->inputs()[index].size() != values.size()) {
+        return false;
+    }
+    return connection_->sendInputs(index, values) == rtde::Connection::Send::Sent;
+}
+
+bool ControlLink::clear() {
+    return send(static_cast<int>(kClearRecipe), {0.0});
+}
+
+}  // namespace tiller::urrtde

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The RTDE connection of RTDEControlInterface: what the robot says about the control program, and the recipes
+// commands travel in. The registers and recipes are those that control programs written for ur_rtde use, so
+// that customised ones work too; the heartbeat is ours. Private to this room.
+
+#include <QString>
+#include <array>
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "robot/core/modes.h"
+#include "robot/core/result.h"
+#include "robot/rtde/connection.h"
+
+namespace tiller::urrtde {
+
+struct LinkOptions {
+    QString host;
+    double frequency = 0;  ///< 0: the controller's own
+    int offset = 0;        ///< of the registers: 0 or 24
+    int priority = 0;
+};
+
+/// One package of the robot.
+struct LinkState {
+    std::uint64_t sequence = 0;  ///< 0: none yet
+    std::uint32_t robotStatus = 0;
+    std::uint32_t safetyStatus = 0;
+    RuntimeState runtime = RuntimeState::Stopped;
+    int answer = 0;    ///< of the program: 1 ready, 2 done
+    int result = 0;    ///< one number
+    int progress = 0;  ///< see AsyncOperationStatus
+    std::array<double, 6> values{};
+
+    bool isPlaying() const { return runtime == RuntimeState::Playing; }
+    /// A protective or an emergency stop.
+    bool isStopped() const { return (safetyStatus & ((1U << 2) | (1U << 7))) != 0; }
+};
+
+/// Thread: one, named "ur_rtde-control", priority as in the options; started by open(), ended by close() and
+/// the destructor within 50 ms. It reads the packages, answers each with a heartbeat, and tells those who
+/// wait.
+class ControlLink {
+public:
+    /// Errors   as rtde::Connection::open; FieldUnknown when the robot has not these registers
+    static Result<std::unique_ptr<ControlLink>> open(const LinkOptions& options, const Deadline& deadline);
+    ~ControlLink();
+    ControlLink(const ControlLink&) = delete;
+    ControlLink& operator=(const ControlLink&) = delete;
+
+    // All of the following: threads any.
+
+    void close();
+    bool isAlive() const { return alive_; }
+    SoftwareVersion version() const { return version_; }
+    LinkState state() const;
+    /// Waits for a package that makes `done` true; `give_up` ends the wait too.
+    /// Returns  whether `done` was true of the last package seen
+    bool wait(const std::function<bool(const LinkState&)>& done,
+              const std::function<bool(const LinkState&)>& giveUp, std::chrono::milliseconds atMost);
+    /// Wakes those who wait, so that they ask again.
+    void wake() { changed_.notify_all(); }
+
+    /// recipe  1 ... 20; values in its order, the command first
+    /// Returns  false when the robot cannot take it
+    bool send(int recipe, const std::vector<double>& values);
+    /// Sends "no command".
+    bool clear();
+    /// Sends it as soon as the program answers "done".
+    void clearWhenDone() { clearWhenDone_ = true; }
+    /// Tells the program that what follows is a new command of a stream.
+    void countStream() { ++streams_; }
+
+private:
+    ControlLink(const LinkOptions& options, std::unique_ptr<rtde::Connection> connection);
+    Result<void> findFields();
+    void run();
+    void publish(const std::vector<double>& values);
+    void beat();
+
+    LinkOptions options_;
+    std::unique_ptr<rtde::Connection> connection_;
+    SoftwareVersion version_;
+    std::array<std::size_t, 3> status_{};
+    std::array<std::size_t, 3> ints_{};
+    std::array<std::size_t, 6> doubles_{};
+
+    std::atomic<bool> alive_{true};
+    std::atomic<bool> quit_{false};
+    std::atomic<bool> clearWhenDone_{false};
+    std::atomic<int> streams_{0};
+    int heartbeat_ = 0;
+    std::mutex sending_;
+
+    mutable std::mutex mutex_;  ///< of the state
+    std::condition_variable changed_;
+    LinkState state_;
+    std::thread thread_;
+};
+
+}  // namespace tiller::urrtde

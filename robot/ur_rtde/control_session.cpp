@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+// The life of the control program: connecting, uploading, stopping, running others in between.
+#include "robot/ur_rtde/control_session.h"
+
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "robot/ur_rtde/control_program.h"
+#include "robot/ur_rtde/waiting.h"
+
+namespace tiller::urrtde {
+
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using Face = ur_rtde::RTDEControlInterface;
+
+constexpr milliseconds kConnectTime(5000);
+constexpr milliseconds kProgramStart(5000);
+constexpr milliseconds kManualStart(60000);
+constexpr milliseconds kProgramEnd(5000);
+constexpr milliseconds kEver = std::chrono::hours(24 * 365);
+
+const auto never = [](const LinkState&) { return false; };
+const auto isPlaying = [](const LinkState& state) { return state.isPlaying(); };
+const auto hasEnded = [](const LinkState& state) {
+    return state.runtime == RuntimeState::Stopped || state.runtime == RuntimeState::Stopping;
+};
+
+// Addresses where a controller in Local is obeyed all the same: itself, and the vendor's virtual machine.
+bool isExempt(const std::string& host) {
+    return host == "localhost" || host == "127.0.0.1" || host == "192.168.56.101";
+}
+
+}  // namespace
+
+ControlSession::ControlSession(const SessionOptions& options) : options_(options) {
+    if (options_.has(Face::FLAG_USE_EXT_UR_CAP)) {
+        server_ = std::make_unique<ProgramServer>(options_.capPort);
+    }
+    connectAndStart();
+}
+
+ControlSession::~ControlSession() {
+    disconnect();
+}
+
+void ControlSession::disconnect() {
+    disconnecting_ = true;
+    if (const auto current = link()) {
+        current->close();
+    }
+    // Whoever waited has noticed by now; who is talking to a mute server keeps its socket a little longer.
+    if (const std::unique_lock turn(turn_, milliseconds(100)); turn.owns_lock()) {
+        scripts_.reset();
+        dashboard_.reset();
+    }
+    disconnecting_ = false;
+}
+
+void ControlSession::reconnect() {
+    disconnect();
+    const Turn turn = takeTurn();
+    connectAndStart();
+}
+
+bool ControlSession::isConnected() const {
+    const auto current = link();
+    return current && current->isAlive();
+}
+
+LinkState ControlSession::state() const {
+    const auto current = link();
+    return current ? current->state() : LinkState();
+}
+
+std::shared_ptr<ControlLink> ControlSession::link() const {
+    const std::lock_guard lock(linkMutex_);
+    return link_;
+}
+
+double ControlSession::controlPeriod() const {
+    const auto current = link();
+    return current ? current->version().controlPeriod() : SoftwareVersion{5, 0, 0, 0}.controlPeriod();
+}
+
+int ControlSession::offset() const {
+    return options_.has(Face::FLAG_UPPER_RANGE_REGISTERS) ? 24 : 0;
+}
+
+void ControlSession::say(const std::string& text) const {
+    if (options_.has(Face::FLAG_VERBOSE)) {
+        std::cout << "RTDEControlInterface: " << text << std::endl;
+    }
+}
+
+void ControlSession::connectAndStart() {
+    // PolyScope X has no dashboard server, and nothing below needs it.
+    dashboard_ = std::make_unique<ur_rtde::DashboardClient>(options_.host, 29999, false);
+    try {
+        dashboard_->connect();
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        say(std::string("no dashboard server: ") + error.what());
+    }
+    LinkOptions wanted;
+    wanted.host = QString::fromStdString(options_.host);
+    wanted.frequency = options_.frequency > 0 ? options_.frequency : 0;
+    wanted.offset = offset();
+    wanted.priority = options_.priority;
+    auto opened = ControlLink::open(wanted, within(kConnectTime));
+    if (!opened) {
+        raise(opened.error());
+    }
+    std::shared_ptr<ControlLink> fresh = std::move(opened).value();
+    checkRemoteControl(fresh->version());
+    {
+        const std::lock_guard lock(linkMutex_);
+        link_ = fresh;
+    }
+    if (!fresh->wait([](const LinkState& state) { return state.sequence > 0; }, never, kConnectTime)) {
+        throw std::runtime_error("RTDE at " + options_.host + " sends no data");
+    }
+    fresh->clear();
+    startProgram(*fresh);
+}
+
+void ControlSession::checkRemoteControl(const SoftwareVersion& version) {
+    const bool canTell = version.major == 5 && version.minor > 5 && dashboard_->isConnected();
+    if (!canTell || isExempt(options_.host) || options_.has(Face::FLAG_USE_EXT_UR_CAP)) {
+        return;
+    }
+    if (!dashboard_->isInRemoteControl()) {
+        throw std::logic_error("The robot at " + options_.host +
+                               " is in local control. Switch it to remote control on the pendant.");
+    }
+}
+
+void ControlSession::startProgram(ControlLink& link) {
+    if (server_) {
+        server_->setProgram(program(link.version(), {}, true));
+    }
+    if (options_.has(Face::FLAG_UPLOAD_SCRIPT) && !server_) {
+        if (isPlaying(link.state()) && !endProgram(link)) {
+            throw std::runtime_error("The program that runs on the robot cannot be stopped");
+        }
+        if (!upload(link, {}) || !awaitProgram(link, kProgramStart)) {
+            throw std::runtime_error(
+                "The control program does not run within 5 s: is the robot switched on, are its brakes "
+                "released, "
+                "and may scripts be sent to it?");
+        }
+        return;
+    }
+    if (!options_.has(Face::FLAG_NO_WAIT) && !awaitProgram(link, kManualStart)) {
+        throw std::runtime_error("No program was started on the robot within 60 s");
+    }
+}
+
+std::string ControlSession::program(const SoftwareVersion& version, const std::string& pathCode,
+                                    bool bare) const {
+    std::string text = controlProgram();
+    if (!scriptFile_.empty()) {
+        std::ifstream file(scriptFile_, std::ios::binary);
+        std::ostringstream content;
+        content << file.rdbuf();
+        if (!file) {
+            throw std::runtime_error("cannot read the script " + scriptFile_);
+        }
+        text = content.str();
+    }
+    ur_rtde::ScriptClient tool(options_.host, version.major, version.minor);
+    const std::string number = std::to_string(offset());
+    for (const auto& [place, code] : {std::pair{kOffsetPlace, "  global O = " + number + "\n"},
+                                      {kFloatOffsetPlace, number},
+                                      {kIntOffsetPlace, number},
+                                      {kPathPlace, pathCode}}) {
+        if (text.find(place) != std::string::npos) {
+            tool.setScriptInjection(place, code);
+        }
+    }
+    if (!tool.removeUnsupportedFunctions(text) || !tool.scanAndInjectAdditionalScriptCode(text)) {
+        throw std::runtime_error("The script " + scriptFile_ +
+                                 " has a version mark that cannot be understood");
+    }
+    if (bare || text.compare(0, 4, "def ") == 0) {
+        return text;
+    }
+    return "def rtde_control():\n" + text + "end\n";
+}
+
+bool ControlSession::upload(ControlLink& link, const std::string& pathCode) {
+    const std::string text = program(link.version(), pathCode, server_ != nullptr);
+    if (server_) {
+        server_->setProgram(text);
+        dashboard_->play();  // the program with the URCap's node asks again when it starts
+        return true;
+    }
+    if (!scripts_) {
+        scripts_ = std::make_unique<ur_rtde::ScriptClient>(options_.host, link.version().major,
+                                                           link.version().minor);
+    }
+    if (!scripts_->isConnected()) {
+        scripts_->connect();
+    }
+    return scripts_->sendScriptCommand(text);
+}
+
+bool ControlSession::awaitProgram(ControlLink& link, milliseconds atMost) {
+    const auto ready = [&](const LinkState& state) {
+        return state.isPlaying() && (isForeign() || server_ || state.answer == 1);
+    };
+    return link.wait(ready, never, atMost);
+}
+
+// The polite way first; the dashboard for programs that do not listen.
+bool ControlSession::endProgram(ControlLink& link) {
+    link.send(4, {static_cast<double>(CommandId::StopScript)});
+    bool ended = link.wait(hasEnded, never, milliseconds(500));
+    if (!ended && dashboard_ && dashboard_->isConnected()) {
+        try {
+            dashboard_->stop();
+        } catch (const std::logic_error& error) {
+            say(error.what());
+        }
+    }
+    ended = ended || link.wait(hasEnded, never, kProgramEnd);
+    ended = ended && link.wait([](const LinkState& s) { return s.runtime == RuntimeState::Stopped; }, never,
+                               kProgramEnd);
+    link.clear();
+    return ended;
+}
+
+bool ControlSession::reupload() {
+    const Turn turn = takeTurn();
+    const auto current = link();
+    if (!current || !current->isAlive()) {
+        return false;
+    }
+    return endProgram(*current) && upload(*current, {}) && awaitProgram(*current, kProgramStart);
+}
+
+void ControlSession::stopProgram() {
+    ++stopsWaiting_;
+    if (const auto current = link()) {
+        current->wake();
+    }
+    const Turn turn = takeTurn();
+    --stopsWaiting_;
+    if (const auto current = link(); current && current->isAlive()) {
+        endProgram(*current);
+    }
+}
+
+bool ControlSession::runCustom(const std::string& text) {
+    const Turn turn = takeTurn();
+    const auto current = link();
+    if (!current || !current->isAlive() || !endProgram(*current)) {
+        return false;
+    }
+    if (!scripts_) {
+        scripts_ = std::make_unique<ur_rtde::ScriptClient>(options_.host, current->version().major,
+                                                           current->version().minor);
+    }
+    if (!scripts_->isConnected()) {
+        scripts_->connect();
+    }
+    const bool sent = scripts_->sendScriptCommand(text);
+    const bool ran = sent && current->wait(isPlaying, never, kProgramStart) &&
+                     current->wait(
+                         hasEnded, [](const LinkState& s) { return s.isStopped(); }, kEver) &&
+                     current->wait([](const LinkState& s) { return s.runtime == RuntimeState::Stopped; },
+                                   never, kProgramEnd);
+    return upload(*current, {}) && awaitProgram(*current, kProgramStart) && ran;
+}
+
+bool ControlSession::follow(const std::string& pathCode, bool asynchronous) {
+    const Turn turn = takeTurn();
+    const auto current = link();
+    if (!current || !current->isAlive() || !endProgram(*current) || !upload(*current, pathCode) ||
+        !awaitProgram(*current, kProgramStart)) {
+        return false;
+    }
+    return performInTurn({CommandId::MovePath, 15, {asynchronous ? 1.0 : 0.0}}, true).has_value();
+}
+
+}  // namespace tiller::urrtde

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The inside of RTDEControlInterface: gets the control program to run and has it carry out commands. Private
+// to this room.
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot/ur_rtde/control_link.h"
+#include "robot/ur_rtde/dashboard_client.h"
+#include "robot/ur_rtde/program_server.h"
+#include "robot/ur_rtde/rtde_control_interface.h"
+#include "robot/ur_rtde/script_client.h"
+
+namespace tiller::urrtde {
+
+/// The numbers the control program knows.
+enum class CommandId : int {
+    MoveJ = 1,
+    MoveJIk = 2,
+    MoveL = 3,
+    MoveLFk = 4,
+    ForceMode = 6,
+    ForceModeStop = 7,
+    ZeroFtSensor = 8,
+    SpeedJ = 9,
+    SpeedL = 10,
+    ServoJ = 11,
+    ServoC = 12,
+    SpeedStop = 15,
+    ServoStop = 16,
+    SetPayload = 17,
+    TeachMode = 18,
+    EndTeachMode = 19,
+    ForceModeDamping = 20,
+    ForceModeGainScaling = 21,
+    ServoL = 24,
+    ToolContact = 25,
+    StepTime = 26,
+    JointPositionsHistory = 27,
+    TargetWaypoint = 28,
+    SetTcp = 29,
+    InverseKinematicsNear = 30,
+    ProtectiveStop = 31,
+    StopL = 33,
+    StopJ = 34,
+    SetWatchdog = 35,
+    PoseWithinLimits = 36,
+    JointsWithinLimits = 37,
+    JointTorques = 38,
+    PoseTrans = 39,
+    TcpOffset = 40,
+    JogStart = 41,
+    JogStop = 42,
+    ForwardKinematics = 43,
+    ForwardKinematicsOf = 44,
+    MovePath = 45,
+    InverseKinematics = 46,
+    IsSteady = 47,
+    MoveUntilContact = 51,
+    FreedriveMode = 52,
+    EndFreedriveMode = 53,
+    FreedriveStatus = 54,
+    ExternalForceTorque = 55,
+    FtRtdeInput = 56,
+    ExternalFtSensor = 57,
+    ToolFlangePose = 58,
+    SetGravity = 59,
+    HasSolution = 60,
+    HasSolutionNear = 61,
+    StartContactDetection = 62,
+    StopContactDetection = 63,
+    ReadContactDetection = 64,
+    StopScript = 255,
+};
+
+struct Command {
+    CommandId id;
+    int recipe;                  ///< 1 ... 20
+    std::vector<double> values;  ///< of the recipe, without the command itself
+};
+
+struct SessionOptions {
+    std::string host;
+    double frequency = -1;
+    std::uint16_t flags = 0;
+    int capPort = 0;
+    int priority = 0;
+
+    bool has(ur_rtde::RTDEControlInterface::Flags flag) const { return (flags & flag) != 0; }
+};
+
+/// Threads  any; commands wait for their turn, stops do not
+class ControlSession {
+public:
+    /// Connects and starts the program. Throws as RTDEControlInterface does.
+    explicit ControlSession(const SessionOptions& options);
+    ~ControlSession();
+
+    void disconnect();
+    void reconnect();
+    bool isConnected() const;
+    LinkState state() const;
+    double controlPeriod() const;  ///< [s]
+    /// Whether a program of the user's runs, which may know less than ours.
+    bool isForeign() const {
+        return options_.has(ur_rtde::RTDEControlInterface::FLAG_CUSTOM_SCRIPT) || !scriptFile_.empty();
+    }
+
+    /// Has a command carried out and waits until it is.
+    /// Returns  the package that said so; none when it was not, or another thread stopped it
+    std::optional<LinkState> perform(const Command& command);
+    /// As perform(), but ends what another thread waits for instead of waiting for it.
+    /// wait  false: return when it is on its way
+    bool stop(const Command& command, bool wait = true);
+    /// Sends one set point of a stream, without waiting for an answer.
+    bool stream(const Command& command);
+    /// Sends the path to the robot and follows it.
+    bool follow(const std::string& pathCode, bool asynchronous);
+    bool kickWatchdog();
+    bool protectiveStop();
+
+    bool reupload();
+    void stopProgram();
+    bool runCustom(const std::string& program);
+    void setScriptFile(const std::string& file) { scriptFile_ = file; }
+
+private:
+    using Turn = std::unique_lock<std::timed_mutex>;
+    Turn takeTurn();
+    std::shared_ptr<ControlLink> link() const;
+    bool isReady(ControlLink& link, const std::function<bool(const LinkState&)>& giveUp);
+    std::optional<LinkState> performInTurn(const Command& command, bool mayBeStopped);
+    bool endProgram(ControlLink& link);
+    bool upload(ControlLink& link, const std::string& pathCode);
+    bool awaitProgram(ControlLink& link, std::chrono::milliseconds atMost);
+    void connectAndStart();
+    void startProgram(ControlLink& link);
+    void checkRemoteControl(const SoftwareVersion& version);
+    std::string program(const SoftwareVersion& version, const std::string& pathCode, bool bare) const;
+    void say(const std::string& text) const;
+    int offset() const;
+
+    const SessionOptions options_;
+    std::string scriptFile_;
+    std::timed_mutex turn_;             ///< one command after the other
+    std::atomic<int> stopsWaiting_{0};  ///< threads that want to stop something
+    std::atomic<bool> disconnecting_{false};
+    mutable std::mutex linkMutex_;  ///< of the pointer
+    std::shared_ptr<ControlLink> link_;
+    std::unique_ptr<ur_rtde::DashboardClient> dashboard_;
+    std::unique_ptr<ur_rtde::ScriptClient> scripts_;
+    std::unique_ptr<ProgramServer> server_;
+};
+
+}  // namespace tiller::urrtde

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Moves the arm. A control program is uploaded once; commands reach it through RTDE registers.
+//
+// Functions that command something return true on success, motions unless asynchronous when they are done,
+// and false when the robot does not (program not running, protective or emergency stop, no connection).
+//
+// Arguments are checked before anything is sent: std::invalid_argument for a wrong number of values or a
+// value that is not a number, std::range_error for one out of range, both naming the argument. Angles that
+// look like degrees and lengths that look like millimetres are out of range.
+//
+// Beyond what ur_rtde does: motions without an end of their own (speed, servo, jog) end within 0.25 s when
+// this program falls silent; stopJ, stopL, stopScript and triggerProtectiveStop overtake a motion another
+// thread is waiting for; a move after servoing needs no servoStop(); a lost connection is not taken up again
+// without reconnect().
+
+// Existing programs count on some of these coming along.
+#include <ur_rtde/async_operation_status.h>
+#include <ur_rtde/dashboard_enums.h>
+#include <ur_rtde/rtde_path.h>
+#include <ur_rtde/rtde_utility.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace ur_rtde {
+
+/// Threads  any; commands are carried out one after the other.
+class RTDEControlInterface {
+public:
+    enum Flags : uint16_t {
+        FLAG_UPLOAD_SCRIPT = 0x01,   ///< upload the control program
+        FLAG_USE_EXT_UR_CAP = 0x02,  ///< hand it to the ExternalControl URCap instead, which asks for it
+        FLAG_VERBOSE = 0x04,         ///< say on standard output what is done
+        FLAG_UPPER_RANGE_REGISTERS = 0x08,  ///< use registers from 24 on
+        FLAG_NO_WAIT = 0x10,                ///< do not wait for the program to run
+        FLAG_CUSTOM_SCRIPT = 0x20,          ///< a program of the user's does what the control program does
+        FLAGS_DEFAULT = FLAG_UPLOAD_SCRIPT
+    };
+    enum RobotStatus {
+        ROBOT_STATUS_POWER_ON = 0,
+        ROBOT_STATUS_PROGRAM_RUNNING = 1,
+        ROBOT_STATUS_TEACH_BUTTON_PRESSED = 2,
+        ROBOT_STATUS_POWER_BUTTON_PRESSED = 3
+    };
+    enum SafetyStatus {
+        IS_NORMAL_MODE = 0,
+        IS_REDUCED_MODE = 1,
+        IS_PROTECTIVE_STOPPED = 2,
+        IS_RECOVERY_MODE = 3,
+        IS_SAFEGUARD_STOPPED = 4,
+        IS_SYSTEM_EMERGENCY_STOPPED = 5,
+        IS_ROBOT_EMERGENCY_STOPPED = 6,
+        IS_EMERGENCY_STOPPED = 7,
+        IS_VIOLATION = 8,
+        IS_FAULT = 9,
+        IS_STOPPED_DUE_TO_SAFETY = 10
+    };
+    enum RuntimeState { STOPPING = 0, STOPPED = 1, PLAYING = 2, PAUSING = 3, PAUSED = 4, RESUMING = 5 };
+    enum Feature { FEATURE_BASE, FEATURE_TOOL, FEATURE_CUSTOM };
+
+    /// frequency    of the data [Hz]; -1: the controller's own
+    /// ur_cap_port  where the ExternalControl URCap asks for the program
+    /// rt_priority  of the thread that receives
+    /// Throws std::runtime_error when the controller cannot be reached or the program does not start within 5
+    /// s, std::logic_error when the robot is not in remote control.
+    explicit RTDEControlInterface(std::string hostname, double frequency = -1.0,
+                                  uint16_t flags = FLAGS_DEFAULT, int ur_cap_port = 50002,
+                                  int rt_priority = RT_PRIORITY_UNDEFINED);
+    virtual ~RTDEControlInterface();
+    RTDEControlInterface(const RTDEControlInterface&) = delete;
+    RTDEControlInterface& operator=(const RTDEControlInterface&) = delete;
+
+    /// Ends the connection; the program on the robot goes on, bounded motions too (see stopScript()).
+    void disconnect();
+    bool reconnect();
+    bool isConnected();
+
+    void waitPeriod(const std::chrono::steady_clock::time_point& t_cycle_start);
+    std::chrono::steady_clock::time_point initPeriod();
+
+    // ---- the program on the robot
+    bool reuploadScript();
+    /// Runs `script` (lines of URScript) as a function of this name, then the control program again.
+    bool sendCustomScriptFunction(const std::string& function_name, const std::string& script);
+    bool sendCustomScript(const std::string& script);
+    bool sendCustomScriptFile(const std::string& file_path);
+    /// A file to use in place of the built-in control program from the next upload on; empty: the built-in
+    /// one.
+    void setCustomScriptFile(const std::string& file_path);
+    void stopScript();
+    bool isProgramRunning();
+
+    // ---- moves and their end
+    void stopL(double a = 10.0, bool asynchronous = false);
+    void stopJ(double a = 2.0, bool asynchronous = false);
+    bool moveJ(const std::vector<double>& q, double speed = 1.05, double acceleration = 1.4,
+               bool asynchronous = false);
+    /// path  rows of 9: joint positions, speed, acceleration, blend radius
+    bool moveJ(const std::vector<std::vector<double>>& path, bool asynchronous = false);
+    bool moveJ_IK(const std::vector<double>& pose, double speed = 1.05, double acceleration = 1.4,
+                  bool asynchronous = false);
+    bool moveL(const std::vector<double>& pose, double speed = 0.25, double acceleration = 1.2,
+               bool asynchronous = false);
+    /// path  rows of 9: pose, speed, acceleration, blend radius
+    bool moveL(const std::vector<std::vector<double>>& path, bool asynchronous = false);
+    bool moveL_FK(const std::vector<double>& q, double speed = 0.25, double acceleration = 1.2,
+                  bool asynchronous = false);
+    bool movePath(const Path& path, bool asynchronous = false);
+    /// Moves with speed xd until the tool touches something, then back to where it did.
+    /// direction  which contacts count, in the base frame; zeros: all
+    bool moveUntilContact(const std::vector<double>& xd,
+                          const std::vector<double>& direction = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+                          double acceleration = 0.5);
+    /// Of the last asynchronous motion: its progress while it runs, else a negative number, another one for
+    /// each.
+    int getAsyncOperationProgress();
+    AsyncOperationStatus getAsyncOperationProgressEx();
+
+    // ---- streams of set points
+    bool speedJ(const std::vector<double>& qd, double acceleration = 0.5, double time = 0.0);
+    bool speedL(const std::vector<double>& xd, double acceleration = 0.25, double time = 0.0);
+    bool speedStop(double a = 10.0);
+    /// speed, acceleration  not used by current software. lookahead_time 0.03 ... 0.2 s, gain 100 ... 2000
+    bool servoJ(const std::vector<double>& q, double speed, double acceleration, double time,
+                double lookahead_time, double gain);
+    bool servoL(const std::vector<double>& pose, double speed, double acceleration, double time,
+                double lookahead_time, double gain);
+    bool servoC(const std::vector<double>& pose, double speed = 0.25, double acceleration = 1.2,
+                double blend = 0.0);
+    bool servoStop(double a = 10.0);
+    /// speeds  [m/s, rad/s] along the axes of the feature; acc [m/s2]; custom_frame a pose in the base frame
+    bool jogStart(const std::vector<double>& speeds, int feature = FEATURE_BASE, double acc = 0.5,
+                  const std::vector<double>& custom_frame = {});
+    bool jogStop();
+
+    // ---- force and hands
+    bool forceMode(const std::vector<double>& task_frame, const std::vector<int>& selection_vector,
+                   const std::vector<double>& wrench, int type, const std::vector<double>& limits);
+    bool forceModeStop();
+    bool forceModeSetDamping(double damping);
+    bool forceModeSetGainScaling(double scaling);
+    bool zeroFtSensor();
+    bool setExternalForceTorque(const std::vector<double>& external_force_torque);
+    bool ftRtdeInputEnable(bool enable, double sensor_mass = 0.0,
+                           const std::vector<double>& sensor_measuring_offset = {0.0, 0.0, 0.0},
+                           const std::vector<double>& sensor_cog = {0.0, 0.0, 0.0});
+    bool enableExternalFtSensor(bool enable, double sensor_mass = 0.0,
+                                const std::vector<double>& sensor_measuring_offset = {0.0, 0.0, 0.0},
+                                const std::vector<double>& sensor_cog = {0.0, 0.0, 0.0});
+    bool freedriveMode(const std::vector<int>& free_axes = {1, 1, 1, 1, 1, 1},
+                       const std::vector<double>& feature = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
+    bool endFreedriveMode();
+    int getFreedriveStatus();
+    bool teachMode();
+    bool endTeachMode();
+    /// Number of controller steps back to the contact, 0 for none.
+    int toolContact(const std::vector<double>& direction);
+    bool startContactDetection(const std::vector<double>& direction = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
+    bool readContactDetection();
+    bool stopContactDetection();
+
+    // ---- settings
+    bool setPayload(double mass, const std::vector<double>& cog = {});  ///< [kg], [m]; no cog: it stays
+    bool setTcp(const std::vector<double>& tcp_offset);
+    bool setGravity(const std::vector<double>& direction);  ///< [m/s2] in the base frame
+    bool setWatchdog(double min_frequency = 10.0);
+    bool kickWatchdog();
+    bool triggerProtectiveStop();
+
+    // ---- queries; an empty list (or 0) when the robot does not answer, or there is no solution
+    double getStepTime();
+    std::vector<double> getActualJointPositionsHistory(int steps = 0);
+    std::vector<double> getTargetWaypoint();
+    std::vector<double> getInverseKinematics(const std::vector<double>& x,
+                                             const std::vector<double>& qnear = {},
+                                             double max_position_error = 1e-10,
+                                             double max_orientation_error = 1e-10);
+    bool getInverseKinematicsHasSolution(const std::vector<double>& x, const std::vector<double>& qnear = {},
+                                         double max_position_error = 1e-10,
+                                         double max_orientation_error = 1e-10);
+    std::vector<double> getForwardKinematics(const std::vector<double>& q = {},
+                                             const std::vector<double>& tcp_offset = {});
+    std::vector<double> poseTrans(const std::vector<double>& p_from, const std::vector<double>& p_from_to);
+    bool isPoseWithinSafetyLimits(const std::vector<double>& pose);
+    bool isJointsWithinSafetyLimits(const std::vector<double>& q);
+    std::vector<double> getJointTorques();
+    std::vector<double> getTCPOffset();
+    std::vector<double> getActualToolFlangePose();
+    bool isSteady();
+    uint32_t getRobotStatus();  ///< bits, see RobotStatus
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d_;
+};
+
+}  // namespace ur_rtde

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A simulated robot for programs written against the ur_rtde interface. Its time is virtual and goes on as
+// fast as the client answers: a slow machine makes the robot slow, not the client late.
+
+#include <QCoreApplication>
+#include <QString>
+#include <QTest>
+#include <atomic>
+#include <functional>
+#include <thread>
+
+#include "robot/simulator/controller.h"
+
+namespace tiller::test {
+
+inline QString ownAddress(int number = 1) {
+    const auto pid = static_cast<unsigned>(QCoreApplication::applicationPid());
+    return QStringLiteral("127.%1.%2.%3").arg(10 + pid % 200).arg((pid / 200) % 250).arg(number);
+}
+
+class FaceCell {
+public:
+    explicit FaceCell(const std::function<void(simulator::ControllerOptions&)>& adjust = {})
+        : robot(optionsOf(adjust)) {
+        if (const auto started = robot.start(); !started) {
+            qFatal("%s", qPrintable(started.error().toString()));
+        }
+        pump_ = std::thread([this] { pump(); });
+    }
+    ~FaceCell() {
+        quit_ = true;
+        pump_.join();
+        robot.stop();
+    }
+
+    std::string host() const { return robot.listenAddress().toStdString(); }
+    /// Time stands still, as a controller that has hung: what is connected stays so.
+    void freeze(bool frozen) { frozen_ = frozen; }
+    /// Waits for the robot to be so, in real time only as long as a test may hang.
+    bool until(const std::function<bool(const simulator::Truth&)>& condition) {
+        for (int i = 0; i < 30'000; ++i) {
+            if (condition(robot.truth())) {
+                return true;
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        return false;
+    }
+    /// Lets so much of the robot's time pass.
+    bool pass(double seconds) {
+        const double end = robot.truth().timestamp + seconds;
+        return until([end](const simulator::Truth& truth) { return truth.timestamp >= end; });
+    }
+
+    simulator::Controller robot;
+
+private:
+    static simulator::ControllerOptions optionsOf(
+        const std::function<void(simulator::ControllerOptions&)>& adjust) {
+        simulator::ControllerOptions options;
+        options.listenAddress = ownAddress();
+        options.time = simulator::Time::Virtual;
+        options.poweredOn = true;
+        options.fastTransitions = true;
+        if (adjust) {
+            adjust(options);
+        }
+        return options;
+    }
+
+    // A client that answers every package (the control interface does) is waited for; others get a little
+    // time.
+    void pump() {
+        bool answered = false;
+        while (!quit_) {
+            if (frozen_) {
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                continue;
+            }
+            const std::uint64_t inputs = robot.inputPackages();
+            robot.step();
+            answered = robot.waitForInputPackages(
+                inputs + 1, Deadline::after(std::chrono::milliseconds(answered ? 200 : 1)));
+        }
+    }
+
+    std::atomic<bool> quit_{false};
+    std::atomic<bool> frozen_{false};
+    std::thread pump_;
+};
+
+}  // namespace tiller::test

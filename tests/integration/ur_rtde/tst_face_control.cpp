@@ -1,0 +1,482 @@
+// SPDX-License-Identifier: MIT
+// Every function of RTDEControlInterface against the simulated robot.
+#include <ur_rtde/rtde_control_interface.h>
+
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+#include <fstream>
+#include <future>
+
+#include "tests/integration/ur_rtde/face_cell.h"
+
+using namespace tiller;
+using ur_rtde::AsyncOperationStatus;
+using ur_rtde::Path;
+using ur_rtde::PathEntry;
+using ur_rtde::RTDEControlInterface;
+using List = std::vector<double>;
+
+namespace {
+
+const List kStart{-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310};
+
+List with(List values, std::size_t index, double change) {
+    values[index] += change;
+    return values;
+}
+
+bool near(const List& a, const List& b, double tolerance = 1e-3) {
+    if (a.size() != b.size()) {
+        return false;
+    }
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (!(std::abs(a[i] - b[i]) < tolerance)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+List jointsOf(const simulator::Truth& truth) {
+    const auto q = truth.q.array();
+    return {q.begin(), q.end()};
+}
+
+List poseOf(const simulator::Truth& truth) {
+    const auto pose = truth.tcpPose.array();
+    return {pose.begin(), pose.end()};
+}
+
+// The measured speeds are noisy.
+bool stands(const simulator::Truth& truth) {
+    return truth.qd.values.cwiseAbs().maxCoeff() < 5e-3;
+}
+
+}  // namespace
+
+class TestFaceControl : public QObject {
+    Q_OBJECT
+
+private:
+    std::unique_ptr<test::FaceCell> cell_;
+    std::unique_ptr<RTDEControlInterface> control_;
+
+    List joints() const { return jointsOf(cell_->robot.truth()); }
+    List pose() const { return poseOf(cell_->robot.truth()); }
+    bool untilStanding() { return cell_->until(stands); }
+    bool untilMoving() {
+        return cell_->until([](const simulator::Truth& truth) { return !stands(truth); });
+    }
+    bool untilNotRunning() {
+        return cell_->until(
+            [](const simulator::Truth& t) { return t.runtimeState == RuntimeState::Stopped; });
+    }
+
+private Q_SLOTS:
+    void init() {
+        cell_ = std::make_unique<test::FaceCell>();
+        control_ = std::make_unique<RTDEControlInterface>(cell_->host());
+    }
+    void cleanup() {
+        control_.reset();
+        cell_.reset();
+    }
+
+    // ---- life -------------------------------------------------------------------------------------------
+
+    void connectsAndRunsTheProgram() {
+        QVERIFY(control_->isConnected());
+        QVERIFY(control_->isProgramRunning());
+        QVERIFY((control_->getRobotStatus() & (1U << RTDEControlInterface::ROBOT_STATUS_POWER_ON)) != 0);
+        control_->disconnect();
+        QVERIFY(!control_->isConnected());
+        QVERIFY(!control_->isProgramRunning());
+        QVERIFY(!control_->moveJ(kStart));
+        QVERIFY(control_->reconnect());
+        QVERIFY(control_->moveJ(with(kStart, 5, 0.1)));
+        QVERIFY(near(joints(), with(kStart, 5, 0.1)));
+    }
+
+    void upperRegistersAndAFrequencyOfItsOwn() {
+        control_.reset();
+        control_ = std::make_unique<RTDEControlInterface>(
+            cell_->host(), 125.0,
+            RTDEControlInterface::FLAG_UPLOAD_SCRIPT | RTDEControlInterface::FLAG_UPPER_RANGE_REGISTERS);
+        QVERIFY(control_->moveJ(with(kStart, 5, 0.1)));
+        QVERIFY(near(joints(), with(kStart, 5, 0.1)));
+    }
+
+    void takesOverFromAProgramThatRuns() {
+        control_.reset();  // its program runs on
+        control_ = std::make_unique<RTDEControlInterface>(cell_->host());
+        QVERIFY(control_->moveJ(with(kStart, 5, 0.1)));
+    }
+
+    void stopScriptEndsTheProgramAndReuploadBringsItBack() {
+        control_->stopScript();
+        QVERIFY(untilNotRunning());
+        QVERIFY(!control_->isProgramRunning());
+        QVERIFY(!control_->moveJ(kStart));
+        QVERIFY(control_->reuploadScript());
+        QVERIFY(control_->moveJ(with(kStart, 5, 0.1)));
+    }
+
+    void withoutUploadItUsesWhatRuns() {
+        control_->disconnect();
+        RTDEControlInterface second(cell_->host(), -1.0, RTDEControlInterface::FLAG_NO_WAIT);
+        QVERIFY(second.isConnected());
+        QVERIFY(second.moveJ(with(kStart, 5, 0.1)));
+    }
+
+    void keepsTime() {
+        const auto begin = control_->initPeriod();
+        control_->waitPeriod(begin);
+        QVERIFY(std::chrono::steady_clock::now() - begin >= std::chrono::microseconds(1999));
+    }
+
+    // ---- programs of the user ---------------------------------------------------------------------------
+
+    void customScriptsRunInBetween() {
+        QVERIFY(control_->sendCustomScriptFunction("mine", "set_standard_digital_out(1, True)\nsync()"));
+        QVERIFY((cell_->robot.truth().digitalOutputs & 2U) != 0);
+        QVERIFY(
+            control_->sendCustomScript("def other():\n  set_standard_digital_out(2, True)\n  sync()\nend\n"));
+        QVERIFY((cell_->robot.truth().digitalOutputs & 4U) != 0);
+        QTemporaryDir folder;
+        const std::string file = folder.filePath("third.script").toStdString();
+        std::ofstream(file) << "def third():\n  set_standard_digital_out(3, True)\n  sync()\nend\n";
+        QVERIFY(control_->sendCustomScriptFile(file));
+        QVERIFY((cell_->robot.truth().digitalOutputs & 8U) != 0);
+        QVERIFY(control_->moveJ(with(kStart, 5, 0.1)));  // the control program is back
+    }
+
+    // What a program customised for ur_rtde looks like, as far as the interface is concerned.
+    void aCustomProgramDoesWhatTheBuiltInOneDoes() {
+        QTemporaryDir folder;
+        const std::string file = folder.filePath("custom.script").toStdString();
+        std::ofstream(file) << R"(
+  O = 0
+  P = 0
+$5.0   P = 5
+$6.0   P = 6
+  command = 0
+  while command != 255:
+    command = read_input_integer_register(O)
+    if command == 0:
+      write_output_integer_register(O, 1)
+    elif command == 26:
+      write_output_float_register(O, P)
+      write_output_integer_register(O, 2)
+    end
+    sync()
+  end
+)";
+        control_->setCustomScriptFile(file);
+        QVERIFY(control_->reuploadScript());
+        QCOMPARE(control_->getStepTime(), 5.0);
+        control_->setCustomScriptFile("");
+        QVERIFY(control_->reuploadScript());
+        QCOMPARE(control_->getStepTime(), 0.002);
+    }
+
+    // ---- moves ------------------------------------------------------------------------------------------
+
+    void movesInJointAndToolSpace() {
+        QVERIFY(control_->moveJ(with(kStart, 0, 0.2), 1.05, 1.4));
+        QVERIFY(near(joints(), with(kStart, 0, 0.2)));
+        const List above = with(pose(), 2, 0.05);
+        QVERIFY(control_->moveL(above, 0.25, 1.2));
+        QVERIFY(near(pose(), above));
+        QVERIFY(control_->moveJ_IK(with(above, 2, -0.05)));
+        QVERIFY(near(pose(), with(above, 2, -0.05)));
+        QVERIFY(control_->moveL_FK(kStart));
+        QVERIFY(near(joints(), kStart));
+    }
+
+    void aPoseOutOfReachIsRefusedAndTheProgramLives() {
+        QVERIFY(!control_->moveJ_IK({2.5, 0, 0.3, 0, 3.1, 0}));
+        QVERIFY(control_->getInverseKinematics({2.5, 0, 0.3, 0, 3.1, 0}).empty());
+        QVERIFY(!control_->getInverseKinematicsHasSolution({2.5, 0, 0.3, 0, 3.1, 0}));
+        QVERIFY(control_->servoL({2.5, 0, 0.3, 0, 3.1, 0}, 0, 0, 0.002, 0.1, 300));
+        QVERIFY(control_->servoStop());
+        QVERIFY(near(joints(), kStart));
+        QVERIFY(control_->moveJ(kStart));
+    }
+
+    void movesOfManyWaypointsBlend() {
+        const List a = with(pose(), 2, 0.05);
+        const List b = with(a, 0, 0.05);
+        const auto row = [](List position, double speed, double acceleration, double blend) {
+            position.insert(position.end(), {speed, acceleration, blend});
+            return position;
+        };
+        QVERIFY(control_->moveL({row(a, 0.25, 1.2, 0.01), row(b, 0.25, 1.2, 0.0)}));
+        QVERIFY(near(pose(), b));
+        QVERIFY(control_->moveJ({row(with(kStart, 0, 0.1), 1, 1.4, 0.02), row(kStart, 1, 1.4, 0)}));
+        QVERIFY(near(joints(), kStart));
+
+        Path path;
+        QCOMPARE(path.size(), std::size_t(0));
+        path.addEntry({PathEntry::MoveJ, PathEntry::PositionJoints, row(with(kStart, 5, 0.2), 1, 1.4, 0)});
+        path.appendMovelPath({row(a, 0.25, 1.2, 0.01)});
+        path.addEntry({PathEntry::MoveP, PathEntry::PositionTcpPose, row(b, 0.1, 1.2, 0.01)});
+        path.appendMovejPath({row(kStart, 1, 1.4, 0)});
+        QCOMPARE(path.size(), std::size_t(4));
+        QVERIFY(control_->movePath(path));
+        QVERIFY(near(joints(), kStart));
+        QCOMPARE(path.waypoints().size(), std::size_t(4));
+        path.clear();
+        QCOMPARE(path.size(), std::size_t(0));
+        QVERIFY_EXCEPTION_THROWN(control_->movePath(path), std::invalid_argument);
+    }
+
+    void asynchronousMotionTellsItsProgress() {
+        QVERIFY(control_->getAsyncOperationProgress() < 0);
+        const auto row = [](List position, double blend) {
+            position.insert(position.end(), {0.5, 1.4, blend});
+            return position;
+        };
+        Path path;
+        path.appendMovejPath({row(with(kStart, 0, 0.3), 0), row(with(kStart, 0, 0.6), 0), row(kStart, 0)});
+        QVERIFY(control_->movePath(path, true));
+        int last = -1;
+        bool rising = true;
+        const bool ended = cell_->until([&](const simulator::Truth&) {
+            const AsyncOperationStatus status = control_->getAsyncOperationProgressEx();
+            if (status.isAsyncOperationRunning()) {
+                rising = rising && status.progress() >= last;
+                last = status.progress();
+            }
+            return last >= 0 && !status.isAsyncOperationRunning();
+        });
+        QVERIFY(ended);
+        QVERIFY(rising);
+        QCOMPARE(last, 2);
+        const int first = control_->getAsyncOperationProgress();
+        QVERIFY(first < 0);
+        QVERIFY(near(joints(), kStart));
+
+        QVERIFY(control_->moveJ(with(kStart, 0, 0.3), 0.5, 1.4, true));
+        QVERIFY(cell_->until(
+            [&](const simulator::Truth&) { return control_->getAsyncOperationProgress() >= 0; }));
+        QVERIFY(
+            cell_->until([&](const simulator::Truth&) { return control_->getAsyncOperationProgress() < 0; }));
+        QVERIFY(control_->getAsyncOperationProgress() != first);
+    }
+
+    void stopsEndAnAsynchronousMove() {
+        QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.5, 1.4, true));
+        QVERIFY(untilMoving());
+        control_->stopJ(2.0);
+        QVERIFY(untilStanding());
+        QVERIFY(joints()[0] < kStart[0] + 0.9);
+        QVERIFY(control_->moveL(with(pose(), 2, 0.3), 0.05, 0.5, true));
+        QVERIFY(untilMoving());
+        control_->stopL(5.0, true);
+        QVERIFY(untilStanding());
+        QVERIFY(control_->moveJ(kStart));
+    }
+
+    void aStopOvertakesAMoveAnotherThreadWaitsFor() {
+        auto waiting =
+            std::async(std::launch::async, [&] { return control_->moveJ(with(kStart, 0, 1.0), 0.02, 1.4); });
+        QVERIFY(untilMoving());
+        control_->stopJ(4.0);
+        QVERIFY(!waiting.get());
+        QVERIFY(untilStanding());
+        QVERIFY(joints()[0] < kStart[0] + 0.9);
+        QVERIFY(control_->moveJ(kStart));
+    }
+
+    // ---- streams ----------------------------------------------------------------------------------------
+
+    void speedsAreHeldUntilStopped() {
+        QVERIFY(control_->speedJ({0, 0, 0, 0, 0, 0.3}, 2.0));
+        QVERIFY(untilMoving());
+        QVERIFY(cell_->pass(0.5));
+        QVERIFY(control_->speedStop());
+        QVERIFY(untilStanding());
+        QVERIFY(joints()[5] > kStart[5] + 0.05);
+        const double z = pose()[2];
+        QVERIFY(control_->speedL({0, 0, 0.05, 0, 0, 0}, 1.0, 0.1));
+        QVERIFY(cell_->until([&](const simulator::Truth& t) { return t.tcpPose.position.z() > z + 0.02; }));
+        QVERIFY(control_->speedStop(5.0));
+        QVERIFY(untilStanding());
+    }
+
+    void servoFollowsAndAMoveMayFollowAtOnce() {
+        const List target = with(kStart, 5, 0.2);
+        QVERIFY(cell_->until([&](const simulator::Truth& t) {
+            return !control_->servoJ(target, 0.5, 0.5, 0.002, 0.1, 300) || near(jointsOf(t), target, 5e-3);
+        }));
+        QVERIFY(near(joints(), target, 5e-3));
+        QVERIFY(control_->moveJ(kStart));  // no servoStop() needed
+        QVERIFY(near(joints(), kStart));
+        const List above = with(pose(), 2, 0.02);
+        QVERIFY(cell_->until([&](const simulator::Truth& t) {
+            return !control_->servoL(above, 0.5, 0.5, 0.002, 0.1, 300) || near(poseOf(t), above, 5e-3);
+        }));
+        QVERIFY(control_->servoStop(5.0));
+        QVERIFY(near(pose(), above, 1e-2));
+        const List higher = with(above, 2, 0.03);
+        QVERIFY(control_->servoC(higher, 0.1, 1.0, 0.0));
+        QVERIFY(control_->servoC(higher, 0.1, 1.0, 0.0));  // one after the other, and none hangs
+        QVERIFY(cell_->until([&](const simulator::Truth& t) { return near(poseOf(t), higher, 5e-3); }));
+        QVERIFY(control_->servoStop());
+    }
+
+    void jogsInEveryFrame() {
+        for (const auto& [feature, frame] :
+             {std::pair{RTDEControlInterface::FEATURE_BASE, List{}},
+              std::pair{RTDEControlInterface::FEATURE_TOOL, List{}},
+              std::pair{RTDEControlInterface::FEATURE_CUSTOM, List{0, 0, 0, 3.14159265, 0, 0}}}) {
+            QVERIFY(control_->moveJ(kStart));
+            const double z = pose()[2];
+            QVERIFY(control_->jogStart({0, 0, 0.05, 0, 0, 0}, feature, 0.5, frame));
+            QVERIFY(untilMoving());
+            QVERIFY(cell_->pass(0.4));
+            QVERIFY(control_->jogStop());
+            QVERIFY(untilStanding());
+            // The tool of the start pose looks down, and so does the custom frame.
+            const bool up = feature == RTDEControlInterface::FEATURE_BASE;
+            QVERIFY2(up ? pose()[2] > z + 0.01 : pose()[2] < z - 0.01,
+                     qPrintable(QString::number(pose()[2] - z)));
+        }
+    }
+
+    // A client that is there no more leaves nothing behind that moves without an end.
+    void streamsEndWhenTheClientFallsSilent() {
+        QVERIFY(control_->speedJ({0, 0, 0, 0, 0, 0.2}, 2.0));
+        QVERIFY(untilMoving());
+        control_->disconnect();
+        QVERIFY(untilStanding());
+        QVERIFY(cell_->pass(0.5));
+        QVERIFY(stands(cell_->robot.truth()));
+        QVERIFY(control_->reconnect());
+        QVERIFY(stands(cell_->robot.truth()));
+        QVERIFY(control_->moveJ(kStart));
+    }
+
+    // ---- force, hands, contact --------------------------------------------------------------------------
+
+    void forceModeBeginsAndEnds() {
+        QVERIFY(control_->zeroFtSensor());
+        QVERIFY(control_->forceModeSetDamping(0.1));
+        QVERIFY(control_->forceModeSetGainScaling(0.5));
+        const double z = pose()[2];
+        const List limits{2, 2, 1.5, 1, 1, 1};
+        QVERIFY(cell_->until([&](const simulator::Truth& t) {
+            return !control_->forceMode({0, 0, 0, 0, 0, 0}, {0, 0, 1, 0, 0, 0}, {0, 0, -10, 0, 0, 0}, 2,
+                                        limits) ||
+                   t.tcpPose.position.z() < z - 0.005;
+        }));
+        QVERIFY(pose()[2] < z - 0.004);
+        QVERIFY(control_->forceModeStop());
+        QVERIFY(untilStanding());
+        QVERIFY(control_->moveJ(kStart));
+    }
+
+    void externalSensorIsAccepted() {
+        QVERIFY(control_->setExternalForceTorque({0, 0, 1, 0, 0, 0}));
+        QVERIFY(control_->enableExternalFtSensor(true, 0.5, {0, 0, 0.05}, {0, 0, 0.02}));
+        QVERIFY(control_->enableExternalFtSensor(false));
+        QVERIFY(control_->ftRtdeInputEnable(true, 0.5));
+        QVERIFY(control_->ftRtdeInputEnable(false));
+    }
+
+    void handsGuideTheArm() {
+        QVERIFY(control_->freedriveMode());
+        QCOMPARE(control_->getFreedriveStatus(), 0);
+        QVERIFY(control_->freedriveMode({1, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}));
+        const double x = pose()[0];
+        cell_->robot.pressHand(Wrench::fromVector((Vector6() << 40, 0, 0, 0, 0, 0).finished()));
+        QVERIFY(cell_->until([&](const simulator::Truth& t) { return t.tcpPose.position.x() > x + 0.01; }));
+        cell_->robot.pressHand(Wrench());
+        QVERIFY(control_->endFreedriveMode());
+        QVERIFY(control_->teachMode());
+        QVERIFY(control_->endTeachMode());
+        QVERIFY(control_->moveJ(kStart));  // it obeys again
+    }
+
+    void contactsAreSeen() {
+        QCOMPARE(control_->toolContact({0, 0, 0, 0, 0, 0}), 0);
+        QVERIFY(control_->startContactDetection());
+        QVERIFY(!control_->readContactDetection());
+        QVERIFY(control_->moveL(with(pose(), 2, -0.3), 0.05, 0.5, true));
+        QVERIFY(untilMoving());
+        cell_->robot.pressHand(Wrench::fromVector((Vector6() << 0, 0, 150, 0, 0, 0).finished()));
+        QVERIFY(cell_->until([&](const simulator::Truth&) { return control_->readContactDetection(); }));
+        cell_->robot.pressHand(Wrench());
+        QVERIFY(control_->stopContactDetection());
+        QVERIFY(untilStanding());
+
+        const double z = pose()[2];
+        auto moving = std::async(std::launch::async, [&] {
+            return control_->moveUntilContact({0, 0, -0.05, 0, 0, 0});
+        });
+        QVERIFY(cell_->until([&](const simulator::Truth& t) { return t.tcpPose.position.z() < z - 0.01; }));
+        cell_->robot.pressHand(Wrench::fromVector((Vector6() << 0, 0, 150, 0, 0, 0).finished()));
+        QVERIFY(moving.get());
+        cell_->robot.pressHand(Wrench());
+        QVERIFY(untilStanding());
+    }
+
+    // ---- settings and questions -------------------------------------------------------------------------
+
+    void settingsReachTheRobot() {
+        QVERIFY(control_->setPayload(1.5));
+        QVERIFY(control_->setPayload(1.5, {0, 0, 0.05}));
+        QVERIFY(control_->setGravity({0, 0, 9.82}));
+        const List offset{0, 0, 0.1, 0, 0, 0};
+        QVERIFY(control_->setTcp(offset));
+        QVERIFY(near(control_->getTCPOffset(), offset, 1e-9));
+        QVERIFY(!near(control_->getActualToolFlangePose(), pose(), 1e-2));
+        QVERIFY(control_->setTcp({0, 0, 0, 0, 0, 0}));
+        QVERIFY(near(control_->getActualToolFlangePose(), pose()));
+    }
+
+    void questionsAreAnswered() {
+        QCOMPARE(control_->getStepTime(), 0.002);
+        QVERIFY(near(control_->getActualJointPositionsHistory(), joints()));
+        QVERIFY(near(control_->getActualJointPositionsHistory(5), joints()));
+        QVERIFY(near(control_->getTargetWaypoint(), pose()));
+        QVERIFY(near(control_->getForwardKinematics(), pose()));
+        QVERIFY(near(control_->getForwardKinematics(kStart), pose()));
+        QVERIFY(!near(control_->getForwardKinematics(kStart, {0, 0, 0.1, 0, 0, 0}), pose(), 1e-2));
+        QVERIFY(near(control_->getInverseKinematics(pose()), joints()));
+        QVERIFY(near(control_->getInverseKinematics(pose(), kStart), joints()));
+        QVERIFY(control_->getInverseKinematicsHasSolution(pose()));
+        QVERIFY(control_->getInverseKinematicsHasSolution(pose(), kStart, 1e-10, 1e-10));
+        QVERIFY(near(control_->poseTrans({1, 0, 0, 0, 0, 0}, {0, 2, 0, 0, 0, 0}), {1, 2, 0, 0, 0, 0}, 1e-9));
+        QVERIFY(control_->isPoseWithinSafetyLimits(pose()));
+        QVERIFY(!control_->isPoseWithinSafetyLimits({3, 0, 0, 0, 0, 0}));
+        QVERIFY(control_->isJointsWithinSafetyLimits(kStart));
+        QVERIFY(!control_->isJointsWithinSafetyLimits({7, 0, 0, 0, 0, 0}));
+        QCOMPARE(control_->getJointTorques().size(), std::size_t(6));
+        QVERIFY(cell_->until([&](const simulator::Truth&) { return control_->isSteady(); }));
+    }
+
+    void watchdogStopsTheProgramWithoutKicks() {
+        QVERIFY(control_->setWatchdog(10));
+        for (int i = 0; i < 10; ++i) {
+            QVERIFY(control_->kickWatchdog());
+            QVERIFY(cell_->pass(0.02));
+        }
+        QVERIFY(control_->isProgramRunning());
+        QVERIFY(untilNotRunning());
+        QVERIFY(!control_->moveJ(kStart));
+    }
+
+    void protectiveStopEndsWhatIsUnderWay() {
+        QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.2, 1.4, true));
+        QVERIFY(untilMoving());
+        QVERIFY(control_->triggerProtectiveStop());
+        QVERIFY(untilStanding());
+        QCOMPARE(cell_->robot.truth().safetyMode, SafetyMode::ProtectiveStop);
+        QVERIFY(!control_->moveJ(kStart));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestFaceControl)
+#include "tst_face_control.moc"
