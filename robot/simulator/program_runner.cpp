@@ -109,6 +109,7 @@ void ProgramRunner::startMain(std::shared_ptr<const Program> program) {
     main_ = std::make_unique<Interpreter>(std::move(program), host_, limits);
     ended_ = false;
     state_ = RuntimeState::Playing;
+    ++starts_;
     plant_.publish(primary::key(plant_.timestampNs(), primary::kProgramStarted, name_));
 }
 

@@ -55,6 +55,10 @@ public:
     /// The main program came from a program file, not over a socket.
     bool isFileProgram() const { return isActive() && fromFile_; }
     std::uint32_t currentLine() const;
+    /// The main program; null when none runs.
+    const urscript::Interpreter* mainProgram() const { return ended_ ? nullptr : main_.get(); }
+    /// Main programs started so far.
+    std::uint64_t starts() const { return starts_; }
     /// Of the main program; null when none runs.
     urscript::InterpreterMode* interpreterMode() { return main_ && !ended_ ? &main_->mode() : nullptr; }
 
@@ -89,6 +93,7 @@ private:
     std::string name_;  ///< of the main program
     RuntimeState state_ = RuntimeState::Stopped;
     double stopping_ = 0;  ///< [s] in STOPPING
+    std::uint64_t starts_ = 0;
     bool fromFile_ = false;
     bool ended_ = false;  ///< the main body ended; told in the next period
     bool runningSecondary_ = false;

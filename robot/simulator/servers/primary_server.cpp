@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "robot/simulator/servers/primary_server.h"
 
+#include <utility>
+
 #include "robot/simulator/plant.h"
+#include "robot/simulator/program_runner.h"
 #include "robot/simulator/servers/primary_state.h"
+#include "robot/simulator/servers/primary_variables.h"
 
 namespace tiller::simulator {
 
@@ -49,6 +53,37 @@ void PrimaryServer::publish() {
         client->peer.send(client->knows == identity ? later : first);
         client->knows = identity;
     }
+    if (messages_) {
+        publishVariables();
+    }
+}
+
+void PrimaryServer::publishVariables() {
+    const urscript::Interpreter* program = plant_.programs().mainProgram();
+    if (program == nullptr) {
+        return;
+    }
+    const primary::VariableBodies variables = primary::variablesOf(*program);
+    const bool changed = variables.values != lastValues_;
+    for (const auto& client : clients_) {
+        if (client->peer.pending() > 0) {
+            continue;
+        }
+        const auto tell = [&](const std::vector<primary::Bytes>& bodies) {
+            for (const primary::Bytes& body : bodies) {
+                client->peer.send(primary::variablePackage(plant_.timestampNs(), body));
+            }
+        };
+        const bool isNew =
+            std::exchange(client->program, plant_.programs().starts()) != plant_.programs().starts();
+        if (isNew) {
+            tell(variables.names);
+        }
+        if (isNew || changed) {
+            tell(variables.values);
+        }
+    }
+    lastValues_ = variables.values;
 }
 
 void PrimaryServer::sendMessage(const primary::Bytes& message) {

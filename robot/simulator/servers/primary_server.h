@@ -29,10 +29,14 @@ private:
             : peer(descriptor, 64 * 1024), intake(mayWrite) {}
         Peer peer;
         ScriptIntake intake;
-        std::uint64_t knows = 0;  ///< the identity whose KinematicsInfo and ConfigurationData it has had
+        std::uint64_t program = 0;  ///< whose variables it has been told
+        std::uint64_t knows = 0;    ///< the identity whose KinematicsInfo and ConfigurationData it has had
     };
 
+    void publishVariables();
+
     Plant& plant_;
+    std::vector<primary::Bytes> lastValues_;
     bool messages_;
     bool acceptsScripts_;
     double nextState_ = 0;  ///< [s] since the plant was made

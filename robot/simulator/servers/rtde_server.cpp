@@ -23,12 +23,25 @@ void RtdeServer::service() {
         clients_.push_back(std::make_unique<Client>(descriptor, ++lastId_));
         clients_.back()->peer.attach(link());
         ++connected_;
+        greet(*clients_.back());
     }
     for (const auto& client : clients_) {
         read(*client);
         client->peer.flush();
     }
     removeGone();
+}
+
+void RtdeServer::greet(Client& client) {
+    // The only text that comes unasked, and only from a PolyScope X whose safety configuration waits for
+    // somebody: there are clients that take whatever comes first for their answer.
+    if (plant_.options().software.isPolyScopeX() && plant_.power().mode() == RobotMode::ConfirmSafety) {
+        reply_.clear();
+        rtde::writeControllerText(
+            reply_, client.protocol,
+            {rtde::TextLevel::Warning, "SafetySetup has not been confirmed yet", "Controller"});
+        reply(client);
+    }
 }
 
 void RtdeServer::removeGone() {

@@ -11,6 +11,7 @@
 //   means 1 Hz.
 // - A setup while started replaces the recipe from the next package on; an invalid one stops the stream.
 // - START without a valid output recipe is refused, PAUSE always accepted.
+// - PolyScope X tells new clients that its safety configuration has not been confirmed, while that is so.
 
 #include <QStringList>
 #include <atomic>
@@ -61,6 +62,7 @@ private:
         std::vector<InputRecipe> inputs;  ///< index + 1 is the recipe id
     };
 
+    void greet(Client& client);
     void read(Client& client);
     void handle(Client& client, const rtde::PackageView& package);
     void onProtocol(Client& client, rtde::ByteView payload);

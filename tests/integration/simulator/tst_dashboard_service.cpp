@@ -17,6 +17,26 @@ simulator::ControllerOptions poweredOff() {
     return options;
 }
 
+/// As the pendant saves its files: qCompress() gives the same deflated bytes in another frame.
+QByteArray gzipped(const QByteArray& content) {
+    quint32 sum = ~quint32(0);
+    for (const char c : content) {
+        sum ^= static_cast<unsigned char>(c);
+        for (int i = 0; i < 8; ++i) {
+            sum = (sum >> 1) ^ ((sum & 1U) != 0 ? 0xEDB88320U : 0U);
+        }
+    }
+    const QByteArray zlib = qCompress(content);
+    QByteArray gzip("\x1f\x8b\x08\0\0\0\0\0\0\xff", 10);
+    gzip += zlib.mid(6, zlib.size() - 10);
+    for (const quint32 word : {~sum, quint32(content.size())}) {
+        for (int i = 0; i < 4; ++i) {
+            gzip += static_cast<char>((word >> (8 * i)) & 0xFF);
+        }
+    }
+    return gzip;
+}
+
 /// A robot ready to play wait_program.urp, which never ends.
 struct Played {
     static simulator::ControllerOptions options(const QString& folder) {
@@ -223,6 +243,135 @@ private Q_SLOTS:
         QCOMPARE(cell.dashboard.line(), QByteArray("Starting program\n"));
         cell.robot.controller.step(50);
         QCOMPARE(cell.dashboard.ask("programState"), QByteArray("PLAYING wait_program.urp\n"));
+    }
+
+    void commandsExistFromTheirVersionOn_data() {
+        QTest::addColumn<int>("major");
+        QTest::addColumn<int>("minor");
+        QTest::addColumn<QByteArray>("command");
+        QTest::addColumn<bool>("exists");
+        const auto row = [](int major, int minor, const char* command, bool exists) {
+            QTest::addRow("%s in %d.%d", command, major, minor)
+                << major << minor << QByteArray(command) << exists;
+        };
+        row(5, 3, "safetystatus", false);
+        row(5, 4, "safetystatus", true);
+        row(3, 10, "safetystatus", false);
+        row(3, 11, "safetystatus", true);
+        row(5, 5, "get serial number", false);
+        row(5, 6, "get serial number", true);
+        row(3, 12, "get robot model", true);
+        row(3, 11, "get robot model", false);
+        row(5, 5, "is in remote control", false);
+        row(5, 6, "is in remote control", true);
+        row(3, 15, "is in remote control", false);
+        row(5, 0, "set operational mode manual", true);
+        row(3, 15, "set operational mode manual", false);
+        row(5, 5, "get operational mode", false);
+        row(5, 7, "generate flight report", false);
+        row(5, 8, "generate flight report", true);
+        row(3, 13, "generate flight report", true);
+        row(5, 8, "saveLog", true);
+        row(3, 12, "saveLog", false);
+        row(3, 6, "restart safety", false);
+        row(3, 7, "restart safety", true);
+        row(5, 0, "restart safety", false);
+        row(5, 1, "restart safety", true);
+        row(3, 15, "getUserRole", true);
+        row(5, 22, "getUserRole", false);
+        row(3, 15, "version", false);
+        row(5, 0, "version", true);
+    }
+    void commandsExistFromTheirVersionOn() {
+        QFETCH(int, major);
+        QFETCH(int, minor);
+        QFETCH(QByteArray, command);
+        QFETCH(bool, exists);
+        auto options = VirtualRobot::options();
+        options.software = {quint32(major), quint32(minor), 0, 0};
+        options.model = major == 3 ? RobotModelId::UR5 : RobotModelId::UR5e;
+        VirtualRobot robot(options);
+        const QByteArray reply = robot.dashboard().ask(command);
+        QVERIFY2(reply.startsWith("could not understand") != exists, reply);
+    }
+
+    void aProgramOfThePendantIsReadFromItsFile() {
+        QTemporaryDir folder;
+        const auto write = [&folder](const char* name, const QByteArray& content) {
+            QFile file(folder.filePath(name));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(content);
+        };
+        const QByteArray head =
+            "<?xml version=\"1.0\"?><URProgram name=\"p\" "
+            "installation=\"default\"><children><MainProgram><children>";
+        const QByteArray tail = "</children></MainProgram></children></URProgram>";
+        const QByteArray nodes =
+            "<Comment comment=\"first\"/><Script type=\"Line\"><expression><ExpressionChar character=\"x\"/>"
+            "<ExpressionChar character=\"=\"/><ExpressionChar character=\"1\"/></expression></Script>"
+            "<Folder name=\"f\"><children><Script type=\"File\"><cachedContents>set_digital_out(2, "
+            "True)\n</cachedContents>"
+            "</Script></children></Folder><Loop type=\"Counting\" count=\"3\"><children><Wait type=\"Sleep\">"
+            "<waitTime>0.1</waitTime></Wait></children></Loop><Move motionType=\"MoveJ\" speed=\"1\" "
+            "acceleration=\"2\">"
+            "<children><Waypoint type=\"Fixed\" name=\"w\"><position><JointAngles angles=\"-1.5, -1.7, -2.2, "
+            "-0.8, 1.6, 0\"/>"
+            "</position></Waypoint></children></Move>";
+        write("nodes.urp", gzipped(head + nodes + tail));
+        write("unknown.urp", gzipped(head + "<Palletizing/>" + tail));
+        write("broken.urp", gzipped(head + nodes).chopped(20));
+        write("beside.urp", gzipped(head + "<Palletizing/>" + tail));
+        write("beside.script", "def beside():\n  set_digital_out(5, True)\nend\n");
+        auto options = VirtualRobot::options();
+        options.programsFolder = folder.path();
+        VirtualRobot robot(options);
+        RawDashboard dashboard = robot.dashboard();
+        QCOMPARE(dashboard.ask("load unknown.urp"), QByteArray("Error while loading program: unknown.urp\n"));
+        QCOMPARE(dashboard.ask("load broken.urp"), QByteArray("Error while loading program: broken.urp\n"));
+        QCOMPARE(dashboard.ask("get loaded program"), QByteArray("No program loaded\n"));
+        QCOMPARE(dashboard.ask("load \"nodes.urp\""), QByteArray("Loading program: \"nodes.urp\"\n"));
+        const double begin = robot.controller.truth().timestamp;
+        QCOMPARE(dashboard.ask("play"), QByteArray("Starting program\n"));
+        robot.controller.step(5);
+        QCOMPARE(dashboard.ask("programState"), QByteArray("PLAYING nodes.urp\n"));
+        QVERIFY(robot.stepUntil([&] { return robot.programState() == RuntimeState::Stopped; }, 10));
+        QCOMPARE(robot.controller.truth().digitalOutputs, quint64(1) << 2);
+        QVERIFY(robot.controller.truth().timestamp - begin > 0.3);
+        QVERIFY(std::abs(robot.controller.truth().q[0] - -1.5) < 1e-3);
+        QCOMPARE(dashboard.ask("load beside.urp"), QByteArray("Loading program: beside.urp\n"));
+        dashboard.ask("play");
+        robot.controller.step(10);
+        QCOMPARE(robot.controller.truth().digitalOutputs, (quint64(1) << 2) | (quint64(1) << 5));
+    }
+
+    void anInstallationIsLoadedAndTakesThePower() {
+        Played cell;
+        QFile file(cell.folder.filePath("default.installation"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("x");
+        file.close();
+        QCOMPARE(cell.dashboard.ask("load installation default.installation"),
+                 QByteArray("Loading installation: default.installation\n"));
+        QVERIFY(reaches(cell.robot, cell.dashboard, "POWER_OFF"));
+        QCOMPARE(cell.dashboard.ask("load installation none"), QByteArray("File not found: none\n"));
+    }
+
+    void reportsAreGenerated() {
+        Played cell;
+        QCOMPARE(cell.dashboard.ask("generate flight report system"),
+                 QByteArray("Flight Report generated with id:1\n"));
+        QVERIFY(cell.dashboard.ask("generate flight report").startsWith("Error"));  // too soon
+        cell.robot.controller.stepSeconds(30);
+        QCOMPARE(cell.dashboard.ask("generate flight report"),
+                 QByteArray("Flight Report generated with id:2\n"));
+        QVERIFY(cell.dashboard.ask("generate flight report weather").startsWith("Error"));
+        const QByteArray made = cell.dashboard.ask("generate support file .");
+        QVERIFY2(made.startsWith("Completed successfully:ur_20"), made);
+        QFile zip(cell.folder.filePath(QString::fromUtf8(made.mid(23)).trimmed()));
+        QVERIFY(zip.open(QIODevice::ReadOnly));
+        QVERIFY(zip.readAll().startsWith("PK\x03\x04"));
+        QVERIFY(cell.dashboard.ask("generate support file ../..").startsWith("Error:"));
+        QVERIFY(cell.dashboard.ask("generate support file nowhere").startsWith("Error:"));
     }
 
     void stopEndsAProgramSentOverASocket() {

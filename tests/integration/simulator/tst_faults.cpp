@@ -331,6 +331,24 @@ private Q_SLOTS:
         QCOMPARE(robot.controller.truth().robotMode, RobotMode::PowerOff);
     }
 
+    void polyScopeXTellsNewClientsThatItsSafetyIsUnconfirmed() {
+        auto options = VirtualRobot::options();
+        options.software = {10, 12, 0, 0};
+        VirtualRobot robot(options);
+        {
+            RawRtde quiet = robot.rtde();
+            QCOMPARE(quiet.request('V', bigEndian(quint16(2))).type, 'V');
+        }
+        inject(robot, "restart 1 unconfirmed");
+        robot.controller.stepSeconds(2);
+        RawRtde rtde = robot.rtde();
+        const RawRtde::Package text = rtde.request('V', bigEndian(quint16(2)));
+        QCOMPARE(text.type, 'M');
+        QCOMPARE(text.payload[0], char(2));  // a fresh connection speaks version 1: level, then text
+        QVERIFY(text.payload.contains("SafetySetup has not been confirmed yet"));
+        QCOMPARE(rtde.next().type, 'V');
+    }
+
     void aJointNearItsLimitStopsAMoveThatPassesIt() {
         VirtualRobot robot;
         inject(robot, "joint-near-limit 6 2");

@@ -379,6 +379,50 @@ private Q_SLOTS:
         QCOMPARE(run(robot, remote, "def p():\n  sleep(1)\nend\n", 0.2).keys, QByteArrayList{"STARTED p"});
     }
 
+    void newerSoftwareAddsToTheState() {
+        VirtualRobot robot;
+        RawPrimary primary = robot.primary();
+        primary.next();
+        robot.controller.stepSeconds(0.21);
+        const auto parts = partsOf(primary.next());
+        QCOMPARE(parts[6].size(), 449);
+        QCOMPARE(parts[13].size(), 7);
+    }
+
+    void theProgramsVariablesAreToldOnceAndWhenTheyChange() {
+        VirtualRobot robot;
+        RawPrimary primary = robot.primary();
+        primary.send(
+            "def p():\n  global n = 1\n  global where = p[1,0,0,0,0,0]\n  global words = \"hi\"\n"
+            "  global all = [True, False]\n  sleep(0.5)\n  n = 7\n  sleep(100)\nend\n");
+        robot.controller.drainSockets();
+        const auto variables = [&] {
+            QList<QByteArray> found;
+            for (const QByteArray& package : primary.packages()) {
+                if (package[4] == 25) {
+                    found << package.mid(13);
+                }
+            }
+            return found;
+        };
+        robot.controller.stepSeconds(0.4);
+        const QList<QByteArray> first = variables();
+        QVERIFY(first.size() >= 2);
+        QCOMPARE(first[0], QByteArray("\0\0\0", 3) + "n\nwhere\nwords\nall\n");
+        QByteArray expected("\1\0\0", 3);
+        expected += QByteArray("\5\0\0\0\1", 5);
+        expected += QByteArray("\3\x3f\x80\0\0", 5) + QByteArray(20, '\0');
+        expected += QByteArray("\1\0\2hi", 5);
+        expected += QByteArray("\2\0\2\4\1\4\0", 7);
+        QCOMPARE(first.back(), expected);
+        robot.controller.stepSeconds(0.5);
+        const QList<QByteArray> changed = variables();
+        QCOMPARE(changed.size(), qsizetype(1));
+        QCOMPARE(changed[0].mid(3, 5), QByteArray("\5\0\0\0\7", 5));
+        robot.controller.stepSeconds(0.5);
+        QVERIFY(variables().isEmpty());
+    }
+
     void theRealtimeRecordHasTheSizeOfItsSoftware_data() {
         QTest::addColumn<int>("major");
         QTest::addColumn<int>("minor");

@@ -484,6 +484,10 @@ int main(int argc, char** argv) {
     take("--inputs", inputCount);
     take("--seconds", churnSeconds);
     take("--seed", seed);
+    if (!qEnvironmentVariableIsSet("QTEST_FUNCTION_TIMEOUT")) {
+        // Qt Test ends what takes longer than five minutes.
+        qputenv("QTEST_FUNCTION_TIMEOUT", QByteArray::number((qint64(churnSeconds) + 3600) * 1000));
+    }
     TestServerEndurance test;
     return QTest::qExec(&test, arguments);
 }

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The global variables of the running program as primary clients get them, package type 25: the names once,
+// the values as they change. Source: client interface manual; where its layouts are not confirmed (matrices,
+// structs) a matrix goes as a list of lists and a struct as none.
+
+#include <cstdint>
+#include <vector>
+
+#include "robot/simulator/servers/primary_messages.h"
+
+namespace tiller::simulator::urscript {
+class Interpreter;
+class Value;
+}  // namespace tiller::simulator::urscript
+
+namespace tiller::simulator::primary {
+
+/// One or more packages, each small enough for every client. `body` is compared, so without time.
+struct VariableBodies {
+    std::vector<Bytes> names, values;
+};
+/// Of the program's own globals; empty for a program without any.
+VariableBodies variablesOf(const urscript::Interpreter& program);
+/// A body with its frame.
+Bytes variablePackage(std::uint64_t timestampNs, const Bytes& body);
+/// A value with its type byte before it.
+void appendValue(const urscript::Value& value, Bytes& into);
+
+}  // namespace tiller::simulator::primary

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Any lines said to the dashboard and to the gripper of one robot, which takes a control period now and then;
+// the same bytes as a program file of the pendant. Every command gets one line, and nothing crashes.
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "robot/simulator/plant.h"
+#include "robot/simulator/program_store.h"
+#include "robot/simulator/servers/dashboard_commands.h"
+#include "robot/simulator/servers/gripper.h"
+#include "robot/simulator/urp_file.h"
+
+using namespace tiller;
+using namespace tiller::simulator;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static Plant plant{[] {
+        ControllerOptions options;
+        options.poweredOn = true;
+        options.fastTransitions = true;
+        return options;
+    }()};
+    static ProgramStore store{QString()};
+    static DashboardCommands dashboard(plant, store);
+    static Gripper gripper;
+
+    std::string_view text(reinterpret_cast<const char*>(data), size);
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        const DashboardCommands::Reply reply = dashboard.run(line, dashboard.rightsOfNewClient());
+        if (reply.line.empty()) {
+            std::abort();
+        }
+        gripper.set(line.substr(0, 3), static_cast<int>(line.size()));
+        gripper.get(line);
+        gripper.step(0.002);
+    }
+    plant.step();
+    plant.takeOutbox();
+    while (plant.popups().closeNewest()) {
+    }
+    const QByteArray bytes(reinterpret_cast<const char*>(data), static_cast<qsizetype>(size));
+    if (isUrpFile(bytes)) {
+        scriptOfUrp(bytes, QStringLiteral("p"));
+    }
+    gunzip("\x1f\x8b" + bytes, 1 << 20);
+    return 0;
+}
