@@ -220,11 +220,12 @@ using Input = SafetySystem::Input;
 
 // clang-format off
 const Verb kVerbs[] = {
-    {"protective-stop", "[CODE]", "the controller stops the arm (error code, default 157: collision)",
+    {"protective-stop", "[CODE [JOINT]]", "the controller stops the arm (error code, default 157: collision; joint 1 to 6)",
      [](Machine& m, Words& w) {
          constexpr double kCollision = 157;
          const auto code = static_cast<std::int32_t>(w.numberOr(kCollision, 0, 9999));
-         if (w.good()) { m.plant.protectiveStop({code, 0, primary::ReportLevel::Warning, ""}); }
+         const int joint = w.has() ? w.integer(1, kJointCount) : 0;
+         if (w.good()) { m.plant.protectiveStop({code, joint, primary::ReportLevel::Warning, ""}); }
          return QString(); }},
     {"emergency-stop", "on|off", "the pendant's button", &safetyInput<Input::RobotEmergencyStop>},
     {"system-emergency-stop", "on|off", "the external emergency stop input", &safetyInput<Input::SystemEmergencyStop>},

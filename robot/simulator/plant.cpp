@@ -278,9 +278,27 @@ void Plant::restartSafety() {
 }
 
 void Plant::protectiveStop(const primary::ErrorCode& cause) {
-    if (!safety_.isProtectiveStopped()) {
-        publish(primary::errorCode(timestampNs(), cause));
-        safety_.protectiveStop();
+    if (safety_.isProtectiveStopped()) {
+        return;
+    }
+    publish(primary::errorCode(timestampNs(), cause));
+    safety_.protectiveStop();
+    constexpr std::size_t kMostStops = 50;
+    constexpr double kWithin = 8 * 3600.0;
+    if (cause.argument < 1 || cause.argument > kJointCount) {
+        return;
+    }
+    std::deque<double>& stops = jointStops_[static_cast<std::size_t>(cause.argument - 1)];
+    stops.push_back(elapsed());
+    while (stops.front() < elapsed() - kWithin) {
+        stops.pop_front();
+    }
+    if (stops.size() >= kMostStops) {
+        stops.clear();
+        constexpr std::int32_t kTooManyStops = 163;
+        publish(primary::errorCode(timestampNs(),
+                                   {kTooManyStops, cause.argument, primary::ReportLevel::Fault, ""}));
+        safety_.fault();
     }
 }
 

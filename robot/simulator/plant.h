@@ -6,7 +6,9 @@
 // asked to do arrives through its methods. The order within a period is that of a controller: safety, power,
 // watchdogs, script frame, arm.
 
+#include <array>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <string>
 #include <vector>
@@ -70,7 +72,8 @@ public:
     void releaseBrakes();
     /// Clears violations and faults; the arm is off afterwards.
     void restartSafety();
-    /// Stops at once, with the message that says why.
+    /// Stops at once, with the message that says why. The fiftieth of one joint within eight hours is a fault
+    /// (C163); the joint is the cause's argument, from 1.
     void protectiveStop(const primary::ErrorCode& cause);
     /// fraction  held to 0..1; not a number is ignored
     void setSpeedSlider(double fraction);
@@ -82,6 +85,10 @@ public:
     /// The pendant's switch; leaving Remote ends the script connections.
     void setRemoteControl(bool remote);
     bool isRemoteControl() const { return remoteControl_; }
+    /// Whether a connection made now may send scripts. CB3 knows no local control.
+    bool takesScripts() const {
+        return remoteControl_ || !options_.gateLocalControl || options_.software.isCb3();
+    }
     /// Counts the changes of that switch: what a connection may do is settled by the one it was made under.
     std::uint64_t controlEpoch() const { return controlEpoch_; }
     /// Power of the arm lost without a word, as when its supply fails.
@@ -133,7 +140,8 @@ private:
     std::uint64_t controlEpoch_ = 0;
     std::uint64_t identity_ = 0;  ///< counts changes of what primary clients are told once
     bool disconnected_ = false;
-    std::uint64_t boots_ = 0;  ///< how often the services came up anew
+    std::array<std::deque<double>, kJointCount> jointStops_;  ///< when each joint was stopped [s]
+    std::uint64_t boots_ = 0;                                 ///< how often the services came up anew
     double speedSlider_ = 1;
     SafetyMode lastSafetyMode_ = SafetyMode::Normal;
     double emergencyTime_ = 0;  ///< [s] since an emergency stop began, while the arm still has power

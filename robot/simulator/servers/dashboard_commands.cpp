@@ -298,11 +298,24 @@ std::string DashboardCommands::closePopup(const std::string&) {
 }
 
 std::string DashboardCommands::addToLog(const std::string& text) {
-    return text.empty() ? "No log message to add" : "Added log message";
+    if (text.empty()) {
+        return "No log message to add";
+    }
+    constexpr std::size_t kMostMessages = 10'000;
+    if (log_.size() >= kMostMessages) {
+        log_.pop_front();
+    }
+    log_.push_back(std::to_string(plant_.timestamp()) + ' ' + text);
+    return "Added log message";
 }
 
 std::string DashboardCommands::saveLog(const std::string&) {
-    return "Log saved to disk";
+    QByteArray content;
+    for (const std::string& message : log_) {
+        content += QByteArray::fromStdString(message) + '\n';
+    }
+    return store_.save(QStringLiteral("log_history.txt"), content) ? "Log saved to disk"
+                                                                   : "Error: the log cannot be written";
 }
 
 std::string DashboardCommands::setUserRole(const std::string& role) {

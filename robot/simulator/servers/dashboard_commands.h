@@ -5,6 +5,7 @@
 // replies that clients compare letter by letter are those of the vendor's simulator.
 
 #include <cstdint>
+#include <deque>
 #include <string>
 #include <string_view>
 
@@ -88,6 +89,7 @@ private:
 
     Plant& plant_;
     ProgramStore& store_;
+    std::deque<std::string> log_;
     std::string userRole_ = "PROGRAMMER";
     double lastFlightReport_ = -1;  ///< [s] of the plant's time; below 0: none yet
     unsigned flightReports_ = 0;

@@ -57,7 +57,7 @@ std::string stateReply(InterpreterMode* mode, const std::string& line) {
 }  // namespace
 
 void InterpreterServer::service() {
-    const bool mayWrite = plant_.isRemoteControl() || !plant_.options().gateLocalControl;
+    const bool mayWrite = plant_.takesScripts();
     for (const native_socket::Descriptor descriptor : takeAccepted()) {
         clients_.push_back(std::make_unique<Client>(descriptor, mayWrite));
         clients_.back()->peer.attach(link());

@@ -21,7 +21,7 @@ PrimaryServer::PrimaryServer(Plant& plant, bool messages, bool acceptsScripts)
     , nextState_(plant.elapsed() + kStatePeriod) {}
 
 void PrimaryServer::service() {
-    const bool mayWrite = plant_.isRemoteControl() || !plant_.options().gateLocalControl;
+    const bool mayWrite = plant_.takesScripts();
     for (const native_socket::Descriptor descriptor : takeAccepted()) {
         clients_.push_back(std::make_unique<Client>(descriptor, mayWrite));
         clients_.back()->peer.attach(link());

@@ -33,7 +33,8 @@ std::span<const double, 6> six(const Vector6& v) {
 void modeData(ByteWriter& out, const Telemetry& now) {
     part(out, 0, [&] {
         out.u64(now.timestampNs());
-        out.flag(true).flag(true).flag(now.powered);
+        const bool connected = now.robotMode != RobotMode::Disconnected;
+        out.flag(connected).flag(connected).flag(now.powered);
         out.flag(now.emergencyStopped).flag(now.protectiveStopped);
         out.flag(now.programRunning() && !now.programPaused).flag(now.programPaused);
         out.u8(static_cast<unsigned>(now.robotMode));

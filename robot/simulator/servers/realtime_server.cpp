@@ -10,7 +10,7 @@ RealtimeServer::RealtimeServer(Plant& plant, bool acceptsScripts)
     : plant_(plant), acceptsScripts_(acceptsScripts) {}
 
 void RealtimeServer::service() {
-    const bool mayWrite = plant_.isRemoteControl() || !plant_.options().gateLocalControl;
+    const bool mayWrite = plant_.takesScripts();
     for (const native_socket::Descriptor descriptor : takeAccepted()) {
         clients_.push_back(std::make_unique<Client>(descriptor, mayWrite));
         clients_.back()->peer.attach(link());

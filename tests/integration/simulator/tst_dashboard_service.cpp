@@ -356,6 +356,17 @@ private Q_SLOTS:
         QCOMPARE(cell.dashboard.ask("load installation none"), QByteArray("File not found: none\n"));
     }
 
+    void theLogIsWrittenToDisk() {
+        Played cell;
+        cell.dashboard.ask("addToLog first of all");
+        cell.dashboard.ask("addToLog and then");
+        QCOMPARE(cell.dashboard.ask("saveLog"), QByteArray("Log saved to disk\n"));
+        QFile log(cell.folder.filePath("log_history.txt"));
+        QVERIFY(log.open(QIODevice::ReadOnly));
+        QVERIFY(log.readLine().endsWith(" first of all\n"));
+        QVERIFY(log.readLine().endsWith(" and then\n"));
+    }
+
     void reportsAreGenerated() {
         Played cell;
         QCOMPARE(cell.dashboard.ask("generate flight report system"),

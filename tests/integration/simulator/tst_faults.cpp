@@ -298,6 +298,33 @@ private Q_SLOTS:
         QVERIFY(robot.stepUntil([&] { return robot.controller.truth().robotMode == RobotMode::Running; }, 5));
     }
 
+    void fiftyStopsOfAJointAreAFault() {
+        VirtualRobot robot;
+        RawPrimary primary = robot.primary();
+        for (int i = 1; i < 50; ++i) {
+            inject(robot, "protective-stop 157 3");
+            robot.controller.step(2);
+            primary.send("set unlock protective stop\n");
+            robot.controller.drainSockets();
+            robot.controller.stepSeconds(0.1);
+            QCOMPARE(robot.controller.truth().safetyMode, SafetyMode::Normal);
+        }
+        inject(robot, "protective-stop 157 4");
+        robot.controller.step(2);
+        QCOMPARE(robot.controller.truth().safetyMode, SafetyMode::ProtectiveStop);
+        primary.send("set unlock protective stop\n");
+        robot.controller.drainSockets();
+        robot.controller.stepSeconds(0.1);
+        primary.packages();
+        inject(robot, "protective-stop 157 3");
+        robot.controller.step(2);
+        QCOMPARE(robot.controller.truth().safetyMode, SafetyMode::Fault);
+        const auto codes = primary.messages(6);
+        QCOMPARE(codes.size(), std::size_t(2));
+        QCOMPARE(intAt(codes[1], 0), 163);
+        QCOMPARE(intAt(codes[1], 8), 4);  // a fault
+    }
+
     void aSlowBootGoesThroughItsModesAndRestartsTheServicesOnce() {
         auto options = VirtualRobot::options();
         options.poweredOn = false;

@@ -379,6 +379,22 @@ private Q_SLOTS:
         QCOMPARE(run(robot, remote, "def p():\n  sleep(1)\nend\n", 0.2).keys, QByteArrayList{"STARTED p"});
     }
 
+    void cb3KnowsNoLocalControl() {
+        auto options = VirtualRobot::options();
+        options.model = RobotModelId::UR5;
+        options.software = {3, 15, 8, 106339};
+        options.remoteControl = false;
+        options.gateLocalControl = true;
+        options.gateLoopbackClients = true;
+        VirtualRobot robot(options);
+        RawPrimary primary = robot.primary();
+        primary.send("def p():\n  set_standard_digital_out(1, True)\nend\n");
+        robot.controller.drainSockets();
+        robot.controller.step(5);
+        QCOMPARE(robot.controller.truth().digitalOutputs, 2ULL);
+        QCOMPARE(robot.dashboard().ask("power off"), QByteArray("Powering off\n"));
+    }
+
     void newerSoftwareAddsToTheState() {
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
