@@ -26,5 +26,8 @@ inline int wrongArguments(const QString& what) {
 int simulate(const QStringList& arguments);
 /// A fault, by its words, at a simulated controller that runs somewhere.
 int fault(const QStringList& arguments);
+/// What stands between this PC and a robot that can be moved, one line a condition, or as JSON.
+/// Returns  kFailed when something is bad. Blocks: up to twelve seconds
+int doctor(const QStringList& arguments);
 
 }  // namespace tiller::app

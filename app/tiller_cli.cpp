@@ -21,6 +21,7 @@ const QString kHelp = QStringLiteral(
     "Commands:\n"
     "  simulate             run a simulated robot controller (see 'tiller-cli simulate --help')\n"
     "  fault                make something go wrong there (see 'tiller-cli fault --help')\n"
+    "  doctor ADDRESS       say what stands between this PC and a robot that can be moved\n"
     "\n"
     "Options:\n"
     "  --help               this text\n"
@@ -52,6 +53,9 @@ int main(int argc, char* argv[]) {
     }
     if (command == QLatin1String("fault")) {
         return app::fault(arguments);
+    }
+    if (command == QLatin1String("doctor")) {
+        return app::doctor(arguments);
     }
     return app::wrongArguments(QStringLiteral("'%1' is not a command").arg(command));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Who may include whom, read off the #include lines of the whole tree. The table is the one of the
-// architecture page; a new room gets a row here.
+// Who may include whom, read off the #include lines of the whole tree. The
+// table is the one of the architecture page; a new room gets a row here.
 
 #include <QDirIterator>
 #include <QFile>
@@ -33,6 +33,9 @@ const QList<Room>& rooms() {
         {"robot/io", {"robot/core", "robot/rtde", "robot/receive"}, kGui},
         {"robot/script", {"robot/core"}, kGui},
         {"robot/dashboard", {"robot/core", "robot/script", "robot/receive"}, kGui},
+        {"robot/doctor",
+         {"robot/core", "robot/rtde", "robot/dashboard", "robot/script", "robot/receive"},
+         kGui},
         {"robot/kinematics", {"robot/core"}, kGui},
         {"robot/program", {"robot/core", "robot/kinematics"}, kGui},
         {"robot/recording", {"robot/core", "robot/realtime", "robot/receive", "robot/rtde/fields.h"}, kGui},
@@ -50,7 +53,7 @@ const QList<Room>& rooms() {
         {"widgets/common", {"robot/core", "robot/control/motion_types.h"}, {}},
         {"widgets",
          {"robot/core", "robot/realtime", "robot/receive", "robot/control", "robot/io", "robot/script",
-          "robot/dashboard", "robot/kinematics", "robot/program", "robot/recording"},
+          "robot/dashboard", "robot/kinematics", "robot/program", "robot/recording", "robot/doctor"},
          {}},
         {"app", {"widgets", "robot"}, {}},
     };
@@ -73,7 +76,8 @@ bool isAllowed(const Room& room, const QString& included) {
     if (roomOf(included) == &room) {
         return true;
     }
-    // A sub-room belongs to its parent: the simulator may use its own arm and interpreter.
+    // A sub-room belongs to its parent: the simulator may use its own arm and
+    // interpreter.
     if (included.startsWith(QString::fromLatin1(room.path) + '/')) {
         return true;
     }

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+
+// What the RTDE connection gives: protocol, software, registers, modes, data rate.
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <QTcpSocket>
+#include <algorithm>
+#include <thread>
+
+#include "robot/doctor/examiner.h"
+#include "robot/receive/receiver.h"
+#include "robot/receive/robot_state.h"
+#include "robot/rtde/connection.h"
+#include "robot/rtde/fields.h"
+#include "robot/script/tcp_connect.h"
+
+namespace tiller::doctor {
+namespace {
+
+constexpr int kHandshakeMs = 2500;
+constexpr int kProbeMs = 1000;
+constexpr int kListenMs = 6000;
+/// So much of the controller's own time is looked at [s].
+constexpr double kLookSeconds = 0.5;
+/// Below this share of the packages the controller should send, its data rate is not what control needs.
+constexpr double kLeastShare = 0.9;
+/// The registers control.script talks through, counted from the first of a range.
+constexpr int kIntRegisters = 5;
+constexpr int kDoubleRegisters = 12;
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("Doctor", text);
+}
+
+std::vector<std::string> registersFrom(int first) {
+    std::vector<std::string> names;
+    for (int i = 0; i < kIntRegisters; ++i) {
+        names.push_back(rtde::intRegisterName(rtde::Direction::Input, first + i));
+    }
+    for (int i = 0; i < kDoubleRegisters; ++i) {
+        names.push_back(rtde::doubleRegisterName(rtde::Direction::Input, first + i));
+    }
+    return names;
+}
+
+/// Whether anything at all comes back for the first request of RTDE: another protocol's text looks like the
+/// beginning of a package so long that it never ends.
+bool saysAnything(const QString& host, int port, const Deadline& deadline) {
+    auto socket = script::connectTcp(host, port, deadline);
+    if (!socket) {
+        return false;
+    }
+    static constexpr char kAskProtocol[] = {0, 5, 'V', 0, 2};
+    (*socket)->write(kAskProtocol, sizeof kAskProtocol);
+    (*socket)->flush();
+    while (!deadline.hasExpired() && (*socket)->state() == QAbstractSocket::ConnectedState) {
+        if ((*socket)->waitForReadyRead(static_cast<int>(deadline.nextPoll().count()))) {
+            return true;
+        }
+    }
+    return (*socket)->bytesAvailable() > 0;
+}
+
+QString joined(const std::vector<std::string>& names) {
+    QStringList list;
+    for (const std::string& name : names) {
+        list << QString::fromStdString(name);
+    }
+    return list.size() > 3 ? tr("%1 and %2 more").arg(list.first()).arg(list.size() - 1)
+                           : list.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+void Examiner::examineRegisters() {
+    if (!isGood(Condition::RtdePort)) {
+        return;
+    }
+    rtde::ConnectionOptions options;
+    options.host = address_;
+    options.port = static_cast<std::uint16_t>(patient_.ports.rtde);
+    options.request.outputs = {"timestamp"};
+    options.request.start = false;
+    options.request.inputs = {{registersFrom(rtde::kFirstUpperRegister), false}, {registersFrom(0), false}};
+    const auto opened = rtde::Connection::open(options, within(kHandshakeMs));
+    if (!opened) {
+        const ErrorCode code = opened.error().code;
+        const bool mute =
+            code == ErrorCode::Timeout && !saysAnything(address_, patient_.ports.rtde, within(kProbeMs));
+        found(Condition::Protocol, Verdict::Bad,
+              mute ? QStringLiteral("rtde.mute") : QStringLiteral("rtde.not-rtde"),
+              mute ? tr("the RTDE port takes connections but does not answer")
+                   : tr("what answers on port %1 does not speak RTDE").arg(patient_.ports.rtde),
+              mute ? tr("Too many RTDE clients, or a controller that hangs: close other programs, then "
+                        "restart the "
+                        "controller.")
+                   : tr("Check the address: this is another device, or another program took the port."));
+        return;
+    }
+    const rtde::Connection& connection = **opened;
+    good(Condition::Protocol, tr("protocol version %1").arg(static_cast<int>(connection.protocol())));
+    version_ = connection.version();
+    judgeSoftware(*version_);
+
+    const auto& inUse = connection.session().inUse();
+    const auto& recipes = connection.inputs();
+    if (inUse.size() < 2 || recipes.size() < 2) {
+        return;
+    }
+    if (!inUse[0].empty()) {
+        found(Condition::UpperRegisters, Verdict::Bad, QStringLiteral("registers.upper.taken"),
+              tr("another program holds %1").arg(joined(inUse[0])),
+              tr("End the other program that controls this robot (another window, ROS, ur_rtde)."));
+    } else if (!recipes[0].isValid()) {
+        found(Condition::UpperRegisters, Verdict::Attention, QStringLiteral("registers.upper.absent"),
+              tr("this software has no registers 24 to 47"),
+              tr("Update the robot's software to 3.9 or 5.3."));
+    } else {
+        good(Condition::UpperRegisters, tr("24 to 47 are free"));
+    }
+    if (!inUse[1].empty()) {
+        found(Condition::LowerRegisters, Verdict::Attention, QStringLiteral("registers.lower.taken"),
+              tr("a fieldbus adapter or another program holds %1").arg(joined(inUse[1])),
+              tr("Nothing to do for jogging. To use these registers, switch EtherNet/IP, PROFINET or MODBUS "
+                 "off in "
+                 "the robot's installation."));
+    } else {
+        good(Condition::LowerRegisters, tr("0 to 23 are free"));
+    }
+}
+
+void Examiner::judgeSoftware(const SoftwareVersion& version) {
+    const QString text = QStringLiteral("%1.%2.%3").arg(version.major).arg(version.minor).arg(version.bugfix);
+    const SoftwareVersion least = version.isCb3() ? SoftwareVersion{3, 4, 0, 0} : SoftwareVersion{5, 0, 0, 0};
+    const SoftwareVersion wanted =
+        version.isCb3() ? SoftwareVersion{3, 9, 0, 0} : SoftwareVersion{5, 3, 0, 0};
+    if (version < least) {
+        found(Condition::Software, Verdict::Bad, QStringLiteral("software.unsupported"), text,
+              tr("This software is too old. Update the robot to %1.%2 or newer.")
+                  .arg(wanted.major)
+                  .arg(wanted.minor));
+    } else if (version < wanted) {
+        found(Condition::Software, Verdict::Attention, QStringLiteral("software.old"), text,
+              tr("Some values and the registers for control are missing. Update the robot to %1.%2 or newer.")
+                  .arg(wanted.major)
+                  .arg(wanted.minor));
+    } else {
+        good(Condition::Software, text);
+    }
+}
+
+void Examiner::judgeModes(RobotMode mode, SafetyMode safety) {
+    if (allowsMotion(safety)) {
+        good(Condition::Safety, safetyModeName(safety));
+    } else {
+        found(Condition::Safety, Verdict::Bad, QStringLiteral("safety.stopped"), safetyModeName(safety),
+              tr("Look at the arm, remove the cause, then recover: Recover… in the header, or on the teach "
+                 "pendant."));
+    }
+    if (mode == RobotMode::Running) {
+        good(Condition::Power, robotModeName(mode));
+    } else {
+        found(Condition::Power, Verdict::Attention, QStringLiteral("power.not-running"), robotModeName(mode),
+              tr("Power on and release the brakes: the header's button leads the way."));
+    }
+}
+
+void Examiner::examineData() {
+    if (!isGood(Condition::Protocol)) {
+        return;
+    }
+    receive::ReceiverOptions options;
+    options.host = address_;
+    options.port = static_cast<std::uint16_t>(patient_.ports.rtde);
+    options.priority = patient_.priority;
+    receive::Receiver receiver(options);
+    receive::Subscription stream = receiver.subscribe();
+    receive::Sample sample(receiver.layout());
+    receiver.start();
+    const Deadline deadline = within(kListenMs);
+    double first = 0;
+    double last = 0;
+    int packages = 0;
+    while (!deadline.hasExpired() && last - first < kLookSeconds) {
+        while (stream.next(sample)) {
+            last = receive::RobotState(sample).timestamp();
+            first = packages == 0 ? last : first;
+            ++packages;
+        }
+        std::this_thread::sleep_for(deadline.nextPoll());
+    }
+    const realtime::PriorityReport priority = receiver.priority();
+    receiver.stop();
+    if (packages == 0) {
+        found(Condition::DataRate, Verdict::Bad, QStringLiteral("rate.none"),
+              tr("the robot takes the subscription but sends no data"),
+              tr("Close other RTDE programs, then restart the robot's controller."));
+        return;
+    }
+    // By the controller's own time stamps: how busy this PC is does not count against the robot.
+    const double wanted = receiver.version().maxFrequency();
+    const double rate = last > first ? (packages - 1) / (last - first) : 0;
+    const QString detail = tr("%1 of %2 packages a second").arg(rate, 0, 'f', 0).arg(wanted, 0, 'f', 0);
+    if (rate < kLeastShare * wanted) {
+        found(Condition::DataRate, Verdict::Bad, QStringLiteral("rate.low"), detail,
+              tr("Packages are missing: use a cable, not a radio link; close other programs that load the "
+                 "robot or "
+                 "this PC."));
+    } else {
+        good(Condition::DataRate, detail);
+    }
+    if (priority.ok()) {
+        good(Condition::Privilege, tr("priority %1").arg(priority.granted));
+    } else {
+        found(Condition::Privilege, Verdict::Attention, QStringLiteral("privilege.none"),
+              tr("the system grants this user no real-time priority"), priority.advice);
+    }
+    const receive::RobotState robot(sample);
+    judgeModes(robot.robotMode(), robot.safetyMode());
+    const bool noTool = robot.tcpOffset().position.norm() < 1e-6;
+    const bool noPayload = robot.payloadMass() < 1e-6;
+    const QString tool = tr("TCP %1 mm from the flange, payload %2 kg")
+                             .arg(robot.tcpOffset().position.norm() * 1e3, 0, 'f', 1)
+                             .arg(robot.payloadMass(), 0, 'f', 2);
+    if (noTool || noPayload) {
+        found(Condition::ToolAndPayload, Verdict::Attention, QStringLiteral("payload.unset"), tool,
+              tr("If a tool is mounted, set TCP and payload in the robot's installation: a wrong payload "
+                 "causes "
+                 "protective stops and lets the arm sag in Freedrive."));
+    } else {
+        good(Condition::ToolAndPayload, tool);
+    }
+}
+
+}  // namespace tiller::doctor

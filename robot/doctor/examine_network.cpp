@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+
+// Is there a host, and what listens on it.
+
+#include <QCoreApplication>
+#include <QHostAddress>
+#include <QHostInfo>
+#include <QTcpSocket>
+#include <array>
+#include <thread>
+
+#include "robot/doctor/examiner.h"
+#include "robot/script/tcp_connect.h"
+
+namespace tiller::doctor {
+namespace {
+
+constexpr int kConnectMs = 2000;
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("Doctor", text);
+}
+
+struct Door {
+    Condition condition;
+    int port;
+    bool needed;  ///< Tiller does not work without it
+    const char* name;
+    Error error;  ///< code None: it opened
+};
+
+/// All at once: a host behind a firewall that swallows everything would else cost a time-out for each port.
+void tryDoors(const QString& address, std::array<Door, 5>& doors, const Deadline& deadline) {
+    std::array<std::thread, 5> knocking;
+    for (std::size_t i = 0; i < doors.size(); ++i) {
+        knocking[i] = std::thread([&address, &door = doors[i], &deadline] {
+            door.error = script::connectTcp(address, door.port, deadline).error();
+        });
+    }
+    for (std::thread& thread : knocking) {
+        thread.join();
+    }
+}
+
+}  // namespace
+
+bool Examiner::examineAddress() {
+    const QString host = patient_.host.trimmed();
+    if (!QHostAddress(host).isNull()) {
+        address_ = host;
+        good(Condition::Address, host);
+        return true;
+    }
+    const QHostInfo info = host.isEmpty() ? QHostInfo() : QHostInfo::fromName(host);
+    for (const QHostAddress& known : info.addresses()) {
+        if (known.protocol() == QAbstractSocket::IPv4Protocol) {
+            address_ = known.toString();
+            good(Condition::Address, QStringLiteral("%1 = %2").arg(host, address_));
+            return true;
+        }
+    }
+    found(Condition::Address, Verdict::Bad, QStringLiteral("address.unresolved"),
+          tr("\"%1\" is no address, and no host of that name is known").arg(host),
+          tr("Enter the four numbers shown on the teach pendant under About, or ask who runs the network for "
+             "the "
+             "name."));
+    return false;
+}
+
+void Examiner::examinePorts() {
+    const Ports& p = patient_.ports;
+    std::array<Door, 5> doors = {{
+        {Condition::RtdePort, p.rtde, true, "rtde", {}},
+        {Condition::PrimaryPort, p.primary, true, "primary", {}},
+        {Condition::SecondaryPort, p.secondary, false, "secondary", {}},
+        {Condition::RealtimePort, p.realtime, false, "realtime", {}},
+        {Condition::ServicePort, p.dashboard, true, "service", {}},
+    }};
+    tryDoors(address_, doors, within(kConnectMs));
+
+    int open = 0;
+    int refused = 0;
+    for (const Door& door : doors) {
+        open += door.error.code == ErrorCode::None ? 1 : 0;
+        refused += door.error.code == ErrorCode::ConnectionRefused ? 1 : 0;
+    }
+    if (open == 0 && refused == 0) {
+        const bool silent = doors[0].error.code == ErrorCode::Timeout;
+        found(
+            Condition::Host, Verdict::Bad,
+            silent ? QStringLiteral("host.silent") : QStringLiteral("host.unreachable"),
+            silent ? tr("%1 does not answer").arg(address_) : tr("There is no way to %1").arg(address_),
+            silent
+                ? tr("Check that the robot is switched on and the cable is plugged in, and that no firewall "
+                     "stands between.")
+                : tr("Give this PC an address in the robot's network (the same first three numbers), and "
+                     "check "
+                     "the cable."));
+        return;
+    }
+    if (open == 0 && refused == static_cast<int>(doors.size())) {
+        found(Condition::Host, Verdict::Bad, QStringLiteral("host.no-robot"),
+              tr("%1 answers, but none of a robot's services is there").arg(address_),
+              tr("Check that this is the robot's own address. A robot that has just been switched on needs "
+                 "another "
+                 "minute."));
+        return;
+    }
+    good(Condition::Host, tr("%1 answers").arg(address_));
+    for (const Door& door : doors) {
+        if (door.condition == Condition::ServicePort) {
+            if (door.error.code == ErrorCode::None) {
+                good(door.condition, tr("dashboard, port %1").arg(door.port));
+            }
+            continue;  // PolyScope X has another one: see examineService()
+        }
+        if (door.error.code == ErrorCode::None) {
+            good(door.condition, tr("port %1").arg(door.port));
+            continue;
+        }
+        const bool wasRefused = door.error.code == ErrorCode::ConnectionRefused;
+        found(door.condition, door.needed ? Verdict::Bad : Verdict::Attention,
+              QStringLiteral("port.%1.%2")
+                  .arg(QLatin1String(door.name),
+                       wasRefused ? QStringLiteral("refused") : QStringLiteral("silent")),
+              wasRefused ? tr("port %1 is closed").arg(door.port)
+                         : tr("port %1 does not answer").arg(door.port),
+              wasRefused
+                  ? tr("Switch this interface on at the robot: Settings, Security, Services.")
+                  : tr("A firewall swallows this port: allow TCP port %1 to the robot.").arg(door.port));
+    }
+}
+
+}  // namespace tiller::doctor

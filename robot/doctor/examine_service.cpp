@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+
+// The service for power and programs (the dashboard, or the Robot API of PolyScope X), and what the primary
+// interface says about the arm.
+
+#include <QCoreApplication>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTcpSocket>
+
+#include "robot/core/native_socket.h"
+#include "robot/core/robot_model.h"
+#include "robot/dashboard/dashboard_client.h"
+#include "robot/doctor/examiner.h"
+#include "robot/script/primary_client.h"
+#include "robot/script/tcp_connect.h"
+
+namespace tiller::doctor {
+namespace {
+
+constexpr int kReplyMs = 2000;
+constexpr int kStateMs = 2500;
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("Doctor", text);
+}
+
+/// The JSON object a GET answers with, whatever stands around it (chunk lengths, headers).
+Result<QJsonObject> getJson(const QString& host, int port, const QByteArray& path, const Deadline& deadline) {
+    auto socket = script::connectTcp(host, port, deadline);
+    if (!socket) {
+        return socket.error();
+    }
+    const QString context =
+        QStringLiteral("GET %1 from %2:%3").arg(QString::fromLatin1(path), host).arg(port);
+    (*socket)->write("GET " + path + " HTTP/1.1\r\nHost: " + host.toLatin1() +
+                     "\r\nConnection: close\r\n\r\n");
+    (*socket)->flush();
+    QByteArray reply;
+    while ((*socket)->state() == QAbstractSocket::ConnectedState && !deadline.hasExpired()) {
+        if ((*socket)->waitForReadyRead(static_cast<int>(deadline.nextPoll().count()))) {
+            reply += (*socket)->readAll();
+        }
+    }
+    reply += (*socket)->readAll();
+    const qsizetype body = reply.indexOf("\r\n\r\n");
+    const qsizetype first = reply.indexOf('{', std::max(body, qsizetype(0)));
+    const qsizetype last = reply.lastIndexOf('}');
+    if (!reply.startsWith("HTTP/") || first < 0 || last < first || !reply.left(16).contains(" 200")) {
+        return Error{reply.isEmpty() ? ErrorCode::Timeout : ErrorCode::ProtocolError, context,
+                     QString::fromLatin1(reply.left(reply.indexOf('\r')))};
+    }
+    const QJsonDocument document = QJsonDocument::fromJson(reply.mid(first, last - first + 1));
+    if (!document.isObject()) {
+        return Error{ErrorCode::ProtocolError, context, {}};
+    }
+    return document.object();
+}
+
+QString remoteFix() {
+    return tr(
+        "Switch the robot to Remote control on the teach pendant, at the top right. Without that, Tiller "
+        "only "
+        "watches.");
+}
+
+}  // namespace
+
+void Examiner::examineService() {
+    if (isGood(Condition::ServicePort)) {
+        examineDashboard();
+    } else {
+        examineRobotApi();
+    }
+}
+
+void Examiner::examineDashboard() {
+    dashboard::DashboardClient client(address_, patient_.ports.dashboard);
+    const Deadline deadline = within(kReplyMs);
+    const Result<void> connected = client.connect(deadline);
+    Result<SoftwareVersion> version =
+        connected ? client.polyscopeVersion(deadline) : Result<SoftwareVersion>(connected.error());
+    if (!version) {
+        const bool mute = version.error().code == ErrorCode::Timeout;
+        // The port was open: what is behind it is the condition's real content.
+        findings_.erase(Condition::ServicePort);
+        found(Condition::ServicePort, Verdict::Bad,
+              mute ? QStringLiteral("service.mute") : QStringLiteral("service.not-dashboard"),
+              mute ? tr("the dashboard takes connections but does not answer")
+                   : tr("what answers on port %1 is not a dashboard").arg(patient_.ports.dashboard),
+              mute ? tr("Restart the robot's controller; if it stays like this, see its log.")
+                   : tr("Check the address, and that no other program uses this port."));
+        return;
+    }
+    if (version->isCb3()) {
+        good(Condition::RemoteControl, tr("this series has no Local/Remote switch"));
+        return;
+    }
+    const Result<bool> remote = client.isInRemoteControl(within(kReplyMs));
+    if (remote && *remote) {
+        good(Condition::RemoteControl, tr("Remote"));
+    } else if (remote) {
+        found(Condition::RemoteControl, Verdict::Bad, QStringLiteral("control.local"), tr("Local"),
+              remoteFix());
+    } else if (remote.error().code == ErrorCode::RemoteControlRequired) {
+        found(Condition::RemoteControl, Verdict::Bad, QStringLiteral("control.local"), tr("Local"),
+              remoteFix());
+    }
+}
+
+void Examiner::examineRobotApi() {
+    const int port = patient_.ports.robotApi;
+    const QByteArray base = "/universal-robots/robot-api";
+    const Result<QJsonObject> description = getJson(address_, port, base + "/openapi.json", within(kReplyMs));
+    if (!description) {
+        const bool silent = description.error().code == ErrorCode::Timeout;
+        found(Condition::ServicePort, Verdict::Bad,
+              silent ? QStringLiteral("port.service.silent") : QStringLiteral("port.service.refused"),
+              tr("neither the dashboard (port %1) nor the Robot API (port %2) is there")
+                  .arg(patient_.ports.dashboard)
+                  .arg(port),
+              tr("Switch the Dashboard Server on at the robot: Settings, Security, Services. PolyScope X "
+                 "needs 10.11 "
+                 "or newer for the Robot API."));
+        return;
+    }
+    good(Condition::ServicePort,
+         tr("Robot API %1, port %2").arg((*description)["info"].toObject()["version"].toString()).arg(port));
+    const Result<QJsonObject> mode =
+        getJson(address_, port, base + "/system/v1/controlmode", within(kReplyMs));
+    if (!mode) {
+        return;  // before 10.12 it cannot be asked
+    }
+    const QString word = (*mode)["mode"].toString();
+    if (word == QLatin1String("REMOTE")) {
+        good(Condition::RemoteControl, tr("Remote"));
+    } else {
+        found(Condition::RemoteControl, Verdict::Bad, QStringLiteral("control.local"), tr("Local"),
+              remoteFix());
+    }
+}
+
+void Examiner::examineModel() {
+    if (!isGood(Condition::PrimaryPort)) {
+        return;
+    }
+    script::PrimaryClientOptions options;
+    options.host = address_;
+    options.port = patient_.ports.primary;
+    options.reconnect = false;
+    script::PrimaryClient client(options);
+    client.start();
+    const Deadline deadline = within(kStateMs);
+    const Result<void> heard = client.waitForState(deadline);
+    const auto configuration = client.configuration();
+    if (!heard || !configuration) {
+        found(Condition::Model, Verdict::Bad, QStringLiteral("model.untold"),
+              tr("the primary interface does not describe the arm"),
+              tr("Check that this is the robot's own address, and restart its controller."));
+        return;
+    }
+    for (const RobotModel& model : robotModels()) {
+        // CB3 and e-Series share their numbers: the software tells them apart.
+        if (model.robotType == configuration->robotType &&
+            (!version_ || model.isCb3() == version_->isCb3())) {
+            good(Condition::Model, QLatin1String(model.name));
+            return;
+        }
+    }
+    found(
+        Condition::Model, Verdict::Attention, QStringLiteral("model.unknown"),
+        tr("robot type %1 is newer than this program").arg(configuration->robotType),
+        tr("Watching works. Limits and previews use the dimensions the robot reports; jog slowly at first."));
+}
+
+}  // namespace tiller::doctor
