@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+// A peer that says nothing holds nobody: every call that waits ends with its deadline or its cancel, and what
+// is destroyed is gone. Nothing here looks at a clock: a call that does not end is a test that does not end.
+// How fast they end is measured by tests/benchmarks/backend_performance.
+#include <QDir>
+
+#include "robot/control/arm_queries.h"
+#include "robot/control/compliance.h"
+#include "robot/control/motions.h"
+#include "robot/control/packet_loop.h"
+#include "robot/control/programs.h"
+#include "robot/control/tool_setup.h"
+#include "robot/receive/receiver.h"
+#include "tests/integration/control/cell.h"
+#include "tests/support/raw_peer.h"
+
+using namespace tiller;
+using namespace tiller::control;
+using namespace tiller::test;
+using std::chrono::milliseconds;
+
+namespace {
+
+struct Call {
+    const char* name;
+    std::function<Error(Controller&, const Deadline&)> run;
+};
+
+const std::vector<Call>& calls() {
+    static const std::vector<Call> all{
+        {"question", [](Controller& c, const Deadline& d) { return ArmQueries(c).jointTorques(d).error(); }},
+        {"setting", [](Controller& c, const Deadline& d) { return ToolSetup(c).zeroForceSensor(d).error(); }},
+        {"force mode",
+         [](Controller& c, const Deadline& d) {
+             ForceMode mode;
+             mode.limits = {1, 1, 1, 1, 1, 1};
+             return Compliance(c).setForceMode(mode, d).error();
+         }},
+        {"protective stop",
+         [](Controller& c, const Deadline& d) { return ToolSetup(c).triggerProtectiveStop(d).error(); }},
+        {"function",
+         [](Controller& c, const Deadline& d) {
+             return Programs(c).startFunction(QStringLiteral("f"), QStringLiteral("sync()"), d).error();
+         }},
+        {"script",
+         [](Controller& c, const Deadline& d) {
+             return Programs(c).runScript(QStringLiteral("def f():\n  sync()\nend\n"), d).error();
+         }},
+        {"end of the program",
+         [](Controller& c, const Deadline& d) { return Programs(c).endControlProgram(d).error(); }},
+        {"reupload", [](Controller& c, const Deadline& d) { return Programs(c).reupload(d).error(); }},
+        {"packet loop",
+         [](Controller& c, const Deadline& d) {
+             const auto hold = [](const CycleState& state) { return std::optional(state.q); };
+             return PacketLoop(c).servoJ(hold, {}, d).error();
+         }},
+        {"motion",
+         [](Controller& c, const Deadline& d) {
+             const auto motion = Motions(c).startSpeedJ({}, Holding::Free);
+             return motion ? motion->motion().wait(d).error() : motion.error();
+         }},
+    };
+    return all;
+}
+
+int openFiles() {
+    return static_cast<int>(QDir(QStringLiteral("/proc/self/fd")).entryList(QDir::NoFilter).size());
+}
+
+int threads() {
+    return static_cast<int>(
+        QDir(QStringLiteral("/proc/self/task")).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size());
+}
+
+}  // namespace
+
+class TestDeadlines : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everyCallEndsWithItsDeadline_data() {
+        QTest::addColumn<int>("which");
+        for (std::size_t i = 0; i < calls().size(); ++i) {
+            QTest::newRow(calls()[i].name) << static_cast<int>(i);
+        }
+    }
+    void everyCallEndsWithItsDeadline() {
+        QFETCH(int, which);
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        cell.robot.silence(true);  // from here on nobody steps, and no packet comes
+        const Error error =
+            calls()[static_cast<std::size_t>(which)].run(*cell.controller, Deadline::after(milliseconds(40)));
+        QVERIFY2(error.code == ErrorCode::Timeout, qPrintable(error.toString()));
+        cell.controller.reset();
+    }
+
+    void everyCallEndsWithItsCancel_data() { everyCallEndsWithItsDeadline_data(); }
+    void everyCallEndsWithItsCancel() {
+        QFETCH(int, which);
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        cell.robot.silence(true);
+        const CancelToken token;
+        std::thread impatient([&] {
+            std::this_thread::sleep_for(milliseconds(20));
+            token.cancel();
+        });
+        const Error error =
+            calls()[static_cast<std::size_t>(which)].run(*cell.controller, Deadline::never(token));
+        impatient.join();
+        QVERIFY2(error.code == ErrorCode::Cancelled, qPrintable(error.toString()));
+    }
+
+    // release() does not wait for somebody else's patience.
+    void releaseEndsACallThatWaits() {
+        RawPeer mute([](RawPeer::Link& link) { link.beMute(); });
+        ControllerOptions options;
+        options.host = QStringLiteral("127.0.0.1");
+        options.primaryPort = mute.port();
+        options.rtdePort = mute.port();
+        options.priority = 0;
+        Controller controller(options);
+        Result<void> taken;
+        std::atomic<bool> begun{false};
+        std::thread taking([&] {
+            begun = true;
+            taken = controller.takeControl(Deadline::never());
+        });
+        while (!begun || mute.clients() == 0) {
+            std::this_thread::sleep_for(milliseconds(1));
+        }
+        controller.release();
+        taking.join();
+        QCOMPARE(taken.error().code, ErrorCode::Cancelled);
+    }
+
+    void aMotionSurvivesAWaitThatGaveUp() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        JointPositions target = cell.robot.truth().q;
+        target[5] += 10 * kDeg;
+        const auto move = Motions(*cell.controller).moveJ(target, {0.5, 1.4, Holding::Free});
+        QVERIFY(move.ok());
+        QCOMPARE(move->wait(Deadline::after(milliseconds(5))).error().code, ErrorCode::Timeout);
+        QVERIFY(move->isActive());
+        QVERIFY(cell.during([&] { return move->wait(Deadline::never()); }).ok());
+    }
+
+    // 100 cuts of 0.1 to 10 s of virtual time. Data flow again, control is not resumed by itself, and at the
+    // end there are as many threads and descriptors as at the beginning.
+    void dataComeBackAfterAHundredCutsAndControlDoesNot() {
+        Cell cell;
+        receive::ReceiverOptions options;
+        options.host = cell.robot.listenAddress();
+        options.port = static_cast<std::uint16_t>(cell.robot.ports().rtde);
+        options.clock = &cell.clock;
+        options.priority = 0;
+        options.reconnectDelays = {milliseconds(20)};
+        receive::Receiver receiver(options);
+        receiver.start();
+        const auto flows = [&] {
+            const std::uint64_t before = receiver.counters().packets;
+            for (int tick = 0; tick < 1000; ++tick) {  // 2 s
+                cell.stepAlone();
+                std::this_thread::sleep_for(std::chrono::microseconds(300));
+                if (receiver.counters().packets > before + 5) {
+                    return true;
+                }
+            }
+            return false;
+        };
+        QVERIFY(flows());
+        QVERIFY(cell.takeControl().ok());
+        auto speed = Motions(*cell.controller).startSpeedL({0.5, 0}, Holding::Free);
+        Twist up;
+        up.linear.z() = 0.02;
+        QVERIFY(speed->send(up).ok());
+        QVERIFY(cell.stepMs(100));
+        const int filesBefore = openFiles();
+        const int threadsBefore = threads();
+        constexpr int kAtOnce = 50;
+        for (int cut = 0; cut < 100; ++cut) {
+            const int ticks = 50 + cut * cut / 2;  // 0.1 s ... 10 s
+            if (cut % 3 == 0) {
+                cell.robot.closeClients();
+            }
+            cell.robot.silence(true);
+            for (int done = 0; done < ticks; done += kAtOnce) {
+                cell.clock.advanceNs(kAtOnce * 2 * kNsPerMs);
+                cell.robot.step(kAtOnce);
+                std::this_thread::sleep_for(milliseconds(1));
+            }
+            cell.robot.silence(false);
+            QVERIFY2(flows(), qPrintable(QStringLiteral("after cut %1").arg(cut)));
+            QVERIFY(!speed->isActive());
+            QCOMPARE(speed->send(up).error().code, ErrorCode::Stopped);
+        }
+        QVERIFY(cell.isStanding());
+        QVERIFY(!cell.controller->status().inControl);
+        QVERIFY(openFiles() <= filesBefore);
+        QVERIFY(threads() <= threadsBefore);
+        const auto again = cell.takeControl();
+        QVERIFY2(again.ok(), qPrintable(again.error().toString()));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestDeadlines)
+#include "tst_deadlines.moc"
