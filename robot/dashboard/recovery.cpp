@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "robot/dashboard/recovery.h"
+
+#include <algorithm>
+#include <thread>
+
+namespace tiller::dashboard {
+
+namespace {
+
+using std::chrono::milliseconds;
+
+QString context() {
+    return QStringLiteral("recover the robot");
+}
+
+Error missing(const char* what) {
+    return {ErrorCode::Rejected, context(), QString::fromLatin1(what)};
+}
+
+Error overdue(const Deadline& deadline, const QString& where) {
+    return {deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context(), where};
+}
+
+void pause(const Deadline& deadline, milliseconds time) {
+    const Deadline until = Deadline::after(std::min(time, deadline.remaining()), deadline.token());
+    while (!until.hasExpired()) {
+        std::this_thread::sleep_for(until.nextPoll());
+    }
+}
+
+/// Unlocks as soon as the controller lets it.
+Result<void> unlock(DashboardClient& client, const Deadline& deadline, const RecoveryProgress& progress) {
+    bool waiting = false;
+    while (true) {
+        const auto unlocked = client.unlockProtectiveStop(deadline);
+        const bool early = !unlocked && unlocked.error().code == ErrorCode::Rejected &&
+                           unlocked.error().controllerMessage.contains(QLatin1String("until 5s"));
+        if (!early) {
+            return unlocked;
+        }
+        if (!waiting && progress) {
+            progress(RecoveryStep::WaitForUnlock);
+        }
+        waiting = true;
+        pause(deadline, milliseconds(250));
+        if (deadline.hasExpired()) {
+            return overdue(deadline, unlocked.error().controllerMessage);
+        }
+    }
+}
+
+}  // namespace
+
+Result<void> recover(DashboardClient& client, const RecoveryConsent& consent, const Deadline& deadline,
+                     const RecoveryProgress& progress) {
+    const auto tell = [&](RecoveryStep step) {
+        if (progress) {
+            progress(step);
+        }
+    };
+    tell(RecoveryStep::Look);
+    RecoveryStep last = RecoveryStep::Look;
+    while (!deadline.hasExpired()) {
+        const auto safety = client.safetyMode(deadline);
+        if (!safety) {
+            return safety.error();
+        }
+        const auto mode = client.robotMode(deadline);
+        if (!mode) {
+            return mode.error();
+        }
+        RecoveryStep next = RecoveryStep::Look;
+        if (*safety == SafetyMode::ProtectiveStop) {
+            next = RecoveryStep::Unlock;
+        } else if (*safety == SafetyMode::Violation || *safety == SafetyMode::Fault) {
+            next = RecoveryStep::RestartSafety;
+        } else if (!allowsMotion(*safety)) {
+            return Error{ErrorCode::Rejected, context(),
+                         QStringLiteral("%1: it takes a person at the robot to end this")
+                             .arg(safetyModeName(*safety))};
+        } else if (*mode == RobotMode::PowerOff) {
+            next = RecoveryStep::PowerOn;
+        } else if (*mode == RobotMode::Idle) {
+            next = RecoveryStep::ReleaseBrakes;
+        } else if (*mode == RobotMode::Running) {
+            tell(RecoveryStep::Done);
+            return {};
+        }
+        // Each step is begun once; after that it is waited for.
+        Result<void> done;
+        if (next != RecoveryStep::Look && next != last) {
+            switch (next) {
+                case RecoveryStep::Unlock:
+                    if (!consent.causeInspected) {
+                        return missing("protective stop: it is only unlocked once its cause was inspected");
+                    }
+                    tell(RecoveryStep::CloseSafetyPopup);
+                    (void)client.closeSafetyPopup(deadline);
+                    tell(next);
+                    done = unlock(client, deadline, progress);
+                    break;
+                case RecoveryStep::RestartSafety:
+                    if (!consent.restartSafety) {
+                        return missing("the safety system has to be restarted, which needs your consent");
+                    }
+                    tell(next);
+                    done = client.restartSafety(deadline);
+                    break;
+                case RecoveryStep::PowerOn:
+                    if (!consent.powerOn) {
+                        return missing("the arm is off; to power it on needs your consent");
+                    }
+                    tell(next);
+                    done = client.powerOn(deadline);
+                    break;
+                default:
+                    if (!consent.releaseBrakes) {
+                        return missing("the brakes are on; to release them needs your consent");
+                    }
+                    tell(next);
+                    done = client.brakeRelease(deadline);
+                    break;
+            }
+            last = next;
+        }
+        if (!done) {
+            return done;
+        }
+        pause(deadline, milliseconds(50));
+    }
+    return overdue(deadline, QStringLiteral("the robot has not come to RUNNING"));
+}
+
+}  // namespace tiller::dashboard

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The way back from a stop to a robot that runs, as one guided operation: looks what is wrong, does step
+// after step, tells each. What a person has to decide is asked for beforehand, by name: nothing here unlocks
+// a protective stop or restarts the safety system unless the caller says so (the manufacturer forbids
+// automatic reset).
+
+#include <functional>
+
+#include "robot/dashboard/dashboard_client.h"
+
+namespace tiller::dashboard {
+
+/// What the caller takes upon himself, each for one recovery. The default permits nothing.
+struct RecoveryConsent {
+    bool causeInspected = false;  ///< "I have seen why it stopped": the unlock of a protective stop
+    bool restartSafety = false;   ///< violation or fault: the arm loses power
+    bool powerOn = false;         ///< the arm gets power
+    bool releaseBrakes = false;   ///< the arm may move a little
+};
+
+enum class RecoveryStep {
+    Look,
+    CloseSafetyPopup,
+    WaitForUnlock,  ///< the controller refuses for five seconds after the stop
+    Unlock,
+    RestartSafety,
+    PowerOn,
+    ReleaseBrakes,
+    Done,
+};
+
+/// Called in the thread of recover(), before each step.
+using RecoveryProgress = std::function<void(RecoveryStep)>;
+
+/// Leads the robot to RUNNING in NORMAL or REDUCED.
+/// Errors   as DashboardClient; Rejected with what is missing when a step needs a consent that was not given,
+///          or a person at the robot (emergency stop pressed, safeguard open): nothing was done then beyond
+///          the steps told
+/// Threads  the one that connected the client. Blocks: until the deadline
+Result<void> recover(DashboardClient& client, const RecoveryConsent& consent, const Deadline& deadline,
+                     const RecoveryProgress& progress = {});
+
+}  // namespace tiller::dashboard

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include <QTest>
+#include <atomic>
+#include <vector>
+
+#include "robot/dashboard/recovery.h"
+#include "tests/support/raw_peer.h"
+
+using namespace tiller;
+using namespace tiller::dashboard;
+using test::RawPeer;
+
+namespace {
+
+/// A robot that goes through its modes as it is told, and counts what it was told.
+struct Robot {
+    std::atomic<int> safety{1};  ///< SafetyMode
+    std::atomic<int> mode{7};    ///< RobotMode
+    std::atomic<int> refusals{0};
+    std::atomic<int> unlocks{0};
+    RawPeer peer{[this](RawPeer::Link& link) {
+        link.send("Connected\n");
+        while (!link.isOver()) {
+            const QByteArray line = link.readLine();
+            if (line.isNull()) {
+                return;
+            }
+            link.send(reply(line) + "\n");
+        }
+    }};
+    QByteArray reply(const QByteArray& line) {
+        if (line == "safetymode") {
+            return "Safetymode: " + safetyModeName(static_cast<SafetyMode>(safety.load())).toLatin1();
+        }
+        if (line == "robotmode") {
+            return "Robotmode: " + robotModeName(static_cast<RobotMode>(mode.load())).toLatin1();
+        }
+        if (line == "unlock protective stop") {
+            if (refusals-- > 0) {
+                return "Cannot unlock protective stop until 5s after occurrence. Always inspect cause";
+            }
+            ++unlocks;
+            safety = 1;
+            return "Protective stop releasing";
+        }
+        if (line == "restart safety") {
+            safety = 1;
+            mode = 3;
+            return "Restarting safety";
+        }
+        if (line == "power on") {
+            mode = 5;
+            return "Powering on";
+        }
+        if (line == "brake release") {
+            mode = 7;
+            return "Brake releasing";
+        }
+        return "closing safety popup";
+    }
+};
+
+struct Bench {
+    explicit Bench(SafetyMode safety, RobotMode mode)
+        : client(QStringLiteral("127.0.0.1"), robot.peer.port()) {
+        robot.safety = static_cast<int>(safety);
+        robot.mode = static_cast<int>(mode);
+        if (!client.connect(Deadline::after(std::chrono::seconds(20)))) {
+            qFatal("no connection");
+        }
+    }
+    Result<void> run(const RecoveryConsent& consent) {
+        return recover(client, consent, Deadline::after(std::chrono::seconds(60)),
+                       [this](RecoveryStep step) { steps.push_back(step); });
+    }
+    Robot robot;
+    DashboardClient client;
+    std::vector<RecoveryStep> steps;
+};
+
+}  // namespace
+
+class TestRecovery : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aProtectiveStopIsNeverUnlockedWithoutTheWord() {
+        Bench bench(SafetyMode::ProtectiveStop, RobotMode::Running);
+        RecoveryConsent allButThis{false, true, true, true};
+        const Error error = bench.run(allButThis).error();
+        QCOMPARE(error.code, ErrorCode::Rejected);
+        QVERIFY(error.controllerMessage.contains(QStringLiteral("inspected")));
+        QCOMPARE(bench.robot.unlocks.load(), 0);
+    }
+
+    void withTheWordItIsUnlockedOnceTheControllerLetsIt() {
+        Bench bench(SafetyMode::ProtectiveStop, RobotMode::Running);
+        bench.robot.refusals = 2;
+        QVERIFY(bench.run({true, false, false, false}).ok());
+        QCOMPARE(bench.robot.unlocks.load(), 1);
+        const std::vector<RecoveryStep> told{RecoveryStep::Look, RecoveryStep::CloseSafetyPopup,
+                                             RecoveryStep::Unlock, RecoveryStep::WaitForUnlock,
+                                             RecoveryStep::Done};
+        QCOMPARE(bench.steps, told);
+    }
+
+    void aViolationGoesAllTheWayBack() {
+        Bench bench(SafetyMode::Violation, RobotMode::PowerOff);
+        QVERIFY(bench.run({false, true, true, true}).ok());
+        QCOMPARE(bench.robot.mode.load(), 7);
+        Bench refused(SafetyMode::Violation, RobotMode::PowerOff);
+        QCOMPARE(refused.run({true, false, true, true}).error().code, ErrorCode::Rejected);
+    }
+
+    void powerAndBrakesNeedTheirOwnConsent() {
+        Bench off(SafetyMode::Normal, RobotMode::PowerOff);
+        QVERIFY(
+            off.run({true, true, false, true}).error().controllerMessage.contains(QStringLiteral("power")));
+        QCOMPARE(off.robot.mode.load(), 3);
+        Bench idle(SafetyMode::Normal, RobotMode::Idle);
+        QVERIFY(
+            idle.run({true, true, true, false}).error().controllerMessage.contains(QStringLiteral("brakes")));
+        QCOMPARE(idle.robot.mode.load(), 5);
+    }
+
+    void whatNeedsAPersonSaysSo() {
+        Bench bench(SafetyMode::RobotEmergencyStop, RobotMode::PowerOff);
+        const Error error = bench.run({true, true, true, true}).error();
+        QCOMPARE(error.code, ErrorCode::Rejected);
+        QVERIFY(error.controllerMessage.contains(QStringLiteral("person")));
+        QCOMPARE(bench.robot.mode.load(), 3);
+    }
+
+    void aRobotThatRunsNeedsNothing() {
+        Bench bench(SafetyMode::Reduced, RobotMode::Running);
+        QVERIFY(bench.run({}).ok());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestRecovery)
+#include "tst_recovery.moc"
