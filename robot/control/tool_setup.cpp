@@ -193,8 +193,8 @@ Result<void> ToolSetup::triggerProtectiveStop(const Deadline& deadline) {
         return known;
     }
     // The program is paused by it, so that the answer may never come: what counts is the safety mode.
-    const Deadline answerTime = Deadline::after(
-        std::min(std::chrono::milliseconds(100), deadline.remaining()), deadline.token());
+    const Deadline answerTime =
+        Deadline::after(std::min(std::chrono::milliseconds(100), deadline.remaining()), deadline.token());
     const auto asked = d.request(RequestKind::ProtectiveStop, 0, {}, context, answerTime);
     if (!asked && asked.error().code == ErrorCode::Cancelled) {
         return asked.error();
