@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Python module script_client.
+#include <ur_rtde/script_client.h>
+
+#include "robot/python/module_support.h"
+
+using namespace tiller::python;
+using ur_rtde::ScriptClient;
+
+PYBIND11_MODULE(script_client, module) {
+    prepareModule();
+    module.doc() = "Sends URScript to a Universal Robots controller.";
+    py::class_<ScriptClient> cls(module, "ScriptClient");
+    for (const char* host : kHostNames) {
+        cls.def(py::init<std::string, uint32_t, uint32_t, int, bool>(), py::arg(host),
+                py::arg("major_control_version"), py::arg("minor_control_version"), py::arg("port") = 30002,
+                py::arg("verbose") = false, Unlocked());
+    }
+    cls.def("sendScript", py::overload_cast<>(&ScriptClient::sendScript), Unlocked());
+    cls.def("sendScript", py::overload_cast<const std::string&>(&ScriptClient::sendScript), Unlocked());
+    cls.def("connect", &ScriptClient::connect, Unlocked());
+    cls.def("isConnected", &ScriptClient::isConnected, Unlocked());
+    cls.def("disconnect", &ScriptClient::disconnect, Unlocked());
+    cls.def("setScriptFile", &ScriptClient::setScriptFile, Unlocked());
+    cls.def("sendScriptCommand", &ScriptClient::sendScriptCommand, Unlocked());
+    cls.def("getScript", &ScriptClient::getScript, Unlocked());
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What the programs in this folder share. They are what users write: no Qt, no application object, only the
+// headers of the ur_rtde interface.
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <vector>
+
+using namespace ur_rtde;
+using namespace std::chrono;
+
+inline const std::vector<double> kHome{-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310};
+
+inline void require(bool condition, const std::string& what) {
+    if (!condition) {
+        std::cerr << "failed: " << what << std::endl;
+        std::exit(1);
+    }
+}
+
+inline bool isNear(const std::vector<double>& a, const std::vector<double>& b, double tolerance) {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (std::abs(a[i] - b[i]) > tolerance) {
+            return false;
+        }
+    }
+    return a.size() == b.size();
+}

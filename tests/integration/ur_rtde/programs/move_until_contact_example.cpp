@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Feels its way down; a second thread of the robot's world pushes back (see the test).
+#include <ur_rtde/rtde_control_interface.h>
+
+#include "common.h"
+
+int main(int, char** argv) {
+    RTDEControlInterface rtde_control(argv[1]);
+    std::vector<double> speed = {0, 0, -0.02, 0, 0, 0};
+    std::cout << "moving" << std::endl;
+    require(rtde_control.moveUntilContact(speed), "moveUntilContact");
+    rtde_control.stopScript();
+    return 0;
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Programs as users of ur_rtde write them, each in a process of its own that knows nothing of Qt.
+#include <QFileInfo>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/integration/ur_rtde/face_cell.h"
+
+using namespace tiller;
+
+class TestFacePrograms : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void programsRun_data() {
+        QTest::addColumn<QString>("program");
+        for (const char* name :
+             {"forward_control", "servoj_example", "speedj_example", "forcemode_example",
+              "movel_path_example", "move_async_example", "io_example", "record_data_example",
+              "circle_example", "move_until_contact_example", "gripper_example"}) {
+            QTest::newRow(name) << name;
+        }
+    }
+    void programsRun() {
+        QFETCH(QString, program);
+        const QString path = QStringLiteral(TILLER_PROGRAMS "/face_") + program;
+        QVERIFY2(QFileInfo(path).isExecutable(), qPrintable(path));
+        test::FaceCell cell;
+        QTemporaryDir folder;
+        QProcess process;
+        process.setProcessChannelMode(QProcess::MergedChannels);
+        process.start(path, {QString::fromStdString(cell.host()), folder.filePath("record.csv")});
+        if (program == "move_until_contact_example") {
+            const double z = cell.robot.truth().tcpPose.position.z();
+            QVERIFY(cell.until(
+                [z](const simulator::Truth& truth) { return truth.tcpPose.position.z() < z - 0.01; }));
+            cell.robot.pressHand(Wrench::fromVector((Vector6() << 0, 0, 150, 0, 0, 0).finished()));
+        }
+        QVERIFY2(process.waitForFinished(120'000), process.readAll().constData());
+        const QByteArray output = process.readAll();
+        QVERIFY2(process.exitStatus() == QProcess::NormalExit && process.exitCode() == 0, output.constData());
+        QVERIFY2(!output.contains("QSocketNotifier") && !output.contains("QCoreApplication"),
+                 output.constData());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestFacePrograms)
+#include "tst_face_programs.moc"

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// Makes the table in robot/ur_rtde/METHODS.md: every method of the interface and the tests that exercise it.
+// Run with TILLER_UPDATE_TABLES=1 to write it anew.
+#include <QDir>
+#include <QDirIterator>
+#include <QFile>
+#include <QRegularExpression>
+#include <QTest>
+
+namespace {
+
+const QString kSource = QStringLiteral(TILLER_SOURCE_DIR "/");
+const char* const kTable = "robot/ur_rtde/METHODS.md";
+
+QString contentsOf(const QString& path) {
+    QFile file(kSource + path);
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+struct Method {
+    QString owner;
+    QString name;
+};
+
+QList<Method> methodsIn(const QString& path) {
+    QList<Method> methods;
+    for (const QString& line : contentsOf(path).split('\n')) {
+        const QStringList words = line.split(' ');
+        if (words.size() == 2 && !line.startsWith('#')) {
+            methods << Method{words[0], words[1]};
+        }
+    }
+    return methods;
+}
+
+/// Test functions, each with its text.
+struct TestFunction {
+    QString where;
+    QString text;
+};
+
+QList<TestFunction> functionsIn(const QString& folder, const QString& pattern,
+                                const QRegularExpression& begin) {
+    QList<TestFunction> functions;
+    QStringList files = QDir(kSource + folder).entryList({pattern}, QDir::Files, QDir::Name);
+    for (const QString& file : files) {
+        const QString text = contentsOf(folder + '/' + file);
+        QList<QPair<QString, qsizetype>> starts;
+        auto matches = begin.globalMatch(text);
+        while (matches.hasNext()) {
+            const auto match = matches.next();
+            starts.append({match.captured(1), match.capturedStart()});
+        }
+        for (qsizetype i = 0; i < starts.size(); ++i) {
+            const qsizetype end = i + 1 < starts.size() ? starts[i + 1].second : text.size();
+            functions << TestFunction{QFileInfo(file).baseName() + "::" + starts[i].first,
+                                      text.mid(starts[i].second, end - starts[i].second)};
+        }
+    }
+    return functions;
+}
+
+/// The tests where an object of this class has the method called. `files`: where objects of the class are
+/// known.
+QString exercised(const Method& method, const QList<TestFunction>& functions,
+                  const QHash<QString, QString>& objects) {
+    const QString call =
+        objects.value(method.owner) + QRegularExpression::escape(method.name) + "\\b(?=\\(|,|\\))";
+    const QRegularExpression pattern(call);
+    for (const TestFunction& function : functions) {
+        if (pattern.match(function.text).hasMatch()) {
+            return function.where;
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+class TestFaceTable : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everyMethodIsDeclaredAndExercised() {
+        // How the objects are called in the tests of each language.
+        static const QHash<QString, QString> cpp = {
+            {"RTDEControlInterface", "(?:control_->|control\\.|second\\.)"},
+            {"RTDEReceiveInterface", "(?:receive_->|receive\\.|upper\\.|registers\\.)"},
+            {"RTDEIOInterface", "(?:\\bio\\.|upper\\.|lower\\.)"},
+            {"DashboardClient", "dashboard\\."},
+            {"ScriptClient", "(?:client|old|recent)\\."},
+            {"RobotiqGripper", "gripper\\."},
+            {"RTDEUtility", "RTDEUtility::"},
+            {"Path", "path\\."},
+            {"PathEntry", "\\[0\\]\\."},
+        };
+        static const QHash<QString, QString> python = {
+            {"RTDEControlInterface", "(?:control|self\\.control)\\."},
+            {"RTDEReceiveInterface", "receive\\."},
+            {"RTDEIOInterface", "\\bio\\."},
+            {"DashboardClient", "dashboard\\."},
+            {"ScriptClient", "client\\."},
+            {"RobotiqGripper", "gripper\\."},
+            {"Path", "path\\."},
+            {"PathEntry", "\\[0\\]\\."},
+            {"AsyncOperationStatus", "(?:status|AsyncOperationStatus\\(\\))\\."},
+        };
+        const auto cppTests =
+            functionsIn("tests/integration/ur_rtde", "tst_face_*.cpp",
+                        QRegularExpression("^    void (\\w+)\\(\\)", QRegularExpression::MultilineOption));
+        const auto pythonTests =
+            functionsIn("tests/python", "test_*.py",
+                        QRegularExpression("^    def (\\w+)\\(", QRegularExpression::MultilineOption));
+        QVERIFY(cppTests.size() > 20);
+        QVERIFY(pythonTests.size() > 10);
+
+        QString headers;
+        for (const QString& file : QDir(kSource + "robot/ur_rtde").entryList({"*.h"})) {
+            headers += contentsOf("robot/ur_rtde/" + file);
+        }
+        const auto pythonMethods = methodsIn("tests/data/ur_rtde/python.txt");
+        QStringList missing;
+        QString table =
+            "# Methods of the ur_rtde interface\n\n"
+            "Made by tests/integration/ur_rtde/tst_face_table (TILLER_UPDATE_TABLES=1 writes it): every "
+            "method of "
+            "ur_rtde 1.5.8 and the test that exercises it against the simulated controller.\n\n"
+            "| class | method | C++ | Python |\n|---|---|---|---|\n";
+        const auto methods = methodsIn("tests/data/ur_rtde/methods.txt");
+        QVERIFY(methods.size() > 200);
+        for (const Method& method : methods) {
+            if (!headers.contains(QRegularExpression("[ &*]" + method.name + "\\("))) {
+                missing << method.owner + "::" + method.name + " is not declared";
+            }
+            const QString inCpp = exercised(method, cppTests, cpp);
+            if (inCpp.isEmpty()) {
+                missing << method.owner + "::" + method.name + " is not exercised in C++";
+            }
+            const bool exposed =
+                method.owner == "RobotiqGripper" ||
+                std::any_of(pythonMethods.begin(), pythonMethods.end(), [&](const Method& m) {
+                    return m.owner == method.owner && m.name == method.name;
+                });
+            const QString inPython = exposed ? exercised(method, pythonTests, python) : QString();
+            if (exposed && inPython.isEmpty()) {
+                missing << method.owner + "." + method.name + " is not exercised in Python";
+            }
+            table += QStringLiteral("| %1 | %2 | %3 | %4 |\n")
+                         .arg(method.owner, method.name, inCpp,
+                              exposed ? inPython : QStringLiteral("not exposed"));
+        }
+        QVERIFY2(missing.isEmpty(), qPrintable(missing.join('\n')));
+        if (qEnvironmentVariableIsSet("TILLER_UPDATE_TABLES")) {
+            QFile file(kSource + kTable);
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(table.toUtf8());
+        }
+        QVERIFY2(contentsOf(kTable) == table, "the table is not up to date: run with TILLER_UPDATE_TABLES=1");
+    }
+};
+
+QTEST_GUILESS_MAIN(TestFaceTable)
+#include "tst_face_table.moc"

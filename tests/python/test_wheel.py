@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: MIT
+"""The wheel holds what it says, and works where it is unpacked."""
+import base64
+import glob
+import hashlib
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+import zipfile
+
+MODULES = {"rtde_control": "RTDEControlInterface", "rtde_receive": "RTDEReceiveInterface", "rtde_io": "RTDEIOInterface",
+           "dashboard_client": "DashboardClient", "script_client": "ScriptClient", "robotiq_gripper": "RobotiqGripper"}
+
+
+class TestWheel(unittest.TestCase):
+    def setUp(self):
+        wheels = glob.glob(os.path.join(os.environ["TILLER_WHEELS"], "*.whl"))
+        self.assertEqual(len(wheels), 1)
+        self.wheel = zipfile.ZipFile(wheels[0])
+
+    def tearDown(self):
+        self.wheel.close()
+
+    def test_the_record_is_right(self):
+        record = [name for name in self.wheel.namelist() if name.endswith("/RECORD")][0]
+        listed = {}
+        for line in self.wheel.read(record).decode().splitlines():
+            name, digest, _ = line.rsplit(",", 2)
+            listed[name] = digest
+        self.assertEqual(sorted(listed), sorted(self.wheel.namelist()))
+        for name, digest in listed.items():
+            if name != record:
+                actual = base64.urlsafe_b64encode(hashlib.sha256(self.wheel.read(name)).digest()).rstrip(b"=")
+                self.assertEqual(digest, "sha256=" + actual.decode())
+
+    def test_modules_and_stubs_work_unpacked(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.wheel.extractall(folder)
+            for module, name in MODULES.items():
+                code = f"import {module}; assert {module}.__file__.startswith({folder!r}); {module}.{name}"
+                environment = dict(os.environ, PYTHONPATH=folder)
+                subprocess.run([sys.executable, "-B", "-c", code], check=True, env=environment)
+                with open(os.path.join(folder, module + ".pyi"), encoding="utf-8") as stub:
+                    text = stub.read()
+                compile(text, module + ".pyi", "exec")
+                self.assertIn(f"class {name}:", text)
+            with open(os.path.join(folder, "rtde_control.pyi"), encoding="utf-8") as stub:
+                self.assertIn("def moveJ(self, q: List[float], speed: float = 1.05", stub.read())
+
+
+if __name__ == "__main__":
+    unittest.main()
