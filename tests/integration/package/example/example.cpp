@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// A robot in this very process, moved through the ur_rtde interface and looked at through the backend's own.
+#include <ur_rtde/rtde_control_interface.h>
+
+#include <unistd.h>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+
+#include "robot/receive/receiver.h"
+#include "robot/receive/robot_state.h"
+#include "robot/simulator/controller.h"
+
+int main() {
+    tiller::simulator::ControllerOptions options;
+    options.listenAddress = QStringLiteral("127.%1.%2.1").arg(10 + getpid() % 200).arg(getpid() / 200 % 250);
+    options.poweredOn = true;
+    options.fastTransitions = true;
+    tiller::simulator::Controller robot(options);
+    if (const auto started = robot.start(); !started) {
+        std::cerr << started.error().toString().toStdString() << std::endl;
+        return EXIT_FAILURE;
+    }
+    ur_rtde::RTDEControlInterface control(options.listenAddress.toStdString());
+    const auto start = tiller::simulator::kHomeJoints.array();
+    std::vector<double> target(start.begin(), start.end());
+    target[5] += 0.2;
+    if (!control.moveJ(target)) {
+        std::cerr << "moveJ" << std::endl;
+        return EXIT_FAILURE;
+    }
+    tiller::receive::ReceiverOptions receiving;
+    receiving.host = options.listenAddress;
+    tiller::receive::Receiver receiver(receiving);
+    receiver.start();
+    while (receiver.latest().isEmpty()) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    const tiller::receive::Sample sample = receiver.latest();
+    const double reached = tiller::receive::RobotState(sample).q()[5];
+    receiver.stop();
+    control.disconnect();
+    robot.stop();
+    std::cout << "moved to " << reached << std::endl;
+    return std::abs(reached - target[5]) < 1e-3 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
