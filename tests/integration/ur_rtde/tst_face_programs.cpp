@@ -15,10 +15,9 @@ class TestFacePrograms : public QObject {
 private Q_SLOTS:
     void programsRun_data() {
         QTest::addColumn<QString>("program");
-        for (const char* name :
-             {"forward_control", "servoj_example", "speedj_example", "forcemode_example",
-              "movel_path_example", "move_async_example", "io_example", "record_data_example",
-              "circle_example", "move_until_contact_example", "gripper_example"}) {
+        for (const char* name : {"forward_control", "servoj_example", "speedj_example", "forcemode_example",
+                                 "move_async_example", "io_example", "record_data_example", "circle_example",
+                                 "move_until_contact_example", "gripper_example"}) {
             QTest::newRow(name) << name;
         }
     }
