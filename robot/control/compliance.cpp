@@ -34,6 +34,8 @@ Result<void> noAnswer(const Result<Answer>& answer) {
 
 Result<void> Compliance::setForceMode(const ForceMode& mode, const Deadline& deadline) {
     constexpr auto kContext = "set force mode";
+    auto& d = ControllerAccess::of(*controller_);
+    const std::uint64_t stops = d.mailbox.epoch().stops();
     ArgumentCheck check = ArgumentCheck(kContext).pose("taskFrame", mode.taskFrame);
     const Vector6 wrench = mode.wrench.vector();
     // No arm of this kind pushes harder; a controller limits it further.
@@ -55,7 +57,6 @@ Result<void> Compliance::setForceMode(const ForceMode& mode, const Deadline& dea
     if (type < 1 || type > 3) {
         return Error{ErrorCode::InvalidArgument, context, QStringLiteral("type: it is 1, 2 or 3")};
     }
-    auto& d = ControllerAccess::of(*controller_);
     if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
         return error;
     }
@@ -67,7 +68,16 @@ Result<void> Compliance::setForceMode(const ForceMode& mode, const Deadline& dea
     constexpr int kAboveAxes = 64;
     const std::int32_t whole = bitsOf(mode.compliant) + type * kAboveAxes;
     d.loop.permitForce(true);
-    return noAnswer(d.request(RequestKind::ForceMode, whole, numbers, context, deadline));
+    Result<void> on;
+    if (d.mailbox.epoch().stops() == stops) {
+        on = noAnswer(d.request(RequestKind::ForceMode, whole, numbers, context, deadline));
+    } else {
+        on = Error{ErrorCode::Stopped, context, QStringLiteral("a stop came first")};
+    }
+    if (!on) {
+        d.loop.permitForce(false);  // should it have begun all the same
+    }
+    return on;
 }
 
 Result<void> Compliance::endForceMode(const Deadline& deadline) {
@@ -110,6 +120,7 @@ Result<Motion> Compliance::startFreedrive(const Freedrive& freedrive, Holding ho
         return check.error();
     }
     auto& d = ControllerAccess::of(*controller_);
+    const std::uint64_t stops = d.mailbox.epoch().stops();
     const QString context = QStringLiteral("start freedrive");
     if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
         return error;
@@ -129,19 +140,23 @@ Result<Motion> Compliance::startFreedrive(const Freedrive& freedrive, Holding ho
     command.held = holding == Holding::Held;
     command.choice = bitsOf(freedrive.freeAxes);
     command.target = freedrive.feature.array();
-    return MotionAccess::make(*controller_, d.mailbox.start(command, d.now()), MotionKind::Freedrive);
+    const auto id = d.start(command, stops, context);
+    return id ? MotionAccess::make(*controller_, *id, MotionKind::Freedrive) : Result<Motion>(id.error());
 }
 
 Result<Motion> Compliance::startTeachMode(Holding holding) {
     auto& d = ControllerAccess::of(*controller_);
-    if (const Error error = d.obstacle(QStringLiteral("start teach mode")); error.code != ErrorCode::None) {
+    const std::uint64_t stops = d.mailbox.epoch().stops();
+    const QString context = QStringLiteral("start teach mode");
+    if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
         return error;
     }
     MotionCommand command;
     command.kind = MotionCommand::Kind::Program;
     command.program = static_cast<std::int32_t>(ScriptCommand::Teach);
     command.held = holding == Holding::Held;
-    return MotionAccess::make(*controller_, d.mailbox.start(command, d.now()), MotionKind::Freedrive);
+    const auto id = d.start(command, stops, context);
+    return id ? MotionAccess::make(*controller_, *id, MotionKind::Freedrive) : Result<Motion>(id.error());
 }
 
 Result<void> Compliance::startContactDetection(const Twist& direction, const Deadline& deadline) {

@@ -30,6 +30,7 @@ void ControlLoop::begin(std::int32_t session, double period, const ArmLimits& ar
     endRequested_.store(false, std::memory_order_release);
     nextSession_.store(0, std::memory_order_release);
     forcePermitted_.store(false, std::memory_order_release);
+    request_.publish({});
     data_ = {};
     data_.hostNs = nowNs;
     hasData_ = false;
@@ -43,6 +44,17 @@ void ControlLoop::begin(std::int32_t session, double period, const ArmLimits& ar
     status_.late = 0;
     status_.limiter = {};
     publish();
+}
+
+void ControlLoop::permitForce(bool permitted) {
+    // Who permits looks for a stop afterwards, who stops takes back afterwards: one of them sees the other.
+    std::atomic_thread_fence(std::memory_order_seq_cst);
+    forcePermitted_.store(permitted);
+    std::atomic_thread_fence(std::memory_order_seq_cst);
+}
+
+void ControlLoop::withdraw() {
+    request_.publish({});
 }
 
 std::int32_t ControlLoop::ask(Request request) {
@@ -171,6 +183,9 @@ void ControlLoop::watch(const Feedback& data) {
     status_.tcpOffset = data.tcpOffset.array();
     status_.speedScaling = data.speedScaling;
     status_.runtimeState = data.runtimeState;
+    if (data.runtimeState == RuntimeState::Playing) {
+        playing_.fetch_add(1, std::memory_order_acq_rel);
+    }
     if (data.robotMode != RobotMode::Running || !allowsMotion(data.safetyMode)) {
         endActive(StopCause::UnsafeMode, data.hostNs);
         forcePermitted_.store(false, std::memory_order_release);
@@ -234,8 +249,10 @@ void ControlLoop::watch(const Feedback& data) {
 }
 
 void ControlLoop::leave(ControlLoss loss, StopCause cause, std::int64_t nowNs) {
+    // In this order, and the other way round where motions begin: no motion is left over.
+    inControl_.store(false);
+    std::atomic_thread_fence(std::memory_order_seq_cst);
     endActive(cause, nowNs);
-    inControl_.store(false, std::memory_order_release);
     forcePermitted_.store(false, std::memory_order_release);
     status_.inControl = false;
     status_.executing = false;
@@ -350,6 +367,11 @@ void ControlLoop::noteEnded(std::int64_t nowNs) {
         status_.limiter = {};
     }
     // A motion that gave way to another one, or came to its end, did not stop.
+    // Nobody holds the arm any more: nor shall it go on pushing.
+    if (cause == StopCause::EventLoopStalled || cause == StopCause::DataStale ||
+        cause == StopCause::LinkLost) {
+        forcePermitted_.store(false, std::memory_order_release);
+    }
     if (cause != StopCause::Superseded && cause != StopCause::Completed) {
         meter_.begin(cause, std::min(epoch.endedNs(followed_), nowNs));
     }
@@ -374,13 +396,14 @@ void ControlLoop::seal(Command& command, std::int64_t nowNs) {
         sentMotion_ = followed_;
     } else {
         const ScriptCommand kind = moves ? ScriptCommand::Idle : command.kind;
-        const Brake brake = mailbox_.brake();
+        const std::uint64_t dead = mailbox_.epoch().deadUpTo();
+        const Brake brake = mailbox_.brake(dead);
         command = {};
         command.kind = kind;
         command.choice = static_cast<std::int32_t>(brake.along);
         command.acceleration = brake.deceleration;
         command.rotationAcceleration = brake.rotationDeceleration;
-        command.epoch = static_cast<std::int32_t>(mailbox_.epoch().deadUpTo());
+        command.epoch = static_cast<std::int32_t>(dead);
         sentMotion_ = kNoMotion;
     }
     command.request = request_.newest();

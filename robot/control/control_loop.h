@@ -64,15 +64,20 @@ public:
 
     /// Puts a request into the packages until another one is asked. Returns  its number
     std::int32_t ask(Request request);
+    /// Takes the request out of the packages: nobody waits for it any more.
+    void withdraw();
     /// The newest answer of our program.
     Answer answer() const { return answer_.load(); }
-    /// Force mode may go on, until this is taken back, by the caller, an unsafe mode or the loss of control.
-    void permitForce(bool permitted) { forcePermitted_.store(permitted, std::memory_order_release); }
+    /// Force mode may go on, until this is taken back: by the caller, an unsafe mode, the loss of control, or
+    /// the end of a motion whose holder fell silent.
+    void permitForce(bool permitted);
     /// Null takes it away; when the call returns it is not in use any more.
     void setHook(CycleHook* hook);
 
     bool isInControl() const { return inControl_.load(std::memory_order_acquire); }
     ControllerStatus status() const { return published_.load(); }
+    /// How many packages said that a program plays.
+    std::uint64_t playing() const { return playing_.load(std::memory_order_acquire); }
     /// For the time in which no control thread runs.
     void publishLoss(ControlLoss loss);
 
@@ -100,6 +105,7 @@ private:
     std::atomic<ControlLoss> endLoss_{ControlLoss::Released};
     std::atomic<std::int32_t> nextSession_{0};  ///< 0: none
     std::atomic<bool> forcePermitted_{false};
+    std::atomic<std::uint64_t> playing_{0};
     std::atomic<CycleHook*> hook_{nullptr};
     std::atomic<bool> hookInUse_{false};
     std::int32_t asked_ = 0;  ///< under the caller's lock: number of the last request

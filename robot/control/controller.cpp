@@ -55,11 +55,17 @@ Result<void> Controller::takeControl(const Deadline& deadline) {
 }
 
 void Controller::release() {
+    stop(StopCause::ControlLost);
     {
         const std::lock_guard lock(d_->patience);
+        ++d_->ending;
         d_->underWay.cancel();
     }
     const std::lock_guard lock(d_->taking);
+    {
+        const std::lock_guard patience(d_->patience);
+        --d_->ending;
+    }
     stop(StopCause::ControlLost);
     if (!d_->running) {
         d_->stopThread();
@@ -85,11 +91,11 @@ void Controller::Private::run() {
     const auto send = [&](const Command& command) {
         const auto inputs = encode(command);
         bool sent = isSent(kCommandInputs, inputs);
-        if (sent && kick.exchange(false, std::memory_order_acq_rel)) {
+        if (sent && watchdogUsable && kick.exchange(false, std::memory_order_acq_rel)) {
             constexpr std::array<double, 1> kNothing{};
             sent = isSent(kWatchdogInputs, kNothing);
         }
-        if (const auto* measured = sent ? wrench.take() : nullptr; measured != nullptr) {
+        if (const auto* measured = sent && wrenchUsable ? wrench.take() : nullptr; measured != nullptr) {
             sent = isSent(kWrenchInputs, *measured);
         }
         return sent;
@@ -142,7 +148,23 @@ Error Controller::Private::obstacle(const QString& context) const {
     return {};
 }
 
+Result<MotionId> Controller::Private::start(const MotionCommand& command, std::uint64_t stops,
+                                            const QString& context) {
+    const MotionId id = mailbox.startUnlessStopped(stops, command, now());
+    if (id == kNoMotion) {
+        return Error{ErrorCode::Stopped, context, QStringLiteral("a stop came first")};
+    }
+    // Control may have ended since it was looked at, and nobody else would end this motion then.
+    std::atomic_thread_fence(std::memory_order_seq_cst);
+    if (!loop.isInControl()) {
+        mailbox.end(id, StopCause::ControlLost, now());
+        return Error{ErrorCode::NotInControl, context, {}};
+    }
+    return id;
+}
+
 Result<JogId> Controller::startJog(const JogTarget& target) {
+    const std::uint64_t stops = d_->mailbox.epoch().stops();
     const QString context = QStringLiteral("start a jog");
     if (!isFinite(target)) {
         return invalid(context, QStringLiteral("not a number"));
@@ -153,7 +175,7 @@ Result<JogId> Controller::startJog(const JogTarget& target) {
     MotionCommand command;
     command.kind = MotionCommand::Kind::Jog;
     command.jog = target;
-    return d_->mailbox.start(command, d_->now());
+    return d_->start(command, stops, context);
 }
 
 bool Controller::refreshJog(JogId jog) {
@@ -169,6 +191,7 @@ bool Controller::refreshJog(JogId jog, const JogTarget& target) {
 }
 
 Result<MoveId> Controller::moveJ(const JointPositions& target, const MoveParameters& parameters) {
+    const std::uint64_t stops = d_->mailbox.epoch().stops();
     const ArmLimits arm = d_->armNow();
     const ArgumentCheck check =
         ArgumentCheck("start a MoveJ")
@@ -191,10 +214,11 @@ Result<MoveId> Controller::moveJ(const JointPositions& target, const MoveParamet
                  kinematics::jointSpeedBound(arm.dh, JointPositions(status.q), target,
                                              Pose::fromArray(status.tcpOffset), d_->options.limits.tcpSpeed));
     command.acceleration = parameters.acceleration;
-    return d_->mailbox.start(command, d_->now());
+    return d_->start(command, stops, QStringLiteral("start a MoveJ"));
 }
 
 Result<MoveId> Controller::moveL(const Pose& target, const MoveParameters& parameters) {
+    const std::uint64_t stops = d_->mailbox.epoch().stops();
     const MotionLimits& limits = d_->options.limits;
     const ArgumentCheck check =
         ArgumentCheck("start a MoveL")
@@ -218,7 +242,7 @@ Result<MoveId> Controller::moveL(const Pose& target, const MoveParameters& param
                                                               Pose::fromArray(status.tcpOffset),
                                                               limits.tcpSpeed, limits.tcpRotationSpeed));
     command.acceleration = parameters.acceleration;
-    return d_->mailbox.start(command, d_->now());
+    return d_->start(command, stops, QStringLiteral("start a MoveL"));
 }
 
 bool Controller::refreshMove(MoveId move) {
@@ -226,8 +250,8 @@ bool Controller::refreshMove(MoveId move) {
 }
 
 void Controller::stop(StopCause cause) {
-    d_->loop.permitForce(false);
     d_->mailbox.stop(cause, d_->now());
+    d_->loop.permitForce(false);  // afterwards: see setForceMode()
 }
 
 bool Controller::end(MotionId motion, StopCause cause) {

@@ -34,6 +34,7 @@ struct Controller::Private {
     std::mutex taking;  ///< takeControl(), release() and all that sends programs, one after the other
     std::mutex patience;
     CancelToken underWay;  ///< under `patience`: of the call that holds `taking`
+    int ending = 0;        ///< under `patience`: calls of release() that wait for `taking`
 
     std::unique_ptr<rtde::Connection> connection;  ///< the control thread's while it runs
     FeedbackLayout layout;
@@ -87,12 +88,18 @@ struct Controller::Private {
     Result<void> endProgram(ControlLoss loss, const Deadline& deadline);
     /// Ends the control program and sends it again with this section in it. Needs `taking`.
     Result<void> restart(const QString& section, const QString& name, const Deadline& deadline);
-    /// Starts the section of the program sent last.
+    /// Sends the program with this section and starts it, unless a stop came since there were so many.
     Result<MotionId> startSection(const QString& section, const QString& name, Holding holding,
-                                  const Deadline& deadline, const QString& context);
+                                  std::uint64_t stops, const Deadline& deadline, const QString& context);
+    Result<void> watchScript(std::uint64_t epoch, std::uint64_t played, const QString& context,
+                             const Deadline& deadline);
+    /// Ends a script of the user's that still runs, and takes control again. Needs `taking`.
+    Result<void> bringBack();
 
     // controller.cpp
     void run();
+    /// Starts a motion, unless a stop came since there were so many or control has ended.
+    Result<MotionId> start(const MotionCommand& command, std::uint64_t stops, const QString& context);
     /// Why no motion may begin now; code None when it may.
     Error obstacle(const QString& context) const;
 
@@ -142,6 +149,9 @@ public:
     UnderWay(Controller::Private& d, const Deadline& deadline) : d_(d) {
         const std::lock_guard lock(d_.patience);
         d_.underWay = deadline.token();
+        if (d_.ending > 0) {
+            d_.underWay.cancel();
+        }
     }
     ~UnderWay() {
         const std::lock_guard lock(d_.patience);

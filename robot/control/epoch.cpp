@@ -45,7 +45,23 @@ MotionId Epoch::beginMotionAfter(std::uint64_t epoch, std::int64_t nowNs) {
     return kNoMotion;
 }
 
+// A stop counts before it swaps the word: one that this does not see yet finds the motion, or makes the swap
+// here fail.
+MotionId Epoch::beginMotionUnlessStopped(std::uint64_t stops, std::int64_t nowNs) {
+    Word seen = word_.load(std::memory_order_acquire);
+    while (this->stops() == stops) {
+        const std::uint64_t next = epochOf(seen) + 1;
+        if (replace(seen, true, StopCause::Superseded, nowNs)) {
+            return next;
+        }
+    }
+    return kNoMotion;
+}
+
 std::uint64_t Epoch::stop(StopCause cause, std::int64_t nowNs) {
+    if (cause != StopCause::Superseded) {
+        stops_.fetch_add(1, std::memory_order_acq_rel);
+    }
     Word seen = word_.load(std::memory_order_acquire);
     while (!replace(seen, false, cause, nowNs)) {
     }

@@ -20,6 +20,8 @@ public:
     MotionId beginMotion(std::int64_t nowNs);
     /// The same, unless the epoch has moved on from this one; kNoMotion then.
     MotionId beginMotionAfter(std::uint64_t epoch, std::int64_t nowNs);
+    /// The same, unless a stop came since stops() was this; kNoMotion then.
+    MotionId beginMotionUnlessStopped(std::uint64_t stops, std::int64_t nowNs);
     /// Begins an empty epoch: ends whatever is active.
     /// Returns  that epoch
     std::uint64_t stop(StopCause cause, std::int64_t nowNs);
@@ -27,6 +29,9 @@ public:
     bool end(MotionId motion, StopCause cause, std::int64_t nowNs);
 
     std::uint64_t current() const;
+    /// How many stops there were, those not counted that only make way for another motion. Who reads it
+    /// before it prepares a motion sees whether one came meanwhile.
+    std::uint64_t stops() const { return stops_.load(std::memory_order_acquire); }
     bool isActive(MotionId motion) const;
     MotionId activeMotion() const;  ///< kNoMotion in an empty epoch
     /// The newest epoch in which nothing may move any more: the present one when it is empty, else the one
@@ -50,6 +55,7 @@ private:
     void remember(Word w);
 
     std::atomic<Word> word_{word(1, false, StopCause::None)};
+    std::atomic<std::uint64_t> stops_{0};
     std::array<std::atomic<std::uint64_t>, kMemory> causes_{};  ///< epoch * 2^8 + how it ended
     std::array<std::atomic<std::int64_t>, kMemory> began_{};
 };

@@ -25,6 +25,18 @@ MotionId Mailbox::startAfter(std::uint64_t epoch, MotionCommand command, std::in
     return command.id;
 }
 
+MotionId Mailbox::startUnlessStopped(std::uint64_t stops, MotionCommand command, std::int64_t nowNs) {
+    const std::lock_guard lock(callers_);
+    const std::int64_t refreshed = refreshedNs_.exchange(nowNs, std::memory_order_acq_rel);
+    command.id = epoch_.beginMotionUnlessStopped(stops, nowNs);
+    if (command.id == kNoMotion) {
+        refreshedNs_.store(refreshed, std::memory_order_release);
+    } else {
+        publish(command);
+    }
+    return command.id;
+}
+
 bool Mailbox::refresh(MotionId motion, std::int64_t nowNs) {
     const std::lock_guard lock(callers_);
     return isRefreshable(motion, nowNs) && epoch_.isActive(motion);
@@ -84,9 +96,9 @@ std::uint64_t Mailbox::stop(const Brake& brake, StopCause cause, std::int64_t no
     return made;
 }
 
-Brake Mailbox::brake() {
+Brake Mailbox::brake(std::uint64_t epoch) {
     const Brake& newest = brake_.newest();
-    return newest.epoch == epoch_.current() ? newest : Brake{};
+    return newest.epoch == epoch ? newest : Brake{};
 }
 
 void Mailbox::publish(const MotionCommand& command) {

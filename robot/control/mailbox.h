@@ -50,6 +50,9 @@ public:
     /// The same, unless a stop or another motion came since `epoch` was the current one.
     /// Returns  kNoMotion then
     MotionId startAfter(std::uint64_t epoch, MotionCommand command, std::int64_t nowNs);
+    /// The same, unless a stop came since there were so many: Epoch::stops(). Other motions do not matter.
+    /// Returns  kNoMotion then
+    MotionId startUnlessStopped(std::uint64_t stops, MotionCommand command, std::int64_t nowNs);
     /// Returns  false when the motion has ended, if only by this call coming too late
     bool refresh(MotionId motion, std::int64_t nowNs);
     bool refresh(MotionId motion, const JogTarget& target, std::int64_t nowNs);
@@ -66,8 +69,8 @@ public:
     /// The command to follow now, or null. Ends it first when its holder has fallen silent.
     /// Threads  the control thread only; the reference lives until the next call
     const MotionCommand* active(std::int64_t nowNs);
-    /// How to brake in the present, empty epoch. Threads: the control thread only
-    Brake brake();
+    /// How to brake in this empty epoch. Threads: the control thread only
+    Brake brake(std::uint64_t epoch);
 
 private:
     bool isRefreshable(MotionId motion, std::int64_t nowNs);

@@ -14,6 +14,8 @@ namespace tiller::control {
 namespace {
 
 constexpr SoftwareVersion kHasContact{5, 4, 0, 0};
+/// [m/s2] and [rad/s2]: a stop that brakes more softly is none.
+constexpr double kSoftestBrake = 0.1;
 
 MotionCommand program(ScriptCommand what, Holding holding) {
     MotionCommand command;
@@ -53,11 +55,20 @@ Result<MotionPath> fitted(const MotionPath& path, const ArmLimits& arm, const Co
     MotionPath out = path;
     out.back().blend = 0;
     const Pose tcp = Pose::fromArray(status.tcpOffset);
+    const auto lineBound = [&](const JointPositions& from, const Pose& to) {
+        return kinematics::lineSpeedBound(arm.dh, from, to, tcp, limits.tcpSpeed, limits.tcpRotationSpeed);
+    };
     JointPositions q(status.q);
     for (std::size_t i = 0; i < out.size(); ++i) {
         PathEntry& entry = out[i];
         JointPositions next = q;
         if (const auto* joints = std::get_if<JointPositions>(&entry.target)) {
+            const ArgumentCheck check = ArgumentCheck("start a path").joints("target", *joints, arm);
+            if (!check.ok()) {
+                Error error = check.error();
+                error.controllerMessage.prepend(QStringLiteral("entry %1, ").arg(i + 1));
+                return error;
+            }
             next = *joints;
         } else if (const auto found =
                        kinematics::inverseNearest(arm.dh, std::get<Pose>(entry.target), tcp, q)) {
@@ -75,6 +86,18 @@ Result<MotionPath> fitted(const MotionPath& path, const ArmLimits& arm, const Co
                              .arg(i + 1)
                              .arg(entry.speed)
                              .arg(limits.tcpSpeed)};
+        } else {
+            // An arc is looked at along its two chords.
+            JointPositions from = q;
+            if (entry.kind == PathEntry::Kind::MoveC && entry.via) {
+                Pose middle = kinematics::forwardTcp(arm.dh, q, tcp);
+                const auto* joints = std::get_if<JointPositions>(&*entry.via);
+                middle.position = joints != nullptr ? kinematics::forwardTcp(arm.dh, *joints, tcp).position
+                                                    : std::get<Pose>(*entry.via).position;
+                entry.speed = std::min(entry.speed, lineBound(from, middle));
+                from = kinematics::inverseNearest(arm.dh, middle, tcp, from).value_or(from);
+            }
+            entry.speed = std::min(entry.speed, lineBound(from, kinematics::forwardTcp(arm.dh, next, tcp)));
         }
         q = next;
     }
@@ -110,6 +133,7 @@ Result<Motion> Motions::moveL(const Pose& target, const MoveParameters& paramete
 Result<Motion> Motions::moveJ(const Pose& target, const MoveParameters& parameters) {
     constexpr auto kContext = "start a MoveJ to a pose";
     auto& d = ControllerAccess::of(*controller_);
+    const std::uint64_t stops = d.mailbox.epoch().stops();
     const ArmLimits arm = d.armNow();
     const ArgumentCheck check = jointMove(kContext, parameters, arm).pose("target", target);
     if (!check.ok()) {
@@ -130,13 +154,17 @@ Result<Motion> Motions::moveJ(const Pose& target, const MoveParameters& paramete
                  kinematics::jointSpeedBound(arm.dh, JointPositions(status.q), *q,
                                              Pose::fromArray(status.tcpOffset), d.options.limits.tcpSpeed));
     command.acceleration = parameters.acceleration;
-    return MotionAccess::make(*controller_, d.mailbox.start(command, d.now()), MotionKind::MoveJ, status.q,
-                              q->array());
+    const auto id = d.start(command, stops, QString::fromLatin1(kContext));
+    if (!id) {
+        return id.error();
+    }
+    return MotionAccess::make(*controller_, *id, MotionKind::MoveJ, status.q, q->array());
 }
 
 Result<Motion> Motions::moveL(const JointPositions& target, const MoveParameters& parameters) {
     constexpr auto kContext = "start a MoveL to joint positions";
     auto& d = ControllerAccess::of(*controller_);
+    const std::uint64_t stops = d.mailbox.epoch().stops();
     const ArmLimits arm = d.armNow();
     const MotionLimits& limits = d.options.limits;
     const ArgumentCheck check = toolMove(kContext, parameters, limits.tcpSpeed).joints("target", target, arm);
@@ -155,8 +183,11 @@ Result<Motion> Motions::moveL(const JointPositions& target, const MoveParameters
         std::min(parameters.speed, kinematics::lineSpeedBound(arm.dh, JointPositions(status.q), pose, tcp,
                                                               limits.tcpSpeed, limits.tcpRotationSpeed));
     command.acceleration = parameters.acceleration;
-    return MotionAccess::make(*controller_, d.mailbox.start(command, d.now()), MotionKind::MoveL,
-                              status.tcpPose, pose.array());
+    const auto id = d.start(command, stops, QString::fromLatin1(kContext));
+    if (!id) {
+        return id.error();
+    }
+    return MotionAccess::make(*controller_, *id, MotionKind::MoveL, status.tcpPose, pose.array());
 }
 
 Result<Motion> Motions::movePath(const MotionPath& path, const Deadline& start, Holding holding) {
@@ -165,6 +196,7 @@ Result<Motion> Motions::movePath(const MotionPath& path, const Deadline& start, 
         return checked.error();
     }
     auto& d = ControllerAccess::of(*controller_);
+    const std::uint64_t stops = d.mailbox.epoch().stops();
     if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
         return error;
     }
@@ -178,7 +210,7 @@ Result<Motion> Motions::movePath(const MotionPath& path, const Deadline& start, 
         lines.append(pathMove(entry));
     }
     const auto id =
-        d.startSection(lines.join(QLatin1Char('\n')), QStringLiteral("path"), holding, start, context);
+        d.startSection(lines.join(QLatin1Char('\n')), QStringLiteral("path"), holding, stops, start, context);
     if (!id) {
         return id.error();
     }
@@ -189,6 +221,7 @@ Result<Motion> Motions::moveUntilContact(const Twist& twist, const Twist& direct
                                          const Deadline& start) {
     constexpr auto kContext = "move until contact";
     auto& d = ControllerAccess::of(*controller_);
+    const std::uint64_t stops = d.mailbox.epoch().stops();
     ArgumentCheck check =
         ArgumentCheck(kContext)
             .twist("twist", twist, std::min(d.options.limits.tcpSpeed, kHighestToolSpeed))
@@ -207,7 +240,6 @@ Result<Motion> Motions::moveUntilContact(const Twist& twist, const Twist& direct
     if (const auto known = d.needs(kHasContact, {}, context); !known) {
         return known.error();
     }
-    const std::uint64_t epoch = d.mailbox.epoch().current();
     const Vector6 values = direction.vector();
     const std::span<const double> numbers(values.data(), 6);
     if (const auto set = d.request(RequestKind::WatchContact, 0, numbers, context, start); !set) {
@@ -220,21 +252,21 @@ Result<Motion> Motions::moveUntilContact(const Twist& twist, const Twist& direct
     command.speed = std::max(twist.linear.norm(), kSlowestReturn);
     command.acceleration = acceleration;
     command.rotationAcceleration = acceleration;
-    const MotionId id = d.mailbox.startAfter(epoch, command, d.now());
-    if (id == kNoMotion) {
-        return Error{ErrorCode::Stopped, context, QStringLiteral("a stop or another motion came in between")};
-    }
-    return MotionAccess::make(*controller_, id, MotionKind::UntilContact);
+    const auto id = d.start(command, stops, context);
+    return id ? MotionAccess::make(*controller_, *id, MotionKind::UntilContact) : Result<Motion>(id.error());
 }
 
 Result<Motion> Motions::stopJ(double deceleration, StopCause cause) {
-    const ArgumentCheck check = ArgumentCheck("stopj").positive("deceleration", deceleration,
-                                                                kJointAccelerationLimit, "rad/s2", "deg/s2");
+    const ArgumentCheck check =
+        ArgumentCheck("stopj")
+            .positive("deceleration", deceleration, kJointAccelerationLimit, "rad/s2", "deg/s2")
+            .range("deceleration", deceleration, kSoftestBrake, kJointAccelerationLimit, "rad/s2");
     if (!check.ok()) {
         return check.error();
     }
     auto& d = ControllerAccess::of(*controller_);
     const MotionId id = d.mailbox.stop({0, Brake::Along::Joints, deceleration, deceleration}, cause, d.now());
+    d.loop.permitForce(false);
     return MotionAccess::make(*controller_, id, MotionKind::Stop);
 }
 
@@ -243,12 +275,15 @@ Result<Motion> Motions::stopL(double deceleration, double rotationDeceleration, 
     const ArgumentCheck check =
         ArgumentCheck("stopl")
             .positive("deceleration", deceleration, kHighestToolAcceleration, "m/s2", "mm/s2")
-            .positive("rotationDeceleration", rotation, kHighestToolAcceleration, "rad/s2", "deg/s2");
+            .positive("rotationDeceleration", rotation, kHighestToolAcceleration, "rad/s2", "deg/s2")
+            .range("deceleration", deceleration, kSoftestBrake, kHighestToolAcceleration, "m/s2")
+            .range("rotationDeceleration", rotation, kSoftestBrake, kHighestToolAcceleration, "rad/s2");
     if (!check.ok()) {
         return check.error();
     }
     auto& d = ControllerAccess::of(*controller_);
     const MotionId id = d.mailbox.stop({0, Brake::Along::Line, deceleration, rotation}, cause, d.now());
+    d.loop.permitForce(false);
     return MotionAccess::make(*controller_, id, MotionKind::Stop);
 }
 

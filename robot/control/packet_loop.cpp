@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <exception>
 
 #include "robot/control/controller_private.h"
 #include "robot/control/setpoint_command.h"
@@ -35,13 +36,13 @@ public:
         state.speedScaling = data.speedScaling;
 
         const auto before = std::chrono::steady_clock::now();
-        const std::optional<Target> wanted = callback_(state);
+        const std::optional<Target> wanted = ask(state);
         const auto took = std::chrono::steady_clock::now() - before;
         report.calls.add(std::chrono::nanoseconds(took).count());
         if (std::chrono::duration<double>(took).count() > period) {
             ++report.overruns;
         }
-        if (!wanted) {
+        if (!wanted || error.code != ErrorCode::None) {
             return false;
         }
         error = rules_.check(*wanted);
@@ -58,6 +59,20 @@ public:
     Error error;
 
 private:
+    // In the control thread an exception would end the whole process.
+    std::optional<Target> ask(const CycleState& state) {
+        QString what;
+        try {
+            return callback_(state);
+        } catch (const std::exception& thrown) {
+            what = QString::fromLocal8Bit(thrown.what());
+        } catch (...) {
+            what = QStringLiteral("unknown");
+        }
+        error = {ErrorCode::Stopped, QStringLiteral("run a packet loop"),
+                 QStringLiteral("the callback threw an exception: ") + what};
+        return {};
+    }
     void note(const Feedback& data, double period) {
         if (report.cycles++ == 0) {
             beganAt_ = data.timestamp;

@@ -17,6 +17,10 @@ Error overdue(const Deadline& deadline, const QString& context, const QString& w
     return {deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context, what};
 }
 
+Error stopped(const QString& context) {
+    return {ErrorCode::Stopped, context, QStringLiteral("a stop or another motion came in between")};
+}
+
 }  // namespace
 
 Result<void> Controller::Private::endProgram(ControlLoss loss, const Deadline& deadline) {
@@ -54,8 +58,8 @@ Result<void> Controller::Private::restart(const QString& section, const QString&
 }
 
 Result<MotionId> Controller::Private::startSection(const QString& section, const QString& name,
-                                                   Holding holding, const Deadline& deadline,
-                                                   const QString& context) {
+                                                   Holding holding, std::uint64_t stops,
+                                                   const Deadline& deadline, const QString& context) {
     const std::lock_guard lock(taking);
     const UnderWay cancellable(*this, deadline);
     if (!loop.isInControl()) {
@@ -63,6 +67,9 @@ Result<MotionId> Controller::Private::startSection(const QString& section, const
     }
     // Braking first, and nothing that is stopped from here on may begin.
     const std::uint64_t epoch = mailbox.stop(Brake{}, StopCause::Superseded, now());
+    if (mailbox.epoch().stops() != stops) {
+        return stopped(context);
+    }
     if (auto sent = restart(section, name, deadline); !sent) {
         Error error = sent.error();
         error.context = context;
@@ -81,7 +88,12 @@ Result<MotionId> Controller::Private::startSection(const QString& section, const
     command.held = holding == Holding::Held;
     const MotionId id = mailbox.startAfter(epoch, command, now());
     if (id == kNoMotion) {
-        return Error{ErrorCode::Stopped, context, QStringLiteral("a stop or another motion came in between")};
+        return stopped(context);
+    }
+    std::atomic_thread_fence(std::memory_order_seq_cst);  // as in start()
+    if (!loop.isInControl()) {
+        mailbox.end(id, StopCause::ControlLost, now());
+        return Error{ErrorCode::NotInControl, context, {}};
     }
     return id;
 }
@@ -102,14 +114,50 @@ Result<Motion> Programs::startFunction(const QString& name, const QString& body,
                      QStringLiteral("body: names beginning with tiller_ are the control program's own")};
     }
     auto& d = ControllerAccess::of(*controller_);
+    const std::uint64_t stops = d.mailbox.epoch().stops();
     if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
         return error;
     }
-    const auto id = d.startSection(body, name, holding, start, context);
+    const auto id = d.startSection(body, name, holding, stops, start, context);
     if (!id) {
         return id.error();
     }
     return MotionAccess::make(*controller_, *id, MotionKind::Function);
+}
+
+Result<void> Controller::Private::bringBack() {
+    // Its own time, which only release() may cut short: whatever ended the script, it must not go on.
+    const Deadline deadline = Deadline::after(milliseconds(5000));
+    const UnderWay cancellable(*this, deadline);
+    const auto plays = [this] { return loop.status().runtimeState == RuntimeState::Playing; };
+    bool told = true;
+    if (!running || plays()) {
+        script::ScriptClient client(options.host, primaryPort());
+        auto connected = client.connect(Deadline::after(milliseconds(1000), deadline.token()));
+        if (!connected && deadline.isCancelled()) {
+            connected = client.connect(Deadline::after(milliseconds(100)));
+        }
+        if (connected) {
+            connected = client.send(QStringLiteral("stop program\n"), Deadline::after(milliseconds(100)));
+        }
+        told = connected.ok();
+        // It must not reach the robot after the control program.
+        const Deadline ended = Deadline::after(milliseconds(500), deadline.token());
+        while (running && plays() && !ended.hasExpired()) {
+            std::this_thread::sleep_for(milliseconds(1));
+        }
+    }
+    if (!running) {
+        return Error{ErrorCode::LinkLost, QStringLiteral("send the control program again"),
+                     told ? QString() : QStringLiteral("the script could not be stopped and may go on")};
+    }
+    const std::int32_t session = newSession();
+    {
+        const std::lock_guard again(requesting);
+        stored = {};
+    }
+    loop.expectSession(session);
+    return upload(session, {}, deadline);
 }
 
 Result<void> Programs::runScript(const QString& program, const Deadline& deadline) {
@@ -118,12 +166,16 @@ Result<void> Programs::runScript(const QString& program, const Deadline& deadlin
         return Error{ErrorCode::InvalidArgument, context, QStringLiteral("program: it is empty")};
     }
     auto& d = ControllerAccess::of(*controller_);
+    const std::uint64_t stops = d.mailbox.epoch().stops();
     if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
         return error;
     }
     const std::lock_guard lock(d.taking);
     const UnderWay cancellable(d, deadline);
     const std::uint64_t epoch = d.mailbox.stop(Brake{}, StopCause::Superseded, d.now());
+    if (d.mailbox.epoch().stops() != stops) {
+        return stopped(context);
+    }
     if (auto ended = d.endProgram(ControlLoss::OwnScript, deadline); !ended) {
         return ended;
     }
@@ -135,42 +187,63 @@ Result<void> Programs::runScript(const QString& program, const Deadline& deadlin
         d.program.sectionLines = static_cast<int>(program.count(QLatin1Char('\n'))) + 1;
         d.sectionName = QString();
     }
-    script::ScriptClient client(d.options.host, d.primaryPort());
-    Result<void> outcome = client.connect(deadline);
-    if (outcome) {
-        outcome = client.send(program, deadline);
-    }
-    // It has to begin before its end means anything; one that is over at once may never be seen playing.
-    const Deadline begun =
-        Deadline::after(std::min(milliseconds(1000), deadline.remaining()), deadline.token());
-    bool seen = false;
-    while (outcome) {
-        if (const Error bad = d.complaint(context); bad.code != ErrorCode::None) {
-            outcome = bad;
-        } else if (!d.running) {
-            return Error{ErrorCode::LinkLost, context, {}};
-        } else if (d.mailbox.epoch().current() != epoch) {
-            outcome = Error{ErrorCode::Stopped, context, {}};
-        } else if (deadline.hasExpired()) {
-            outcome = overdue(deadline, context, QStringLiteral("the script was ended"));
-        } else {
-            const bool plays = d.loop.status().runtimeState == RuntimeState::Playing;
-            if ((seen && !plays) || (!seen && begun.hasExpired())) {
-                break;
-            }
-            seen = seen || plays;
-            std::this_thread::sleep_for(milliseconds(1));
+    const std::uint64_t played = d.loop.playing();
+    Result<void> outcome;
+    {
+        script::ScriptClient client(d.options.host, d.primaryPort());
+        outcome = client.connect(deadline);
+        if (outcome && d.mailbox.epoch().current() != epoch) {
+            outcome = stopped(context);
+        }
+        if (outcome) {
+            outcome = client.send(program, deadline);
+        }
+        if (outcome) {
+            outcome = d.watchScript(epoch, played, context, deadline);
         }
     }
-    // A new program ends whatever runs, so this is the stop as well.
-    const std::int32_t session = Controller::Private::newSession();
-    {
-        const std::lock_guard again(d.requesting);
-        d.stored = {};
+    if (auto back = d.bringBack(); !back) {
+        if (outcome) {
+            return back;
+        }
+        Error error = outcome.error();
+        error.controllerMessage +=
+            QStringLiteral("; and control did not come back: ") + back.error().toString();
+        return error;
     }
-    d.loop.expectSession(session);
-    const Result<void> back = d.upload(session, {}, Deadline::after(milliseconds(5000)));
-    return outcome ? back : outcome;
+    return outcome;
+}
+
+// Until the script has ended. It has to begin before its end means anything.
+Result<void> Controller::Private::watchScript(std::uint64_t epoch, std::uint64_t played,
+                                              const QString& context, const Deadline& deadline) {
+    const Deadline begun = Deadline::after(milliseconds(5000), deadline.token());
+    std::optional<Deadline> told;
+    for (;;) {
+        if (const Error bad = complaint(context); bad.code != ErrorCode::None) {
+            return bad;
+        }
+        if (!running) {
+            return Error{ErrorCode::LinkLost, context, QStringLiteral("the script was ended")};
+        }
+        if (mailbox.epoch().current() != epoch) {
+            return stopped(context);
+        }
+        if (deadline.hasExpired()) {
+            return overdue(deadline, context, QStringLiteral("the script was ended"));
+        }
+        if (loop.playing() != played) {
+            // Why it ended is told on another connection, perhaps a little later.
+            if (!told && loop.status().runtimeState != RuntimeState::Playing) {
+                told = Deadline::after(milliseconds(50), deadline.token());
+            } else if (told && told->hasExpired()) {
+                return {};
+            }
+        } else if (begun.hasExpired()) {
+            return Error{ErrorCode::Timeout, context, QStringLiteral("it was never seen running")};
+        }
+        std::this_thread::sleep_for(milliseconds(1));
+    }
 }
 
 Result<void> Programs::endControlProgram(const Deadline& deadline) {

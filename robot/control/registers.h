@@ -89,7 +89,7 @@ struct Request {
     std::array<double, 6> numbers{};
 };
 
-enum class Outcome : std::int32_t { Done = 0, NoSolution = 1, Unknown = 2 };
+enum class Outcome : std::int32_t { Done = 0, NoSolution = 1, Unknown = 2, NotPermitted = 3 };
 
 struct Answer {
     std::int32_t number = 0;  ///< of the request

@@ -45,6 +45,8 @@ Result<Answer> Controller::Private::exchange(const Request& request, const QStri
                     return answer;
                 case Outcome::NoSolution:
                     return Error{ErrorCode::NoSolution, context, {}};
+                case Outcome::NotPermitted:
+                    return Error{ErrorCode::Stopped, context, QStringLiteral("a stop came first")};
                 case Outcome::Unknown:
                     break;
             }
@@ -52,9 +54,11 @@ Result<Answer> Controller::Private::exchange(const Request& request, const QStri
                          QStringLiteral("the control program does not know this request")};
         }
         if (!loop.isInControl()) {
+            loop.withdraw();
             return Error{running ? ErrorCode::NotInControl : ErrorCode::LinkLost, context, {}};
         }
         if (deadline.hasExpired()) {
+            loop.withdraw();  // it must not be served when nobody expects it any more
             return overdue(deadline, context);
         }
         std::this_thread::sleep_for(std::chrono::microseconds(500));

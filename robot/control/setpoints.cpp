@@ -136,10 +136,12 @@ template <class Parameters>
 Result<Motion> startStream(Controller& controller, ScriptCommand what, MotionKind kind,
                            const Parameters& parameters, Holding holding) {
     auto& d = ControllerAccess::of(controller);
+    const std::uint64_t stops = d.mailbox.epoch().stops();
+    const QString context = QStringLiteral("start a stream");
     if (const Error error = rulesOf(controller).check(parameters); error.code != ErrorCode::None) {
         return error;
     }
-    if (const Error error = d.obstacle(QStringLiteral("start a stream")); error.code != ErrorCode::None) {
+    if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
         return error;
     }
     MotionCommand command;
@@ -147,7 +149,8 @@ Result<Motion> startStream(Controller& controller, ScriptCommand what, MotionKin
     command.program = static_cast<std::int32_t>(what);
     command.held = holding == Holding::Held;
     fill(command, parameters, d.versionNow().controlPeriod());
-    return MotionAccess::make(controller, d.mailbox.start(command, d.now()), kind);
+    const auto id = d.start(command, stops, context);
+    return id ? MotionAccess::make(controller, *id, kind) : Result<Motion>(id.error());
 }
 
 }  // namespace

@@ -73,7 +73,14 @@ Result<void> Controller::Private::take(const Deadline& deadline) {
         primary = std::move(listener);
     }
     const std::int32_t session = newSession();
-    startThread(session, limits);
+    {
+        // What was meant for the connection before must not reach this one.
+        const std::lock_guard lock(requesting);
+        stored = {};
+        kick = false;
+        wrench.take();
+        startThread(session, limits);
+    }
     return upload(session, {}, deadline);
 }
 

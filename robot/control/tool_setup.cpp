@@ -192,6 +192,9 @@ Result<void> ToolSetup::triggerProtectiveStop(const Deadline& deadline) {
     if (const auto known = d.needs(kESeries, {3, 8, 0, 0}, context); !known) {
         return known;
     }
+    if (!d.loop.isInControl()) {
+        return Error{ErrorCode::NotInControl, context, {}};
+    }
     // The program is paused by it, so that the answer may never come: what counts is the safety mode.
     const Deadline answerTime =
         Deadline::after(std::min(std::chrono::milliseconds(100), deadline.remaining()), deadline.token());
@@ -199,7 +202,12 @@ Result<void> ToolSetup::triggerProtectiveStop(const Deadline& deadline) {
     if (!asked && asked.error().code == ErrorCode::Cancelled) {
         return asked.error();
     }
+    // Control that was lost before it was asked for will not bring it about.
+    const Deadline soon = Deadline::after(std::chrono::seconds(2), deadline.token());
     while (d.loop.status().safetyMode != SafetyMode::ProtectiveStop) {
+        if (!asked && asked.error().code == ErrorCode::NotInControl && soon.hasExpired()) {
+            return asked.error();
+        }
         if (!d.running) {
             return Error{asked ? ErrorCode::LinkLost : asked.error().code, context, {}};
         }

@@ -371,6 +371,28 @@ private Q_SLOTS:
         QVERIFY(!bench.tick().forcePermitted);
     }
 
+    void aSilentHolderTakesForceModeWithIt() {
+        Bench bench;
+        bench.takeControl();
+        bench.startMove(true);
+        bench.loop.permitForce(true);
+        QVERIFY(bench.tick(2).forcePermitted);
+        bench.tick(static_cast<int>(kHoldTimeNs / kPeriodNs) + 3);
+        QVERIFY(!bench.command.forcePermitted);
+    }
+
+    void aRequestNobodyWaitsForIsNotSentAnyMore() {
+        Bench bench;
+        bench.takeControl();
+        const auto number = bench.loop.ask({0, RequestKind::SetPayload, 0, {3, 0, 0, 0, 0, 0}});
+        QCOMPARE(bench.tick().request.number, number);
+        bench.loop.withdraw();
+        QCOMPARE(bench.tick().request.kind, RequestKind::None);
+        bench.loop.ask({0, RequestKind::SetPayload, 0, {3, 0, 0, 0, 0, 0}});
+        bench.loop.begin(kSession, kPeriod, ArmLimits::of(robotModel(RobotModelId::UR5e)), bench.now());
+        QCOMPARE(bench.tick().request.kind, RequestKind::None);
+    }
+
     // Eight threads send targets without rest; 10 000 times a stop comes in between. Once the robot was told
     // to idle, no later package moves it, whatever the threads send.
     void stopIsFinalUnderEightThreadsOfSetpoints() {

@@ -201,6 +201,67 @@ private Q_SLOTS:
         QVERIFY(called(bench, "end_force_mode"));
     }
 
+    void forceModeDoesNotBeginWithoutItsPermit() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        QCOMPARE(bench.ask(RequestKind::ForceMode, 4 + 2 * 64, {0, 0, 10, 0, 0, 0}).outcome,
+                 Outcome::NotPermitted);
+        QVERIFY(!called(bench, "force_mode 2"));
+    }
+
+    void whatASectionBeganEndsWithIt_data() {
+        QTest::addColumn<QString>("end");
+        QTest::newRow("stop") << "stop";
+        QTest::newRow("silence") << "silence";
+        QTest::newRow("its own end") << "its own end";
+    }
+    void whatASectionBeganEndsWithIt() {
+        QFETCH(QString, end);
+        const QString wait =
+            end == QLatin1String("its own end") ? QStringLiteral("sync()") : QStringLiteral("sleep(100)");
+        Bench bench(RegisterRange::Upper, {5, 22, 0, 0},
+                    QStringLiteral("freedrive_mode()\nforce_mode(p[0,0,0,0,0,0], [0,0,1,0,0,0], "
+                                   "[0,0,9,0,0,0], 2, [1,1,1,1,1,1])\n") +
+                        wait);
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(ScriptCommand::Section, 2, 2);
+        QVERIFY(called(bench, "force_mode 2"));
+        if (end == QLatin1String("stop")) {
+            bench.hold(ScriptCommand::Idle, 3, 2);
+        } else if (end == QLatin1String("silence")) {
+            bench.frame(bench.silentFrames() + 1);
+        } else {
+            bench.hold(ScriptCommand::Section, 2, 5);
+        }
+        QVERIFY(called(bench, "end_force_mode"));
+        QVERIFY(called(bench, "end_freedrive"));
+    }
+
+    void aLaterStopNeverBrakesMoreSoftly() {
+        Bench bench;
+        bench.host.moveFrames = 1000;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(ScriptCommand::SpeedL, 2, 5, {0, 0, 0.1, 0, 0, 0});
+        Command stop;
+        stop.epoch = 3;
+        stop.choice = 1;  // stopj
+        stop.acceleration = 8;
+        bench.send(stop);
+        bench.frame();
+        QCOMPARE(bench.last<urscript::StopJ>()->deceleration, 8.0);
+        stop.epoch = 4;
+        stop.acceleration = 0.2;
+        bench.send(stop);
+        bench.frame(2);
+        bench.hold(ScriptCommand::Idle, 5, 2);  // the stop key brakes with 4
+        QCOMPARE(bench.count<urscript::StopJ>(), 1);
+        stop.epoch = 6;
+        stop.acceleration = 12;
+        bench.send(stop);
+        bench.frame(2);
+        QCOMPARE(bench.last<urscript::StopJ>()->deceleration, 12.0);
+    }
+
     void eachRequestIsServedOnceAndAnswered() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);

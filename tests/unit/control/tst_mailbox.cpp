@@ -185,6 +185,28 @@ private Q_SLOTS:
         }
         QVERIFY(!torn);
     }
+
+    void aStopIsSeenByWhoBeginsAfterwards() {
+        Mailbox mailbox;
+        const auto stops = mailbox.epoch().stops();
+        const MotionId first = mailbox.startUnlessStopped(stops, {}, 1);
+        QVERIFY(first != kNoMotion);
+        mailbox.end(first, StopCause::Completed, 2);  // ends and other motions are no stops
+        const MotionId second = mailbox.startUnlessStopped(stops, {}, 3);
+        QVERIFY(second > first);
+        QVERIFY(mailbox.epoch().isActive(second));
+        mailbox.stop(StopCause::StopButton, 4);
+        QCOMPARE(mailbox.startUnlessStopped(stops, {}, 5), kNoMotion);
+        QCOMPARE(mailbox.epoch().activeMotion(), kNoMotion);
+    }
+
+    void aBrakeBelongsToItsEpochAlone() {
+        Mailbox mailbox;
+        const auto epoch = mailbox.stop({0, Brake::Along::Line, 0.3, 0.4}, StopCause::ApiCall, 1);
+        mailbox.start({}, 2);
+        QCOMPARE(mailbox.brake(epoch).along, Brake::Along::Line);
+        QCOMPARE(mailbox.brake(epoch + 1).along, Brake::Along::AsFits);
+    }
 };
 
 QTEST_GUILESS_MAIN(TestMailbox)

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// Stops, losses and errors that come while a call is under way.
+#include <array>
+#include <stdexcept>
+
+#include "robot/control/arm_queries.h"
+#include "robot/control/motions.h"
+#include "robot/control/packet_loop.h"
+#include "robot/control/programs.h"
+#include "robot/control/tool_setup.h"
+#include "tests/integration/control/cell.h"
+
+using namespace tiller;
+using namespace tiller::control;
+using namespace tiller::test;
+
+namespace {
+
+Deadline patience() {
+    return Deadline::after(std::chrono::seconds(60));
+}
+
+template <class R>
+QByteArray why(const R& result) {
+    return result.error().toString().toUtf8();
+}
+
+}  // namespace
+
+class TestStopRaces : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    // The arm moves, and time stands still: one of the two waits for the program to end, the other one behind
+    // it. The stop is meant for both.
+    void aStopCountsForWhoWaitsForItsTurn() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        Pose target = cell.tcp();
+        target.position.z() += 0.2;
+        QVERIFY(Motions(*cell.controller).moveL(target, {0.1, 0.5, Holding::Free}).ok());
+        QVERIFY(cell.stepMs(600));
+        QVERIFY(!cell.isStanding());
+        Programs programs(*cell.controller);
+        std::array<std::optional<Result<Motion>>, 2> functions;
+        std::array<std::thread, 2> callers;
+        std::atomic<int> entered{0};
+        for (std::size_t i = 0; i < callers.size(); ++i) {
+            callers[i] = std::thread([&, i] {
+                ++entered;
+                functions[i] = programs.startFunction(
+                    QStringLiteral("later"), QStringLiteral("set_standard_digital_out(3, True)"), patience());
+            });
+        }
+        QTRY_COMPARE(entered.load(), 2);
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        cell.controller->stop(StopCause::StopButton);
+        cell.during([&] {
+            callers[0].join();
+            callers[1].join();
+            return true;
+        });
+        QCOMPARE(functions[0]->error().code, ErrorCode::Stopped);
+        QCOMPARE(functions[1]->error().code, ErrorCode::Stopped);
+        QVERIFY(cell.stepMs(300));
+        QVERIFY((cell.robot.truth().digitalOutputs & 8U) == 0);
+        QVERIFY(cell.controller->status().inControl);
+    }
+
+    void aStopEndsAScript() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        bool stopped = false;
+        cell.everyTick = [&] {
+            if (!stopped && (cell.robot.truth().digitalOutputs & 2U) != 0) {
+                stopped = true;
+                cell.controller->stop(StopCause::StopButton);
+            }
+        };
+        const auto ran = cell.during([&] {
+            return Programs(*cell.controller)
+                .runScript(QStringLiteral("def mine():\n  set_standard_digital_out(1, True)\n  sleep(0.5)\n"
+                                          "  set_standard_digital_out(2, True)\n  sleep(0.1)\nend\n"),
+                           patience());
+        });
+        QCOMPARE(ran.error().code, ErrorCode::Stopped);
+        QVERIFY(cell.stepMs(600));
+        QVERIFY((cell.robot.truth().digitalOutputs & 4U) == 0);
+        QVERIFY(cell.controller->status().inControl);
+    }
+
+    // Numbers that went ahead to the program before are not those of the new one.
+    void aNewProgramIsToldEverythingAnew() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        ArmQueries ask(*cell.controller);
+        InverseOptions near;
+        const Pose pose = cell.tcp();
+        near.near = JointPositions(0, 0, 0, 0, 0, 0);  // as a new program has it
+        const auto other = cell.during([&] { return ask.inverseKinematics(pose, near, patience()); });
+        QVERIFY2(other.ok(), why(other));
+        near.near = cell.robot.truth().q;
+        near.near->values *= -1;
+        const auto first = cell.during([&] { return ask.inverseKinematics(pose, near, patience()); });
+        QVERIFY2(first.ok(), why(first));
+        QVERIFY((first->values - other->values).cwiseAbs().maxCoeff() > 0.1);
+        cell.release();
+        QVERIFY(cell.takeControl().ok());
+        const auto second = cell.during([&] { return ask.inverseKinematics(pose, near, patience()); });
+        QVERIFY2(second.ok(), why(second));
+        QVERIFY((first->values - second->values).cwiseAbs().maxCoeff() < 1e-6);
+    }
+
+    void anExceptionInACallbackEndsOnlyItsMotion() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        const auto ended = cell.during([&] {
+            return PacketLoop(*cell.controller)
+                .speedL(
+                    [](const CycleState& state) -> std::optional<Twist> {
+                        if (state.cycle > 5) {
+                            throw std::runtime_error("no more paint");
+                        }
+                        return Twist{};
+                    },
+                    {}, patience());
+        });
+        QCOMPARE(ended.error().code, ErrorCode::Stopped);
+        QVERIFY2(ended.error().controllerMessage.contains(QStringLiteral("no more paint")), why(ended));
+        QVERIFY(cell.controller->status().inControl);
+    }
+
+    void aProtectiveStopNeedsControl() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        QVERIFY(cell.during([&] { return Programs(*cell.controller).endControlProgram(patience()); }).ok());
+        QCOMPARE(
+            cell.during([&] { return ToolSetup(*cell.controller).triggerProtectiveStop(Deadline::never()); })
+                .error()
+                .code,
+            ErrorCode::NotInControl);
+    }
+
+    void aPathKeepsTheLimitsOfTheConnectedArm() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        JointPositions q = cell.robot.truth().q;
+        q[5] = 8;  // a UR3e may, a UR5e not
+        const auto path =
+            Motions(*cell.controller).movePath({{PathEntry::Kind::MoveJ, q, {}, 0.5, 1.4, 0}}, patience());
+        QVERIFY(!path.ok());
+        QVERIFY2(path.error().controllerMessage.contains(QStringLiteral("entry 1, target")), why(path));
+    }
+
+    void aStopSoftlyIsRefusedWhereItWouldBeNone() {
+        Cell cell;
+        QCOMPARE(Motions(*cell.controller).stopJ(0.05).error().code, ErrorCode::LimitExceeded);
+        QCOMPARE(Motions(*cell.controller).stopL(1, 0.01).error().code, ErrorCode::LimitExceeded);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestStopRaces)
+#include "tst_stop_races.moc"
