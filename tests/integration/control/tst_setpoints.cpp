@@ -119,7 +119,7 @@ private Q_SLOTS:
         up.linear.z() = 0.1;
         QVERIFY(speed->send(up).ok());
         QVERIFY(cell.stepMs(500));
-        QVERIFY(motions.stopL(0.05).ok());
+        QVERIFY(motions.stopL(0.1).ok());
         QVERIFY(cell.stepMs(40));
         QVERIFY(!cell.isStanding());
         cell.controller->stop(StopCause::StopButton);
