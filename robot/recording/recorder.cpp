@@ -4,11 +4,11 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QStorageInfo>
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <condition_variable>
+#include <filesystem>
 #include <mutex>
 #include <thread>
 
@@ -46,7 +46,10 @@ void syncToDisk(const QFile& file) {
 }
 
 std::int64_t freeBytesFor(const QString& path) {
-    return QStorageInfo(QFileInfo(path).absolutePath()).bytesAvailable();
+    // Not QStorageInfo: it knows nothing of a place whose mount is not listed, as in a chroot or a container.
+    std::error_code failed;
+    const auto space = std::filesystem::space(QFileInfo(path).absolutePath().toStdString(), failed);
+    return failed ? 0 : static_cast<std::int64_t>(space.available);
 }
 
 Error fileError(const QFile& file, int systemError) {

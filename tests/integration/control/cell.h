@@ -151,6 +151,7 @@ public:
         }
         return -1;
     }
+    bool standsWithinMs(int limitMs) { return ticksToStandstill(limitMs) >= 0; }
     bool isStanding() const {
         const auto truth = robot.truth();
         return truth.tcpSpeed.linear.norm() < 0.001 && truth.qd.values.cwiseAbs().maxCoeff() < 0.001;

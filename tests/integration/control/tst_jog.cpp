@@ -265,7 +265,7 @@ private Q_SLOTS:
         const double speed = cell.robot.truth().tcpSpeed.linear.norm();
         QVERIFY(speed > 0.005 && speed < 0.012);
         cell.controller->end(*jog, StopCause::Released);
-        QVERIFY(cell.ticksToStandstill(1000) * 2 <= 100);
+        QVERIFY(cell.standsWithinMs(100));
     }
 };
 

@@ -118,7 +118,7 @@ private Q_SLOTS:
         const auto move = cell.controller->moveJ(turned(start, 0, 60 * kDeg), {0.5, 1.4, Holding::Held});
         QVERIFY(cell.holdMove(*move, 800) == false);
         QVERIFY(cell.controller->end(*move, StopCause::Released));
-        QVERIFY(cell.ticksToStandstill(1000) * 2 <= 200);
+        QVERIFY(cell.standsWithinMs(200));
         QVERIFY(cell.stepMs(100));
         const double way = distance(cell.robot.truth().q, start);
         QVERIFY(way > 5 * kDeg && way < 40 * kDeg);

@@ -106,7 +106,8 @@ private Q_SLOTS:
         QVERIFY(stop.ok());
         QVERIFY(stop->isActive());
         QVERIFY(cell.during([&] { return stop->wait(patience()); }).ok());
-        QVERIFY(cell.isStanding());
+        // The script's word comes at the end of its stopj; the joint's last creep takes a few ticks more.
+        QVERIFY(cell.standsWithinMs(20));
     }
 
     // STOP during a soft stop of a program brakes as hard as ever.
@@ -123,7 +124,7 @@ private Q_SLOTS:
         QVERIFY(cell.stepMs(40));
         QVERIFY(!cell.isStanding());
         cell.controller->stop(StopCause::StopButton);
-        QVERIFY(cell.ticksToStandstill(1000) * 2 <= 100);
+        QVERIFY(cell.standsWithinMs(100));
     }
 
     void aHeldStreamWithoutTargetsEnds() {
