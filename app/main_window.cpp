@@ -88,7 +88,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     io_ = new IoTab(*session_, this);
     log_ = new LogTab(*session_, this);
     status_ = new StatusLine(*session_, this);
-    stopKeys_ = new StopKeys(*session_, this);
+    stopKeys_ = new StopKeys(*session_, clock, this);
 
     buildDocks();
     buildActions();

@@ -84,7 +84,7 @@ private Q_SLOTS:
         RobotSession session(clock);
         VirtualCell cell(clock, session);
         JogColumn column(session);
-        StopKeys stopKeys(session);
+        StopKeys stopKeys(session, clock);
         column.resize(390, 948);
         column.show();
         QVERIFY(QTest::qWaitForWindowActive(&column));
