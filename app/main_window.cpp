@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "app/connect_dialog.h"
+#include "app/sleep_watch.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/panel.h"
 #include "widgets/common/theme.h"
@@ -89,6 +90,8 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     log_ = new LogTab(*session_, this);
     status_ = new StatusLine(*session_, this);
     stopKeys_ = new StopKeys(*session_, clock, this);
+    connect(new SleepWatch(this), &SleepWatch::operatorLeaves, this,
+            [this] { stopMotion(control::StopCause::Sleep); });
 
     buildDocks();
     buildActions();

@@ -253,6 +253,25 @@ private Q_SLOTS:
         QVERIFY2(ms <= kDeathToStandstillMs, qPrintable(QString::number(ms)));
     }
 
+    void sleepAndSessionLockStopTheArm_data() {
+        QTest::addColumn<QByteArray>("what");
+        QTest::newRow("sleep") << QByteArray("onPrepareForSleep");
+        QTest::newRow("lock") << QByteArray("onLock");
+        QTest::newRow("screen saver") << QByteArray("onScreenSaver");
+    }
+    void sleepAndSessionLockStopTheArm() {
+        QFETCH(QByteArray, what);
+        startJog();
+        auto* watch = bench_->window.findChild<QObject*>("sleepWatch");
+        QVERIFY(watch != nullptr);
+        QVERIFY(what == "onLock" ? QMetaObject::invokeMethod(watch, what.constData())
+                                 : QMetaObject::invokeMethod(watch, what.constData(), Q_ARG(bool, true)));
+        QVERIFY(timeToStandstill() >= 0);
+        // The stop is measured once the arm has stood for a while.
+        expectStandstillFor(400);
+        QCOMPARE(bench_->window.session().state().lastStop.cause, control::StopCause::Sleep);
+    }
+
     void aProtectiveStopEndsTheJogForGood() {
         startJog();
         cell().robot.protectiveStop();
