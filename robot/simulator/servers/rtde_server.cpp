@@ -27,6 +27,11 @@ void RtdeServer::service() {
     }
     for (const auto& client : clients_) {
         read(*client);
+        if (!client->peer.isOpen()) {
+            // At once, not at the end of the round: the same program may be back already and ask for them
+            // again.
+            inputs_.release(client->id);
+        }
         client->peer.flush();
     }
     removeGone();
