@@ -253,6 +253,24 @@ private Q_SLOTS:
         QVERIFY2(ms <= kDeathToStandstillMs, qPrintable(QString::number(ms)));
     }
 
+    void sleepAndSessionLockStopTheArm_data() {
+        QTest::addColumn<QByteArray>("what");
+        QTest::newRow("sleep") << QByteArray("onPrepareForSleep");
+        QTest::newRow("lock") << QByteArray("onLock");
+        QTest::newRow("screen saver") << QByteArray("onScreenSaver");
+    }
+    void sleepAndSessionLockStopTheArm() {
+        QFETCH(QByteArray, what);
+        startJog();
+        auto* watch = bench_->window.findChild<QObject*>("sleepWatch");
+        QVERIFY(watch != nullptr);
+        QVERIFY(what == "onLock" ? QMetaObject::invokeMethod(watch, what.constData())
+                                 : QMetaObject::invokeMethod(watch, what.constData(), Q_ARG(bool, true)));
+        QVERIFY(timeToStandstill() >= 0);
+        QCOMPARE(bench_->window.session().state().lastStop.cause, control::StopCause::Sleep);
+        expectStandstillFor(300);
+    }
+
     void aProtectiveStopEndsTheJogForGood() {
         startJog();
         cell().robot.protectiveStop();

@@ -59,6 +59,11 @@ bool HoldGuard::press() {
     if (!key_.isEnabled() || !motion_.begin) {
         return false;
     }
+    if (!key_.isActiveWindow()) {
+        // The press that brings a window to the front is not meant for the arm.
+        Q_EMIT refused({ErrorCode::Cancelled, tr("the window was not the active one; press again"), {}});
+        return false;
+    }
     key_.setFocus(Qt::MouseFocusReason);
     runsToEnd_ = motion_.runsToEnd && motion_.runsToEnd();
     const Result<HoldMotion::Id> motion = motion_.begin();

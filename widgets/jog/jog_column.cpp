@@ -13,6 +13,8 @@
 #include "widgets/common/hold_button.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/common/theme.h"
+#include "widgets/jog/axis_jog.h"
+#include "widgets/jog/back_track.h"
 #include "widgets/jog/jog_pad.h"
 #include "widgets/jog/joint_rows.h"
 #include "widgets/jog/limiter_line.h"
@@ -29,6 +31,7 @@ namespace {
 constexpr int kMargin = 12;
 constexpr int kTaughtSegment = 3;
 constexpr int kRefusalShownMs = 6000;
+constexpr int kLookMs = 40;
 /// Below this height of the column the joints move into a tab.
 constexpr int kCompactBelow = 800;
 
@@ -78,7 +81,16 @@ JogColumn::JogColumn(JogPort port, QWidget* parent) : Panel(tr("Jog"), parent), 
         showReason();
     });
     connectKeys();
+    axisJog_ = new AxisJog(
+        port_, selection_, [this] { return cannotMoveReason(state_); }, this);
+    connect(axisJog_, &AxisJog::began, this, [this] { pose_->zeroHere(); });
+    connect(axisJog_, &AxisJog::refused, this, &JogColumn::refused);
     connectSelectors();
+    // One direction at a time, so that no frame has to wait for twelve.
+    auto* lookTimer = new QTimer(this);
+    lookTimer->setInterval(kLookMs);
+    connect(lookTimer, &QTimer::timeout, this, &JogColumn::lookAround);
+    lookTimer->start();
     showFrames();
     arrange();
     applyState(SessionState());
@@ -136,20 +148,23 @@ void JogColumn::buildSelectors(QVBoxLayout* layout) {
 }
 
 void JogColumn::buildBottom(QVBoxLayout* layout) {
-    freedrive_ = new HoldButton(tr("Freedrive (hold)"), this);
+    freedrive_ = new HoldButton(tr("Freedrive"), this);
     freedrive_->setObjectName(QStringLiteral("freedriveKey"));
     freedrive_->setUnavailable(tr("Freedrive from the PC is not built yet: use the teach pendant."));
-    homeKey_ = new HoldButton(tr("Home (hold)"), this);
+    homeKey_ = new HoldButton(tr("Home"), this);
     homeKey_->setObjectName(QStringLiteral("homeKey"));
     homeKey_->setToolTip(tr("Moves every joint to the home position while held"));
     back_ = new HoldButton(QStringLiteral("↶ ") + tr("Back"), this);
     back_->setObjectName(QStringLiteral("backKey"));
     back_->setAccessibleName(tr("Back"));
-    back_->setUnavailable(tr("Going back over the last moves is not built yet."));
+    back_->setToolTip(tr("Goes back the way the arm came, while held"));
+    align_ = new HoldButton(tr("Align"), this);
+    align_->setObjectName(QStringLiteral("alignKey"));
+    align_->setToolTip(tr("Turns the tool to the nearest axis of the base, while held"));
     auto* row = new QHBoxLayout;
     row->setContentsMargins(kMargin, 8, kMargin, 0);
     row->setSpacing(8);
-    for (HoldButton* key : {freedrive_, homeKey_, back_}) {
+    for (HoldButton* key : {freedrive_, homeKey_, align_, back_}) {
         key->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         row->addWidget(key);
     }
@@ -166,7 +181,7 @@ void JogColumn::guardKey(HoldButton* key, std::function<Result<RobotSession::Mot
         },
         .hold = port_.hold,
         .end = port_.endMotion,
-        .runsToEnd = [this, steps] { return steps && selection_.motion != MotionChoice::Hold; },
+        .runsToEnd = [this, steps] { return steps && stepRunsToEnd(selection_); },
     });
     connect(&key->guard(), &HoldGuard::began, this, [this] {
         refusal_.clear();
@@ -217,6 +232,23 @@ void JogColumn::connectKeys() {
                                             state_.tcpOffset, port_.limits()));
         },
         false);
+    guardKey(
+        align_, [this] { return port_.beginMove(alignMove(selection_, state_.tcpPose, port_.limits())); },
+        false);
+
+    track_ = std::make_unique<BackTrack>(port_, [this](const JointPositions& target) {
+        return homeMove(selection_, state_.q, target, robotModel(state_.model), state_.tcpOffset,
+                        port_.limits());
+    });
+    guardKey(back_, {}, false);
+    HoldMotion back = track_->motion();
+    back.begin = [this, begin = std::move(back.begin)]() -> Result<RobotSession::MotionId> {
+        if (!state_.canMove()) {
+            return Error{ErrorCode::NotInControl, cannotMoveReason(state_), {}};
+        }
+        return begin();
+    };
+    back_->setMotion(std::move(back));
 }
 
 void JogColumn::connectSelectors() {
@@ -224,10 +256,16 @@ void JogColumn::connectSelectors() {
     connect(motion_, &SegmentedControl::currentChanged, this, [this](int index) {
         stopMotion(StopCause::SelectionChanged);
         selection_.motion = static_cast<MotionChoice>(index);
+        if (selection_.motion != MotionChoice::CoarseStep) {
+            selection_.step.reset();
+            motion_->setText(static_cast<int>(MotionChoice::CoarseStep), QStringLiteral("10 mm"));
+        }
     });
     connect(speed_, &SegmentedControl::currentChanged, this, [this](int index) {
         stopMotion(StopCause::SelectionChanged);
         selection_.speedClass = index;
+        selection_.speed.reset();
+        speed_->setText(kSpeedClassCount - 1, QStringLiteral("250 mm/s"));
     });
     connect(detailTab_, &SegmentedControl::currentChanged, this, [this] {
         stopMotion(StopCause::SelectionChanged);
@@ -318,13 +356,16 @@ QVector<HoldButton*> JogColumn::holdKeys() const {
     for (const JointRow* row : joints_->rows()) {
         keys << row->minusKey() << row->plusKey();
     }
-    keys << freedrive_ << homeKey_ << back_;
+    keys << freedrive_ << homeKey_ << align_ << back_;
     return keys;
 }
 
 void JogColumn::stopMotion(StopCause cause) {
     for (HoldButton* key : holdKeys()) {
         key->guard().stop(cause);
+    }
+    if (axisJog_ != nullptr) {
+        axisJog_->stop(cause);
     }
 }
 
@@ -334,7 +375,7 @@ bool JogColumn::isHolding() const {
             return true;
         }
     }
-    return false;
+    return axisJog_->isActive();
 }
 
 void JogColumn::applyState(const SessionState& state) {
@@ -344,6 +385,11 @@ void JogColumn::applyState(const SessionState& state) {
         stopMotion(stopCauseFor(state));
     }
     const bool valid = state.hasData();
+    if (state.link == LinkState::Disconnected || state.link == LinkState::Connecting) {
+        track_->clear();
+    } else if (valid) {
+        track_->record(state.q);
+    }
     const bool stale = state.link != LinkState::Live;
     pose_->setPose(state.tcpPose, state.moving, valid, stale);
     joints_->setJoints(state.q, state.moving, valid, stale);
@@ -361,10 +407,14 @@ void JogColumn::showReason() {
         row->plusKey()->setUnavailable(reason);
     }
     homeKey_->setUnavailable(reason);
+    align_->setUnavailable(reason);
+    back_->setUnavailable(!reason.isEmpty()                          ? reason
+                          : track_->isEmpty() && !back_->isHolding() ? tr("The arm has not moved yet.")
+                                                                     : QString());
     if (!refusal_.isEmpty() && reason.isEmpty()) {
         limiter_->setLimiter({refusal_, {}});
     } else {
-        limiter_->setLimiter(state_.hasData() ? nearestLimiter(state_) : Limiter());
+        showLimiter();
     }
     limiter_->setQuietText(quietText());
 }

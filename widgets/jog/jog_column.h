@@ -10,12 +10,15 @@
 #include "widgets/common/panel.h"
 #include "widgets/jog/jog_motion.h"
 #include "widgets/jog/jog_port.h"
+#include "widgets/jog/limiter_line.h"
 
 class QTimer;
 class QVBoxLayout;
 
 namespace tiller {
 
+class AxisJog;
+class BackTrack;
 class HoldButton;
 class JogPad;
 class JointRows;
@@ -37,6 +40,14 @@ public:
     /// The frames the fourth key of "Frame" offers.
     void setTaughtFrames(const QVector<TaughtFrame>& frames);
     void setHome(const JointPositions& home) { home_ = home; }
+    /// A TCP speed entered by hand [m/s]; turns and joints in proportion.
+    void setFreeSpeed(double tcpSpeed);
+    /// A step entered by hand. Longer than 10 mm or 10 deg it runs only while the key is held.
+    void setFreeStep(const StepSize& step);
+    /// Counts the way from here.
+    void zeroHere();
+    /// Looks at the room left in every direction, one direction a call.
+    void lookAround();
 
     const JogSelection& selection() const { return selection_; }
     /// index  into speedClasses()
@@ -45,6 +56,8 @@ public:
     void stopMotion(control::StopCause cause);
     /// True while a key of the column is held and its motion runs.
     bool isHolding() const;
+    /// For devices: the same frame, speed and rules as the keys of the column.
+    AxisJog& axisJog() { return *axisJog_; }
     /// Every key that moves the arm, for a test clock or a test's pump.
     QVector<HoldButton*> holdKeys() const;
 
@@ -71,6 +84,7 @@ private:
     void showFrames();
     void arrange();
     void showReason();
+    void showLimiter();
     QString quietText() const;
 
     JogPort port_;
@@ -90,7 +104,13 @@ private:
     JointRows* joints_ = nullptr;
     HoldButton* freedrive_ = nullptr;
     HoldButton* homeKey_ = nullptr;
+    HoldButton* align_ = nullptr;
     HoldButton* back_ = nullptr;
+    std::unique_ptr<BackTrack> track_;
+    AxisJog* axisJog_ = nullptr;
+    Limiter nearest_;
+    JointPositions limiterAt_;
+    int look_ = 0;  ///< the direction looked at next
     QTimer* refusalTimer_ = nullptr;
     bool compact_ = false;
     bool hasView_ = false;

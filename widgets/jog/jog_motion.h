@@ -37,6 +37,10 @@ struct StepSize {
 };
 StepSize stepSize(MotionChoice motion);
 
+/// Steps up to this size go to their end by themselves; longer ones run only while the key is held.
+inline constexpr double kFreeStepLength = 0.010;            ///< [m]
+inline constexpr double kFreeStepAngle = 0.17453292519943;  ///< [rad] 10 deg
+
 /// A taught frame; its rotation counts, its position does not.
 struct TaughtFrame {
     QString name;
@@ -48,6 +52,9 @@ struct JogSelection {
     FrameChoice frame = FrameChoice::Base;
     MotionChoice motion = MotionChoice::Hold;
     int speedClass = kStartSpeedClass;
+    /// Sizes entered by hand in place of the chosen class or step.
+    std::optional<SpeedClass> speed;
+    std::optional<StepSize> step;
     /// Axes of the view in the base frame: X to the right, Y away from the eye, Z up.
     Eigen::Matrix3d R_base_view = Eigen::Matrix3d::Identity();
     std::optional<TaughtFrame> taught;
@@ -79,6 +86,21 @@ MoveRequest homeMove(const JogSelection& selection, const JointPositions& from, 
                      const RobotModel& model, const Pose& tcpOffset, const control::MotionLimits& limits);
 
 /// Fraction by which the modifier keys change the speed: Ctrl 0.1, Shift 3.
+/// The chosen step, or the one entered by hand.
+StepSize chosenStep(const JogSelection& selection);
+/// The chosen speeds, or those entered by hand.
+SpeedClass chosenSpeed(const JogSelection& selection);
+/// The speeds that go with a TCP speed entered by hand: turns and joints in the proportion of the classes.
+SpeedClass speedFor(double tcpSpeed);
+/// True for steps that may go on after the key is let go.
+bool stepRunsToEnd(const JogSelection& selection);
+
+/// Turns the tool, about the TCP, until its Z axis lies along the nearest axis of the base. Held.
+MoveRequest alignMove(const JogSelection& selection, const Pose& from, const control::MotionLimits& limits);
+
+/// Axes in which the selection moves the TCP, as columns in the base frame.
+Eigen::Matrix3d frameAxes(const JogSelection& selection, const Pose& tcp);
+
 double modifierFactor(Qt::KeyboardModifiers modifiers);
 
 /// [0, -90, 0, -90, 0, 0] deg: upright, clear of itself on every model.

@@ -15,6 +15,10 @@ struct JogPort {
     std::function<bool(RobotSession::MotionId)> hold;
     std::function<void(RobotSession::MotionId, control::StopCause)> endMotion;
     std::function<control::MotionLimits()> limits;
+    /// Keeps a jog alive with another target; false once it has been stopped.
+    std::function<bool(RobotSession::MotionId, const control::JogTarget&)> holdWith = {};
+    /// True when this motion ended because it reached its target.
+    std::function<bool(RobotSession::MotionId)> completed = {};
 };
 
 /// The doors of a session, which must outlive the port.

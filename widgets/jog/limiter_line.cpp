@@ -7,8 +7,10 @@
 #include <numbers>
 
 #include "robot/kinematics/arm_kinematics.h"
+#include "widgets/common/format.h"
 #include "widgets/common/shapes.h"
 #include "widgets/common/theme.h"
+#include "widgets/jog/travel.h"
 
 namespace tiller {
 
@@ -20,7 +22,7 @@ constexpr double kShoulderWarnMetres = 0.06;
 
 }  // namespace
 
-Limiter nearestLimiter(const SessionState& state) {
+Limiter nearestLimiter(const SessionState& state, const Eigen::Matrix3d& R_base_frame) {
     const auto text = [](const char* source) { return QCoreApplication::translate("Limiter", source); };
     int nearest = -1;
     double least = kWarnDegrees;
@@ -34,8 +36,31 @@ Limiter nearestLimiter(const SessionState& state) {
     if (nearest >= 0) {
         const QString name = text(kJointNames[static_cast<std::size_t>(nearest)]);
         const QString back = state.q[nearest] > 0 ? QStringLiteral("−") : QStringLiteral("+");
+        const int key = wayOut(robotModel(state.model).dh, state.q, state.tcpOffset, R_base_frame, nearest);
         return {text("%1 %2° from its limit").arg(name).arg(std::max(0.0, least), 0, 'f', 0),
-                text("turn %1 %2").arg(name, back)};
+                key < 0 ? text("turn %1 %2").arg(name, back)
+                        : text("jog %1 or turn %2 %3").arg(travelKeyName(key), name, back)};
+    }
+    if (state.motionActive && state.limiter.scale < 0.98) {
+        const QString percent = format::percent(state.limiter.scale);
+        switch (state.limiter.kind) {
+            case control::LimiterKind::TcpSpeed:
+                return {text("TCP at its speed cap: %1").arg(percent), text("the cap is in the settings")};
+            case control::LimiterKind::ElbowSpeed:
+                return {text("Elbow at its speed cap: %1").arg(percent), text("move less sideways")};
+            case control::LimiterKind::RotationSpeed:
+                return {text("Turning at its cap: %1").arg(percent), text("the cap is in the settings")};
+            case control::LimiterKind::JointSpeed:
+                if (state.limiter.joint >= 0) {
+                    return {
+                        text("%1 at its top speed: %2")
+                            .arg(text(kJointNames[static_cast<std::size_t>(state.limiter.joint)]), percent),
+                        text("choose a slower class")};
+                }
+                break;
+            default:
+                break;
+        }
     }
     const auto near = kinematics::singularityMeasure(robotModel(state.model).dh, state.q);
     const auto degrees = [](double sine) { return std::asin(std::min(1.0, std::abs(sine))) * kDegPerRad; };

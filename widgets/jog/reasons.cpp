@@ -30,7 +30,7 @@ QString cannotMoveReason(const SessionState& state) {
         case LinkState::Live:
             break;
     }
-    if (const QString safety = texts::safetyModeObstacle(state.safetyMode); !safety.isEmpty()) {
+    if (const QString safety = texts::safetyModeObstacle(state.safety()); !safety.isEmpty()) {
         return safety;
     }
     if (const QString mode = texts::robotModeObstacle(state.robotMode); !mode.isEmpty()) {
@@ -52,7 +52,7 @@ StopCause stopCauseFor(const SessionState& state) {
         case LinkState::Live:
             break;
     }
-    if (state.robotMode != RobotMode::Running || !allowsMotion(state.safetyMode)) {
+    if (state.robotMode != RobotMode::Running || !allowsMotion(state.safety())) {
         return StopCause::UnsafeMode;
     }
     return StopCause::ControlLost;

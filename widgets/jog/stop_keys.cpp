@@ -32,20 +32,20 @@ StopKeys::StopKeys(std::function<void(StopCause)> stop, std::function<bool()> mo
     qApp->installEventFilter(this);
 }
 
-StopKeys::StopKeys(RobotSession& session, QObject* parent)
+StopKeys::StopKeys(RobotSession& session, const Clock& clock, QObject* parent)
     : StopKeys([&session](StopCause cause) { session.stop(cause); },
-               [this, &session] {
+               [this, &session, &clock] {
                    // The state is a picture some milliseconds old, and none at all without data: a reflex
                    // just after standstill means stop as well.
                    const SessionState& state = session.state();
                    const bool unknown = state.link == LinkState::Stale || state.link == LinkState::Lost;
                    return unknown || mayMove(state) ||
-                          (lastMotion_.isValid() && lastMotion_.elapsed() < kReflexMs);
+                          (lastMotionNs_ && clock.nowNs() - *lastMotionNs_ < kReflexMs * kNsPerMs);
                },
                parent) {
-    connect(&session, &RobotSession::stateChanged, this, [this](const SessionState& state) {
+    connect(&session, &RobotSession::stateChanged, this, [this, &clock](const SessionState& state) {
         if (mayMove(state)) {
-            lastMotion_.start();
+            lastMotionNs_ = clock.nowNs();
         }
     });
 }

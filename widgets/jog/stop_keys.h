@@ -4,11 +4,12 @@
 // Esc and Space stop the arm from anywhere in the application, whatever has the focus. One object serves the
 // whole application; while it lives, it sees every key first.
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <functional>
+#include <optional>
 
 #include "robot/control/motion_types.h"
+#include "robot/core/clock.h"
 
 namespace tiller {
 
@@ -22,7 +23,9 @@ public:
     /// moving  true while something moves or may be about to
     StopKeys(std::function<void(control::StopCause)> stop, std::function<bool()> moving,
              QObject* parent = nullptr);
-    explicit StopKeys(RobotSession& session, QObject* parent = nullptr);
+    /// clock  for the reflex after a motion
+    explicit StopKeys(RobotSession& session, const Clock& clock = SteadyClock::shared(),
+                      QObject* parent = nullptr);
     ~StopKeys() override;
 
 protected:
@@ -35,7 +38,7 @@ private:
 
     std::function<void(control::StopCause)> stop_;
     std::function<bool()> moving_;
-    QElapsedTimer lastMotion_;
+    std::optional<std::int64_t> lastMotionNs_;
 };
 
 }  // namespace tiller

@@ -2,19 +2,23 @@
 #include "widgets/waypoints/session_store.h"
 
 #include <QFileInfo>
+#include <mutex>
 
 #include "widgets/waypoints/waypoint_model.h"
 
 namespace tiller {
 
-SessionStore::SessionStore(WaypointModel& model, QObject* parent) : QObject(parent), model_(model) {
+struct SessionStore::Written {
+    std::mutex mutex;  ///< held while a file is written
+    std::uint64_t revision = 0;
+    QString path;
+};
+
+SessionStore::SessionStore(WaypointModel& model, QObject* parent)
+    : QObject(parent), model_(model), written_(std::make_shared<Written>()) {
     autosave_.setSingleShot(true);
     autosave_.setInterval(kAutosaveMs);
-    connect(&autosave_, &QTimer::timeout, this, [this] {
-        if (const Result<void> saved = saveNow(); !saved) {
-            Q_EMIT saveFailed(saved.error());
-        }
-    });
+    connect(&autosave_, &QTimer::timeout, this, &SessionStore::autosave);
     connect(&model_, &WaypointModel::documentChanged, this, &SessionStore::onChange);
 }
 
@@ -43,6 +47,7 @@ void SessionStore::onChange() {
         return;
     }
     modified_ = true;
+    ++revision_;
     if (!path_.isEmpty()) {
         autosave_.start();
     }
@@ -109,24 +114,62 @@ Result<void> SessionStore::openOrStart(const QString& path) {
     return {};
 }
 
-Result<void> SessionStore::saveNow() {
-    autosave_.stop();
-    if (path_.isEmpty()) {
-        return Error{ErrorCode::FileNotWritable, tr("no file chosen"), {}};
-    }
+program::SessionDocument SessionStore::document() const {
     program::SessionDocument document = model_.document();
     if (!document.robot) {
         document.robot = model_.robot().id;
     }
-    const Result<program::SaveReport> saved = program::saveSession(path_, document);
+    return document;
+}
+
+void SessionStore::autosave() {
+    // The disk may take its time: not in the thread that paints, and that stops the arm.
+    worker_.post(this, [this, path = path_, revision = revision_, document = document(),
+                        written = written_](const CancelToken&) {
+        const std::lock_guard lock(written->mutex);
+        if (written->path == path && written->revision >= revision) {
+            return std::function<void()>();  // saved by hand meanwhile
+        }
+        const Result<program::SaveReport> saved = program::saveSession(path, document);
+        if (saved) {
+            written->path = path;
+            written->revision = revision;
+        }
+        return std::function<void()>([this, path, revision, saved] {
+            if (path != path_) {
+                return;  // another file was opened meanwhile
+            }
+            settle(revision, saved);
+            if (!saved) {
+                Q_EMIT saveFailed(saved.error());
+            }
+        });
+    });
+}
+
+void SessionStore::settle(std::uint64_t revision, const Result<program::SaveReport>& saved) {
     lastError_ = saved.error();
     if (saved) {
-        modified_ = false;
+        modified_ = modified_ && revision != revision_;
         if (!saved->keptCopy.isEmpty()) {
             Q_EMIT keptAside(saved->keptCopy);
         }
     }
     Q_EMIT statusChanged(statusText());
+}
+
+Result<void> SessionStore::saveNow() {
+    autosave_.stop();
+    if (path_.isEmpty()) {
+        return Error{ErrorCode::FileNotWritable, tr("no file chosen"), {}};
+    }
+    const std::lock_guard lock(written_->mutex);
+    const Result<program::SaveReport> saved = program::saveSession(path_, document());
+    if (saved) {
+        written_->path = path_;
+        written_->revision = revision_;
+    }
+    settle(revision_, saved);
     return saved ? Result<void>() : Result<void>(saved.error());
 }
 

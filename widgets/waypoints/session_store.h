@@ -6,8 +6,10 @@
 
 #include <QObject>
 #include <QTimer>
+#include <memory>
 
 #include "robot/program/session_file.h"
+#include "widgets/session/session_worker.h"
 
 namespace tiller {
 
@@ -49,6 +51,9 @@ Q_SIGNALS:
 
 private:
     void onChange();
+    void autosave();
+    program::SessionDocument document() const;
+    void settle(std::uint64_t revision, const Result<program::SaveReport>& saved);
     void show(const program::SessionDocument& document, const QString& path);
 
     WaypointModel& model_;
@@ -57,6 +62,12 @@ private:
     Error lastError_;
     bool modified_ = false;
     bool loading_ = false;
+    std::uint64_t revision_ = 0;  ///< of the document, for saves that come home late
+    /// Between the window and the worker: the newest revision that is in the file, so that a slow save never
+    /// overwrites a later one.
+    struct Written;
+    std::shared_ptr<Written> written_;
+    SessionWorker worker_;  ///< where saving by itself waits for the disk
 };
 
 }  // namespace tiller

@@ -76,6 +76,31 @@ private Q_SLOTS:
         QTest::keyClick(s.button, Qt::Key_Escape);
         QVERIFY(s.stops.contains(StopCause::Escape));
     }
+    void spaceWithinASecondAfterAMotionPressesNothing() {
+        VirtualClock clock;
+        RobotSession session(clock);
+        StopKeys keys(session, clock);
+        QPushButton button;
+        button.show();
+        button.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&button));
+        button.setFocus();
+        QSignalSpy clicked(&button, &QPushButton::clicked);
+        const auto tell = [&session](bool moving) {
+            SessionState state;
+            state.moving = moving;
+            Q_EMIT session.stateChanged(state);
+        };
+        tell(true);
+        tell(false);
+        clock.advanceNs(999 * kNsPerMs);
+        tell(false);
+        QTest::keyClick(&button, Qt::Key_Space);
+        QCOMPARE(clicked.count(), 0);
+        clock.advanceNs(2 * kNsPerMs);
+        QTest::keyClick(&button, Qt::Key_Space);
+        QCOMPARE(clicked.count(), 1);
+    }
     void autoRepeatIsIgnored() {
         Scene s;
         QKeyEvent repeat(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier, QString(), true);

@@ -1,126 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every stop rule of the jog contract that a key can see, with real events, in virtual time.
-#include <QApplication>
+// Every stop rule of the jog contract that a key can see by itself, with real events, in virtual time.
 #include <QDialog>
-#include <QHBoxLayout>
-#include <QLineEdit>
 #include <QMenu>
-#include <QMouseEvent>
 #include <QPointingDevice>
-#include <QPushButton>
 #include <QSignalSpy>
 #include <QTabWidget>
-#include <QTest>
 #include <QWheelEvent>
 #include <memory>
 
-#include "robot/core/clock.h"
-#include "widgets/common/hold_button.h"
+#include "tests/unit/widgets_common/hold_scene.h"
 
 using namespace tiller;
-using control::StopCause;
-
-Q_DECLARE_METATYPE(tiller::control::StopCause)
-
-namespace {
-
-/// Stands for the session: counts what it is told.
-struct FakeTarget {
-    std::uint64_t next = 0;
-    std::uint64_t running = 0;  // 0 = nothing moves
-    int begun = 0;
-    int holds = 0;
-    QList<StopCause> ends;
-    bool refuse = false;
-    bool bounded = false;
-
-    HoldMotion motion() {
-        return {.begin = [this]() -> Result<HoldMotion::Id> {
-                    if (refuse) {
-                        return Error{ErrorCode::NotInControl, QStringLiteral("jog"), {}};
-                    }
-                    ++begun;
-                    running = ++next;
-                    return running;
-                },
-                .hold =
-                    [this](HoldMotion::Id id) {
-                        ++holds;
-                        return id == running;
-                    },
-                .end =
-                    [this](HoldMotion::Id id, StopCause cause) {
-                        if (id == running) {
-                            running = 0;
-                        }
-                        ends.append(cause);
-                    },
-                .runsToEnd = [this] { return bounded; }};
-    }
-};
-
-}  // namespace
+using namespace tiller::test;
 
 class TestHoldGuard : public QObject {
     Q_OBJECT
-
-private:
-    struct Scene {
-        VirtualClock clock;
-        FakeTarget target;
-        FakeTarget otherTarget;
-        QWidget window;
-        HoldButton* key;
-        HoldButton* other;
-        QLineEdit* edit;
-        QPushButton* button;
-
-        Scene() {
-            auto* layout = new QHBoxLayout(&window);
-            layout->setContentsMargins(60, 60, 60, 60);
-            key = new HoldButton(QStringLiteral("X+"), &window);
-            other = new HoldButton(QStringLiteral("Y+"), &window);
-            edit = new QLineEdit(&window);
-            button = new QPushButton(QStringLiteral("Teach"), &window);
-            for (QWidget* w : {static_cast<QWidget*>(key), static_cast<QWidget*>(other),
-                               static_cast<QWidget*>(edit), static_cast<QWidget*>(button)}) {
-                w->setFixedSize(80, 60);
-                layout->addWidget(w);
-            }
-            for (auto [k, t] : {std::pair{key, &target}, std::pair{other, &otherTarget}}) {
-                k->guard().setClock(clock);
-                k->setMotion(t->motion());
-            }
-            window.show();
-            window.activateWindow();
-            if (!QTest::qWaitForWindowActive(&window)) {
-                qFatal("the window did not become active");
-            }
-        }
-        void press() { QTest::mousePress(key, Qt::LeftButton, {}, QPoint(40, 30)); }
-        void release() { QTest::mouseRelease(key, Qt::LeftButton, {}, QPoint(40, 30)); }
-        void expectStopped(StopCause cause) {
-            QCOMPARE(target.ends, QList<StopCause>{cause});
-            QVERIFY(!key->isHolding());
-            QVERIFY(!key->isDown());
-            // It stays stopped, whatever the finger still does.
-            const int holds = target.holds;
-            clock.advanceNs(20 * kNsPerMs);
-            key->guard().pump();
-            QTest::mouseMove(key, QPoint(41, 31));
-            QCOMPARE(target.holds, holds);
-            QCOMPARE(target.begun, 1);
-            release();
-            QCOMPARE(target.begun, 1);
-            QCOMPARE(target.ends.size(), 1);
-        }
-        void expectNewPressMoves() {
-            window.activateWindow();
-            press();
-            QCOMPARE(target.begun, 2);
-            release();
-        }
-    };
 
 private Q_SLOTS:
     void pressBeginsAndReleaseEnds() {
@@ -179,132 +73,6 @@ private Q_SLOTS:
         QTest::mouseMove(s.key, QPoint(40, 30));  // coming back does not resume
         s.expectStopped(StopCause::PointerLeft);
         s.expectNewPressMoves();
-    }
-
-    void focusToAnotherWidgetStops() {
-        Scene s;
-        s.press();
-        s.edit->setFocus();
-        s.expectStopped(StopCause::FocusLost);
-        s.expectNewPressMoves();
-    }
-
-    void tabKeyStops() {
-        Scene s;
-        s.press();
-        QTest::keyClick(s.key, Qt::Key_Tab);
-        s.expectStopped(StopCause::FocusLost);
-    }
-
-    void anotherWindowStops() {
-        Scene s;
-        s.press();
-        QWidget second;
-        second.show();
-        second.activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(&second));
-        s.expectStopped(StopCause::DialogOpened);  // showing it is enough
-    }
-
-    void deactivatedWindowStops() {
-        QWidget second;
-        second.show();
-        Scene s;
-        s.press();
-        second.activateWindow();
-        QTRY_VERIFY(!s.target.ends.isEmpty());
-        s.expectStopped(StopCause::WindowDeactivated);
-    }
-
-    void minimisedWindowStops() {
-        Scene s;
-        s.press();
-        s.window.showMinimized();
-        QTRY_VERIFY(!s.target.ends.isEmpty());
-        s.expectStopped(StopCause::WindowDeactivated);
-    }
-
-    void hiddenWindowStops() {
-        Scene s;
-        s.press();
-        s.window.hide();
-        s.expectStopped(StopCause::WindowClosed);
-    }
-
-    void closedWindowStops() {
-        Scene s;
-        s.press();
-        s.window.close();
-        s.expectStopped(StopCause::WindowClosed);
-    }
-
-    void destroyedKeyStops() {
-        Scene s;
-        s.press();
-        delete s.key;
-        QCOMPARE(s.target.ends.size(), 1);
-        QCOMPARE(s.target.running, 0U);
-    }
-
-    void anotherTabStops() {
-        VirtualClock clock;
-        FakeTarget target;
-        QTabWidget tabs;
-        auto* key = new HoldButton(QStringLiteral("X+"));
-        key->guard().setClock(clock);
-        key->setMotion(target.motion());
-        tabs.addTab(key, QStringLiteral("one"));
-        tabs.addTab(new QWidget, QStringLiteral("two"));
-        tabs.show();
-        QVERIFY(QTest::qWaitForWindowActive(&tabs));
-        QTest::mousePress(key, Qt::LeftButton);
-        QCOMPARE(target.begun, 1);
-        tabs.setCurrentIndex(1);
-        QCOMPARE(target.ends.size(), 1);
-        QVERIFY(!key->isHolding());
-    }
-
-    void hiddenKeyStops() {
-        Scene s;
-        s.press();
-        s.key->hide();
-        s.expectStopped(StopCause::SelectionChanged);
-    }
-
-    void modalDialogStops() {
-        Scene s;
-        s.press();
-        QDialog dialog(&s.window);
-        dialog.setModal(true);
-        dialog.show();
-        s.expectStopped(StopCause::DialogOpened);
-    }
-
-    void modelessDialogStops() {
-        Scene s;
-        s.press();
-        QDialog dialog(&s.window);
-        dialog.show();
-        s.expectStopped(StopCause::DialogOpened);
-    }
-
-    void menuStops() {
-        Scene s;
-        s.press();
-        QMenu menu;
-        menu.addAction(QStringLiteral("one"));
-        menu.popup(s.window.mapToGlobal(QPoint(0, 0)));
-        s.expectStopped(StopCause::DialogOpened);
-    }
-
-    void tooltipDoesNotStop() {
-        Scene s;
-        s.press();
-        QWidget tip(&s.window, Qt::ToolTip);
-        tip.show();
-        QVERIFY(s.key->isHolding());
-        s.release();
-        s.expectStopped(StopCause::Released);
     }
 
     void changedSelectionStops() {
@@ -411,13 +179,6 @@ private Q_SLOTS:
         s.press();
         s.window.setEnabled(false);
         QCOMPARE(s.target.ends, QList<StopCause>{StopCause::ControlLost});
-    }
-
-    void inactiveApplicationStops() {
-        Scene s;
-        s.press();
-        Q_EMIT qApp->applicationStateChanged(Qt::ApplicationInactive);
-        s.expectStopped(StopCause::WindowDeactivated);
     }
 
     void droppedMotionNeedsANewPress() {
