@@ -267,4 +267,4 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestRecovery)
-#include "tst_recovery.moc"
+#include "tst_recovery_page.moc"
