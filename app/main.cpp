@@ -10,6 +10,7 @@
 #include <QTextStream>
 #include <QTimer>
 #include <QTranslator>
+#include <algorithm>
 
 #include "app/command_line.h"
 #include "app/demonstration.h"
@@ -23,6 +24,7 @@ using namespace tiller;
 namespace {
 
 constexpr int kUsageError = 2;
+constexpr int kNoDisplay = 3;
 
 void print(FILE* to, const QString& text) {
     QTextStream out(to);
@@ -51,6 +53,18 @@ QString sessionFile(const app::CommandLine& line, const app::Settings& settings)
     return folder + QStringLiteral("/cell.tiller");
 }
 
+/// True when there is nowhere to show a window. Qt's own answer to that is to abort, even for `--help`.
+bool withoutDisplay(const QStringList& arguments) {
+#if defined(Q_OS_UNIX) && !defined(Q_OS_DARWIN)
+    const char* const names[] = {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"};
+    return std::ranges::all_of(names, [](const char* name) { return qEnvironmentVariableIsEmpty(name); }) &&
+           !arguments.contains(QStringLiteral("-platform"));
+#else
+    Q_UNUSED(arguments)
+    return false;
+#endif
+}
+
 int runDemonstration(QApplication& application, app::MainWindow& window, const QString& folder) {
     app::Demonstration demonstration(window, folder);
     QObject::connect(&demonstration, &app::Demonstration::finished, &application, [&](bool succeeded) {
@@ -64,6 +78,10 @@ int runDemonstration(QApplication& application, app::MainWindow& window, const Q
 }  // namespace
 
 int main(int argc, char* argv[]) {
+    const bool unseen = withoutDisplay(QStringList(argv, argv + argc));
+    if (unseen) {
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    }
     QApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("Tiller"));
     QApplication::setOrganizationName(QStringLiteral("Tiller"));
@@ -82,6 +100,13 @@ int main(int argc, char* argv[]) {
     if (line->showVersion) {
         print(stdout, QStringLiteral("tiller %1").arg(QStringLiteral(TILLER_VERSION)));
         return 0;
+    }
+
+    if (unseen && line->demoDirectory.isEmpty()) {
+        print(stderr, QStringLiteral(
+                          "tiller: there is no display to open the window on. Start it in a desktop session, "
+                          "or run the demonstration without one: tiller --simulator --demo DIR"));
+        return kNoDisplay;
     }
 
     QTranslator translator;
