@@ -233,6 +233,9 @@ void ControlLoop::watch(const Feedback& data) {
             case ScriptState::Contact:
                 endActive(StopCause::Contact, data.hostNs);
                 break;
+            case ScriptState::TooFar:
+                endActive(StopCause::TargetTooFar, data.hostNs);
+                break;
             case ScriptState::Ready:
             case ScriptState::Executing:
             case ScriptState::Braking:

@@ -91,7 +91,8 @@ QString ControlScript::place(int line, int column) const {
 }
 
 ControlScript controlScript(const SoftwareVersion& version, RegisterRange range, std::int32_t session,
-                            const MotionLimits& limits, const QString& section) {
+                            const MotionLimits& limits, const std::array<double, 6>& jointSpeeds,
+                            const QString& section) {
     const QString source = QString::fromUtf8(controlScriptTemplate());
     // Ports that take scripts also take single lines: what stands in front of the program must not be sent.
     const qsizetype begin = source.indexOf(QLatin1String("def "));
@@ -107,6 +108,12 @@ ControlScript controlScript(const SoftwareVersion& version, RegisterRange range,
     fill("BRAKE_LINEAR", number(limits.jogDeceleration));
     fill("BRAKE_ROTATION", number(limits.jointDeceleration));
     fill("BRAKE_JOINTS", number(limits.jointDeceleration));
+    QStringList speeds;
+    for (const double speed : jointSpeeds) {
+        speeds.append(number(speed));
+    }
+    fill("JOINT_SPEEDS", speeds.join(QLatin1String(", ")));
+    fill("LEEWAY", number(kJointLeeway));
     fill("WATCHDOG", QString::fromStdString(watchdogName(range)));
     QStringList lines = section.trimmed().isEmpty() ? QStringList{QStringLiteral("sync()")}
                                                     : section.split(QLatin1Char('\n'));

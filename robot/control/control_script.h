@@ -4,6 +4,7 @@
 // The text of control.script as it is sent: names filled in for one robot, one register range, one session.
 
 #include <QString>
+#include <array>
 #include <cstdint>
 
 #include "robot/control/controller.h"
@@ -27,10 +28,12 @@ struct ControlScript {
 
 /// version  software without a function gets the lines that do without it
 /// session  marks this start of the program; echoed by it
+/// jointSpeeds  the fastest each joint of this arm can turn [rad/s]: what a servo target is judged by
 /// section  lines of a path or a function, run by ScriptCommand::Section. Names beginning with tiller_ are
 /// the
 ///          program's own
 ControlScript controlScript(const SoftwareVersion& version, RegisterRange range, std::int32_t session,
-                            const MotionLimits& limits, const QString& section = {});
+                            const MotionLimits& limits, const std::array<double, 6>& jointSpeeds,
+                            const QString& section = {});
 
 }  // namespace tiller::control

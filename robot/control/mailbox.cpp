@@ -57,6 +57,10 @@ bool Mailbox::refresh(MotionId motion, const JogTarget& target, std::int64_t now
 
 bool Mailbox::change(MotionId motion, const MotionCommand& values, std::int64_t nowNs) {
     const std::lock_guard lock(callers_);
+    return replace(motion, values, nowNs);
+}
+
+bool Mailbox::replace(MotionId motion, const MotionCommand& values, std::int64_t nowNs) {
     if (!isRefreshable(motion, nowNs) || last_.kind != MotionCommand::Kind::Program) {
         return false;
     }

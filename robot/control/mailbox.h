@@ -58,6 +58,17 @@ public:
     bool refresh(MotionId motion, const JogTarget& target, std::int64_t nowNs);
     /// Refreshes a Program with other values; its identity and holding stay.
     bool change(MotionId motion, const MotionCommand& values, std::int64_t nowNs);
+    enum class Change : std::uint8_t { Done, Ended, Refused };
+    /// The same, if mayFollow(the command before, the time since its last refresh [ns]) says so.
+    template <class MayFollow>
+    Change changeIf(MotionId motion, const MotionCommand& values, std::int64_t nowNs, MayFollow mayFollow) {
+        const std::lock_guard lock(callers_);
+        const std::int64_t since = nowNs - refreshedNs_.load(std::memory_order_acquire);
+        if (last_.id == motion && epoch_.isActive(motion) && !mayFollow(last_, since)) {
+            return Change::Refused;
+        }
+        return replace(motion, values, nowNs) ? Change::Done : Change::Ended;
+    }
     /// Returns  the epoch of the stop
     std::uint64_t stop(const Brake& brake, StopCause cause, std::int64_t nowNs);
     void stop(StopCause cause, std::int64_t nowNs) { epoch_.stop(cause, nowNs); }
@@ -74,6 +85,7 @@ public:
 
 private:
     bool isRefreshable(MotionId motion, std::int64_t nowNs);
+    bool replace(MotionId motion, const MotionCommand& values, std::int64_t nowNs);
     void publish(const MotionCommand& command);
 
     Epoch epoch_;

@@ -37,6 +37,9 @@ Error errorOf(StopCause cause) {
             return {ErrorCode::UnsafeState, context, QStringLiteral("the robot or safety mode changed")};
         case StopCause::Unreachable:
             return {ErrorCode::NoSolution, context, QStringLiteral("the arm cannot reach the target")};
+        case StopCause::TargetTooFar:
+            return {ErrorCode::LimitExceeded, context,
+                    QStringLiteral("a target was further away than the arm can get in one step")};
         case StopCause::LinkLost:
         case StopCause::DataStale:
             return {ErrorCode::LinkLost, context, {}};

@@ -51,12 +51,21 @@ enum class StopCause : std::uint8_t {
     LinkLost,
     LimitReached,
     ControlLost,
-    Completed,    ///< a bounded motion reached its target
-    ApiCall,      ///< a program called stop()
-    Superseded,   ///< a newer command took the one slot
-    Contact,      ///< contact detection found what it was started for
-    Unreachable,  ///< a target for which the robot finds no joint positions
+    Completed,     ///< a bounded motion reached its target
+    ApiCall,       ///< a program called stop()
+    Superseded,    ///< a newer command took the one slot
+    Contact,       ///< contact detection found what it was started for
+    Unreachable,   ///< a target for which the robot finds no joint positions
+    TargetTooFar,  ///< a servo target further off than the arm could get since the one before
 };
+
+/// A servo stream leads the arm in small steps: no target may lie further from the one before than the arm
+/// can get in the time since (its joints' highest speeds; the tool's 3 m/s), and this much more, for what the
+/// arm's place was measured with and for packages that come late. The first target is judged from where the
+/// arm is. servoC is exempt: it goes to its target at its own speed, however far that is.
+inline constexpr double kJointLeeway = 0.02;      ///< [rad], of each joint and of the tool's rotation
+inline constexpr double kToolLeeway = 0.01;       ///< [m]
+inline constexpr double kLongestServoStep = 0.1;  ///< [s]: after a longer silence no more than in this time
 
 /// From the moment the stop was asked for to standstill, measured on the data received from the robot.
 struct StopMeasurement {

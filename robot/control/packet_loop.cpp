@@ -46,12 +46,19 @@ public:
             return false;
         }
         error = rules_.check(*wanted);
+        fill(target, parameters_, period);
+        if constexpr (std::is_same_v<Parameters, ServoParameters>) {
+            if (error.code == ErrorCode::None) {
+                const Target from = place(data);
+                error = rules_.step(from, *wanted, stepTime(data.timestamp - targetAt_, target.speed));
+            }
+        }
         if (error.code != ErrorCode::None) {
             return false;
         }
         last_ = *wanted;
+        targetAt_ = data.timestamp;
         fill(target, last_);
-        fill(target, parameters_, period);
         return true;
     }
 
@@ -59,6 +66,19 @@ public:
     Error error;
 
 private:
+    /// What the next target is judged from: the one before, at first the arm itself.
+    Target place(const Feedback& data) {
+        if (report.cycles > 1) {
+            return last_;
+        }
+        targetAt_ = data.timestamp;
+        if constexpr (std::is_same_v<Target, Pose>) {
+            return data.tcpPose;
+        } else {
+            return data.q;
+        }
+    }
+
     // In the control thread an exception would end the whole process.
     std::optional<Target> ask(const CycleState& state) {
         QString what;
@@ -93,6 +113,7 @@ private:
     const Parameters& parameters_;
     MotionId motion_;
     Target last_;
+    double targetAt_ = 0;  ///< by the robot's clock [s]
     double beganAt_ = 0;
     double previousAt_ = 0;
     std::int64_t previousNs_ = 0;

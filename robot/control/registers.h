@@ -46,6 +46,7 @@ enum class ScriptState : std::int32_t {
     Expired = 4,     ///< no fresh sequence number for 100 ms: stopped, and the echoed epoch is dead
     OutOfReach = 5,  ///< no joint positions for the target: stopped, dead
     Contact = 6,     ///< contact detection found one: stopped, dead
+    TooFar = 7,      ///< a servo target further off than the arm could get: stopped, dead
 };
 
 /// Questions and settings. Source: serve() in control.script

@@ -22,7 +22,17 @@ struct SetpointRules {
     Error check(const ServoParameters& parameters) const;
     Error check(const CircularServoParameters& parameters) const;
     Error check(const SpeedParameters& parameters) const;
+
+    /// Whether the arm can get from one servo target to the next: see kJointLeeway.
+    /// seconds  between them
+    Error step(const JointPositions& from, const JointPositions& to, double seconds) const;
+    Error step(const Pose& from, const Pose& to, double seconds) const;
 };
+
+/// How long the step to the next servo target may be reckoned [s].
+/// since   the one before [s]; 0 for the first
+/// rules   for how long one target rules [s]
+double stepTime(double since, double rules);
 
 SetpointRules rulesOf(Controller& controller);
 

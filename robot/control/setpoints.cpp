@@ -18,6 +18,15 @@ std::array<double, 6> six(const Vector6& v) {
     return out;
 }
 
+template <class Target>
+Target targetOf(const std::array<double, 6>& values) {
+    if constexpr (std::is_same_v<Target, Pose>) {
+        return Pose::fromArray(values);
+    } else {
+        return Target(values);
+    }
+}
+
 double orSame(double rotation, double linear) {
     return rotation == 0 ? linear : rotation;
 }
@@ -35,6 +44,48 @@ Error SetpointRules::check(const JointVelocities& target) const {
 }
 Error SetpointRules::check(const Twist& target) const {
     return ArgumentCheck("send a tool speed").twist("target", target, toolSpeed).error();
+}
+
+namespace {
+
+Error tooFar(const QString& what, double way, double limit, const QString& unit) {
+    return {ErrorCode::LimitExceeded, QStringLiteral("send a servo target"),
+            QStringLiteral("target: %1 is %2 %4 away; in one step it cannot be led further than %3 %4")
+                .arg(what)
+                .arg(way, 0, 'f', 3)
+                .arg(limit, 0, 'f', 3)
+                .arg(unit)};
+}
+
+}  // namespace
+
+double stepTime(double since, double rules) {
+    return std::min(std::max(since, rules), kLongestServoStep);
+}
+
+Error SetpointRules::step(const JointPositions& from, const JointPositions& to, double seconds) const {
+    for (int joint = 0; joint < kJointCount; ++joint) {
+        const auto i = static_cast<std::size_t>(joint);
+        const double way = std::abs(to[joint] - from[joint]);
+        const double limit = arm.maxSpeed[i] * seconds + kJointLeeway;
+        if (way > limit) {
+            return tooFar(QString::fromLatin1(kJointNames[i]), way, limit, QStringLiteral("rad"));
+        }
+    }
+    return {};
+}
+
+Error SetpointRules::step(const Pose& from, const Pose& to, double seconds) const {
+    const double way = (to.position - from.position).norm();
+    const double limit = kHighestToolSpeed * seconds + kToolLeeway;
+    if (way > limit) {
+        return tooFar(QStringLiteral("the TCP"), way, limit, QStringLiteral("m"));
+    }
+    const double turn =
+        Eigen::AngleAxisd(rotationMatrix(from.rotation).transpose() * rotationMatrix(to.rotation)).angle();
+    const double most = highestJointSpeed(arm) * seconds + kJointLeeway;
+    return turn > most ? tooFar(QStringLiteral("the orientation"), turn, most, QStringLiteral("rad"))
+                       : Error();
 }
 
 Error SetpointRules::check(const ServoParameters& p) const {
@@ -117,11 +168,26 @@ Result<void> Setpoints<Target, Parameters>::send(const Target& target, const Par
     MotionCommand command;
     fill(command, target);
     fill(command, parameters, d.versionNow().controlPeriod());
-    if (!d.mailbox.change(motion_.id(), command, d.now())) {
-        return Error{ErrorCode::Stopped, QStringLiteral("send a target"),
-                     QStringLiteral("the stream has ended")};
+    Error refused;
+    const auto mayFollow = [&](const MotionCommand& before, std::int64_t sinceNs) {
+        if constexpr (std::is_same_v<Parameters, ServoParameters>) {
+            const bool first = before.choice == 0;
+            const ControllerStatus status = first ? d.loop.status() : ControllerStatus();
+            const auto here = std::is_same_v<Target, Pose> ? status.tcpPose : status.q;
+            refused = rules.step(targetOf<Target>(first ? here : before.target), target,
+                                 stepTime(first ? 0 : static_cast<double>(sinceNs) / 1e9, command.speed));
+        }
+        return refused.code == ErrorCode::None;
+    };
+    switch (d.mailbox.changeIf(motion_.id(), command, d.now(), mayFollow)) {
+        case Mailbox::Change::Done:
+            return {};
+        case Mailbox::Change::Refused:
+            return refused;
+        case Mailbox::Change::Ended:
+            break;
     }
-    return {};
+    return Error{ErrorCode::Stopped, QStringLiteral("send a target"), QStringLiteral("the stream has ended")};
 }
 
 template class Setpoints<JointPositions, ServoParameters>;

@@ -38,7 +38,9 @@ public:
     bool isActive() const { return motion_.isActive(); }
 
     /// Errors   Stopped (the stream has ended), InvalidArgument (not a number, wrong unit by magnitude),
-    ///          LimitExceeded
+    ///          LimitExceeded (outside what the arm can; a servo target too far from the one before, or at
+    ///          first from the arm: see kJointLeeway). A target that is refused has not been sent; the stream
+    ///          goes on
     /// Blocks   never. Real-time: yes, as long as there is no error to tell
     Result<void> send(const Target& target);
     Result<void> send(const Target& target, const Parameters& parameters);

@@ -153,7 +153,7 @@ Result<void> Controller::Private::upload(std::int32_t session, const QString& se
     const QString context =
         QStringLiteral("start the control program at %1:%2").arg(options.host).arg(primaryPort());
     const ControlScript script =
-        controlScript(versionNow(), options.registers, session, options.limits, section);
+        controlScript(versionNow(), options.registers, session, options.limits, armNow().maxSpeed, section);
     {
         const std::lock_guard lock(arm);
         primary->takeMessages();  // what was said before is not about us

@@ -117,7 +117,7 @@ struct Receiver::Worker {
     std::atomic<std::uint64_t> reconnects{0};
     std::atomic<double> rate{0};
     std::atomic<std::int64_t> jitter{0};
-    std::atomic<std::int64_t> lastHostNs{0};
+    std::atomic<std::int64_t> dueNs{0};  ///< when the newest sample would have come without delay
     std::atomic<bool> hasData{false};
     std::atomic<bool> resetWanted{false};
     realtime::Seqlock<realtime::Histogram> intervalsShown;
@@ -186,9 +186,14 @@ struct Receiver::Worker {
         return delays.empty() ? milliseconds(0) : delays[std::min(failures, delays.size() - 1)];
     }
 
+    /// On the clock, which may be faster or slower than the system's: it is asked now and then.
     void waitFor(milliseconds time) {
+        constexpr milliseconds kAskEvery(5);
+        const std::int64_t end = options.clock->nowNs() + time.count() * kNsPerMs;
         std::unique_lock lock(waitMutex);
-        waitEnds.wait_for(lock, time, [&] { return stopping.load(); });
+        while (!stopping && options.clock->nowNs() < end) {
+            waitEnds.wait_for(lock, kAskEvery, [&] { return stopping.load(); });
+        }
     }
 
     /// Where each number of the package belongs in a sample. Types are the robot's own: should one differ
@@ -285,7 +290,7 @@ struct Receiver::Worker {
         jitter.store(verdict.jitterNs, std::memory_order_relaxed);
         previousHostNs = hostNs;
         hasPrevious = true;
-        lastHostNs.store(hostNs, std::memory_order_release);
+        dueNs.store(hostNs - std::max<std::int64_t>(verdict.jitterNs, 0), std::memory_order_release);
         hasData.store(true, std::memory_order_release);
 
         ++windowPackets;
@@ -408,7 +413,7 @@ std::int64_t Receiver::ageNs() const {
     if (!d_->hasData.load(std::memory_order_acquire)) {
         return std::numeric_limits<std::int64_t>::max();
     }
-    return d_->options.clock->nowNs() - d_->lastHostNs.load(std::memory_order_acquire);
+    return d_->options.clock->nowNs() - d_->dueNs.load(std::memory_order_acquire);
 }
 
 Subscription Receiver::subscribe() const {

@@ -38,12 +38,12 @@ struct ReceiverOptions {
     int priority = 90;
     /// Stamps samples and measures ages. Must outlive the receiver.
     const Clock* clock = &SteadyClock::shared();
-    /// How long one attempt to connect and shake hands may take.
-    std::chrono::milliseconds connectTimeout{3000};
-    /// Waits between attempts; the last one repeats.
+    /// How long one attempt to connect and shake hands may take. Together with the longest of the delays it
+    /// is below 2 s: so soon data flow again when the path to the robot is back, whatever was under way then.
+    std::chrono::milliseconds connectTimeout{1300};
+    /// Waits between attempts, on the clock; the last one repeats.
     std::vector<std::chrono::milliseconds> reconnectDelays{
-        std::chrono::milliseconds(500), std::chrono::milliseconds(1000), std::chrono::milliseconds(2000),
-        std::chrono::milliseconds(5000)};
+        std::chrono::milliseconds(100), std::chrono::milliseconds(250), std::chrono::milliseconds(500)};
     /// Silence on the clock after which the connection is given up and made anew.
     std::chrono::milliseconds silenceLimit{2500};
     /// Samples kept for subscribers that are busy: 8 s at 500 Hz.
@@ -125,7 +125,8 @@ public:
     /// The newest sample; sequence 0 when there is none yet. Real-time: latest(Sample&) yes, latest() no
     Sample latest() const;
     void latest(Sample& into) const;
-    /// Age of the newest sample on the receiver's clock; the largest number there is when there is none.
+    /// Age of the newest sample on the receiver's clock; the largest number there is when there is none. A
+    /// sample read out of a backlog is as old as it lay there, by the robot's time stamps.
     std::int64_t ageNs() const;
     bool isFresh(std::chrono::nanoseconds limit) const { return ageNs() <= limit.count(); }
 

@@ -12,9 +12,10 @@ namespace tiller::receive {
 class StreamWatch {
 public:
     struct Verdict {
-        std::uint64_t lost = 0;     ///< packages missing just before this one
-        bool late = false;          ///< more than half a period after its time
-        std::int64_t jitterNs = 0;  ///< how far from its time; 0 is the earliest of late
+        std::uint64_t lost = 0;  ///< packages missing just before this one
+        bool late = false;       ///< more than half a period after its time
+        /// How far from its time; 0 is the earliest of late. A package out of a backlog is as old as this.
+        std::int64_t jitterNs = 0;
     };
 
     /// A new connection: its first package is compared with nothing but the last time stamp, which tells how
@@ -30,6 +31,10 @@ private:
     bool hasTimestamp_ = false;
     bool hasBase_ = false;
     double baseNs_ = 0;  ///< host time minus robot time of the packages that came soonest
+    // The same since `settlingSinceNs_`, from when on packages came without a pause.
+    std::int64_t settlingSinceNs_ = 0;
+    std::int64_t lastHostNs_ = 0;
+    double settledNs_ = 0;
 };
 
 }  // namespace tiller::receive

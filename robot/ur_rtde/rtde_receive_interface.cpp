@@ -45,7 +45,6 @@ ReceiverOptions optionsOf(const std::string& host, double frequency, std::vector
     options.frequency = frequency > 0 ? frequency : 0;
     options.fields = variables.empty() ? tiller::urrtde::receiveFields(upper) : std::move(variables);
     options.priority = priority;
-    options.connectTimeout = kConnectTime;
     return options;
 }
 
@@ -180,7 +179,7 @@ bool RTDEReceiveInterface::reconnect() {
 }
 
 bool RTDEReceiveInterface::isConnected() {
-    return d_->receiver.state() == ReceiverState::Receiving && d_->receiver.isFresh(kSilenceLimit);
+    return d_->receiver.state() == ReceiverState::Receiving && !d_->newest().isEmpty();
 }
 
 std::chrono::steady_clock::time_point RTDEReceiveInterface::initPeriod() {

@@ -204,6 +204,8 @@ QString stopCauseText(control::StopCause cause) {
             return tr("contact");
         case StopCause::Unreachable:
             return tr("target cannot be reached");
+        case StopCause::TargetTooFar:
+            return tr("target too far away for one step");
         default:
             return tr("ended");
     }

@@ -16,6 +16,11 @@ Deadline patience() {
     return Deadline::after(std::chrono::seconds(60));
 }
 
+template <class R>
+QByteArray why(const R& result) {
+    return result.error().toString().toUtf8();
+}
+
 }  // namespace
 
 class TestSetpoints : public QObject {
@@ -68,12 +73,113 @@ private Q_SLOTS:
         }
         QVERIFY(cell.stepMs(400));
         QVERIFY((cell.tcp().position - target.position).norm() < 1e-3);
-        target.position.z() += 2.5;  // out of every arm's reach
+
+        // Stretched out, a few millimetres are out of reach.
+        JointPositions stretched = cell.robot.truth().q;
+        stretched[1] = -90 * kDeg;
+        stretched[2] = -3 * kDeg;
+        const auto move = Motions(*cell.controller).moveJ(stretched, {0.8, 1.4, Holding::Free});
+        QVERIFY(move.ok());
+        QVERIFY(cell.during([&] { return move->wait(patience()); }).ok());
+        servo = Motions(*cell.controller).startServoL({}, Holding::Free);
+        QVERIFY(servo.ok());
+        target = cell.tcp();
+        target.position.z() += 0.009;
         QVERIFY(servo->send(target).ok());
         QVERIFY(cell.stepMs(100));
         QCOMPARE(servo->motion().state().cause, StopCause::Unreachable);
         QCOMPARE(servo->motion().wait(patience()).error().code, ErrorCode::NoSolution);
         QVERIFY(cell.controller->status().inControl);
+    }
+
+    // Neither the first target nor a later one may be further off than the arm can get; what is refused is
+    // named, has not been sent, and the stream goes on.
+    void aServoRefusesToJump() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        Motions motions(*cell.controller);
+        const JointPositions start = cell.robot.truth().q;
+        auto servo = motions.startServoJ({}, Holding::Free);
+        QVERIFY(servo.ok());
+        QVERIFY(cell.stepMs(20));
+        JointPositions target = start;
+        target[4] += 10 * kDeg;
+        const auto far = servo->send(target);
+        QCOMPARE(far.error().code, ErrorCode::LimitExceeded);
+        QVERIFY2(far.error().controllerMessage.contains(QStringLiteral("Wrist 2")), why(far));
+        QVERIFY(cell.stepMs(100));
+        QVERIFY((cell.robot.truth().q.values - start.values).norm() < 1e-3);
+        QVERIFY(servo->isActive());
+        target = start;
+        for (int i = 0; i < 100; ++i) {
+            target[4] += 0.1 * kDeg;
+            QVERIFY(servo->send(target).ok());
+            QVERIFY(cell.step());
+        }
+        target[4] += 10 * kDeg;
+        QCOMPARE(servo->send(target).error().code, ErrorCode::LimitExceeded);
+        QVERIFY(cell.stepMs(300));
+        QVERIFY(std::abs(cell.robot.truth().q[4] - (start[4] + 10 * kDeg)) < 2e-3);
+
+        auto line = motions.startServoL({}, Holding::Free);
+        QVERIFY(line.ok());
+        QVERIFY(cell.stepMs(300));
+        Pose pose = cell.tcp();
+        pose.position.x() += 0.03;
+        const auto farPose = line->send(pose);
+        QCOMPARE(farPose.error().code, ErrorCode::LimitExceeded);
+        QVERIFY2(farPose.error().controllerMessage.contains(QStringLiteral("TCP")), why(farPose));
+        pose = cell.tcp();
+        pose.rotation = rotationVector(rotationMatrix(pose.rotation) * rotationMatrix({0, 0, 0.1}));
+        QCOMPARE(line->send(pose).error().code, ErrorCode::LimitExceeded);
+    }
+
+    // The arm was moving when the stream began and has gone on meanwhile: where the program can see that and
+    // the PC cannot, the program refuses.
+    void theProgramRefusesAJumpToo() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        Motions motions(*cell.controller);
+        JointPositions end = cell.robot.truth().q;
+        end[5] += 90 * kDeg;
+        QVERIFY(motions.moveJ(end, {1.5, 1.4, Holding::Free}).ok());
+        QVERIFY(cell.stepMs(900));
+        QVERIFY(std::abs(cell.robot.truth().qd[5]) > 1.0);
+        auto servo = motions.startServoJ({}, Holding::Free);
+        QVERIFY(servo.ok());
+        QVERIFY(servo->send(cell.robot.truth().q).ok());
+        for (int i = 0; i < 1000 && servo->isActive(); ++i) {
+            QVERIFY(cell.step());
+        }
+        QCOMPARE(servo->motion().state().cause, StopCause::TargetTooFar);
+        QCOMPARE(servo->motion().wait(patience()).error().code, ErrorCode::LimitExceeded);
+        QVERIFY(cell.standsWithinMs(500));
+        QVERIFY(cell.controller->status().inControl);
+    }
+
+    void thePacketLoopRefusesAJump() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        const JointPositions start = cell.robot.truth().q;
+        const auto jump = [&](const CycleState& state) -> std::optional<JointPositions> {
+            JointPositions target = start;
+            target[0] += state.cycle < 50 ? 0.0 : 10 * kDeg;
+            return target;
+        };
+        const auto ended =
+            cell.during([&] { return PacketLoop(*cell.controller).servoJ(jump, {}, patience()); });
+        QCOMPARE(ended.error().code, ErrorCode::LimitExceeded);
+        QVERIFY2(ended.error().controllerMessage.contains(QStringLiteral("Base")), why(ended));
+        const auto atOnce = [&](const CycleState& state) -> std::optional<Pose> {
+            Pose target = state.tcpPose;
+            target.position.x() += 0.05;
+            return target;
+        };
+        const auto first =
+            cell.during([&] { return PacketLoop(*cell.controller).servoL(atOnce, {}, patience()); });
+        QCOMPARE(first.error().code, ErrorCode::LimitExceeded);
+        QVERIFY(cell.stepMs(300));
+        QVERIFY((cell.robot.truth().q.values - start.values).norm() < 1e-3);
     }
 
     void speedStreamsMoveUntilTheyAreStopped() {
@@ -166,8 +272,12 @@ private Q_SLOTS:
         Pose target = cell.tcp();
         target.position.z() += 0.03;
         QVERIFY(servo->send(target).ok());
+        // However far the target is: no faster than it was told.
+        double fastest = 0;
+        cell.everyTick = [&] { fastest = std::max(fastest, cell.robot.truth().tcpSpeed.linear.norm()); };
         QVERIFY(cell.stepMs(1500));
         QVERIFY((cell.tcp().position - target.position).norm() < 2e-3);
+        QVERIFY2(fastest < 0.105, qPrintable(QString::number(fastest)));
     }
 
     void thePacketLoopAnswersEveryPacket() {

@@ -307,7 +307,10 @@ void TestReceiveSimulator::comesBackWhenTheControllerClosesItsClients() {
     const auto before = cell.receiver->counters();
     cell.robot.closeClients();
     cell.robot.step();
-    QVERIFY(eventually([&] { return cell.receiver->counters().reconnects > before.reconnects; }));
+    QVERIFY(eventually([&] {
+        cell.clock.advanceNs(kNsPerMs);  // the wait before the next attempt is on this clock
+        return cell.receiver->counters().reconnects > before.reconnects;
+    }));
     QVERIFY(cell.tick());
     QCOMPARE(cell.receiver->latest().connection, std::uint64_t(2));
 }

@@ -17,7 +17,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("program");
         for (const char* name : {"forward_control", "servoj_example", "speedj_example", "forcemode_example",
                                  "move_async_example", "io_example", "record_data_example", "circle_example",
-                                 "move_until_contact_example", "gripper_example"}) {
+                                 "move_until_contact_example", "gripper_example", "movel_path_example"}) {
             QTest::newRow(name) << name;
         }
     }
@@ -38,7 +38,8 @@ private Q_SLOTS:
         }
         QVERIFY2(process.waitForFinished(120'000), process.readAll().constData());
         const QByteArray output = process.readAll();
-        QVERIFY2(process.exitStatus() == QProcess::NormalExit && process.exitCode() == 0, output.constData());
+        QVERIFY2(process.exitStatus() == QProcess::NormalExit && process.exitCode() == 0,
+                 output + " exit code " + QByteArray::number(process.exitCode()));
         QVERIFY2(!output.contains("QSocketNotifier") && !output.contains("QCoreApplication"),
                  output.constData());
     }

@@ -16,6 +16,7 @@ namespace tiller::test {
 using namespace tiller::control;
 
 inline constexpr std::int32_t kSession = 99;
+inline constexpr std::array<double, 6> kJointSpeeds{3.14, 3.14, 3.14, 3.14, 3.14, 3.14};
 
 namespace urscript = tiller::simulator::urscript;
 
@@ -35,7 +36,8 @@ struct ScriptBench {
         urscript::CompileOptions options;
         options.version = version;
         const auto compiled = urscript::compile(
-            controlScript(version, range, kSession, MotionLimits{}, section).text.toStdString(), options);
+            controlScript(version, range, kSession, MotionLimits{}, kJointSpeeds, section).text.toStdString(),
+            options);
         if (!compiled) {
             qFatal("control.script line %d, column %d: %s", compiled.error.line, compiled.error.column,
                    compiled.error.text.c_str());

@@ -41,7 +41,7 @@ private Q_SLOTS:
     }
 
     void nothingIsLeftUnfilled() {
-        const ControlScript script = controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {});
+        const ControlScript script = controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {}, kJointSpeeds);
         QVERIFY(!script.text.contains(QLatin1String("{{")));
         QVERIFY(script.text.startsWith(QLatin1String("def ")));
         const QString source = QString::fromUtf8(controlScriptTemplate());
@@ -70,7 +70,8 @@ private Q_SLOTS:
         left.values = {0.1, 0, 0, 0, 0, 0};
         bench.send(left);
         bench.program.reset();
-        const auto text = controlScript({5, 22, 0, 0}, RegisterRange::Upper, kSession, {}).text.toStdString();
+        const auto text =
+            controlScript({5, 22, 0, 0}, RegisterRange::Upper, kSession, {}, kJointSpeeds).text.toStdString();
         bench.program = std::make_unique<urscript::Interpreter>(urscript::compile(text).program, bench.host);
         bench.frame(100);
         QVERIFY(bench.host.motions.empty());

@@ -36,6 +36,7 @@ class TestControlScriptCommands : public QObject {
 private Q_SLOTS:
     void aServoHoldsItsPlaceThenFollows() {
         Bench bench;
+        bench.host.q = JointPositions(0.19, -1, 1, -1, -1, 0);
         bench.hold(ScriptCommand::Idle, 1, 2);
         for (int i = 0; i < 5; ++i) {
             bench.send(servo(ScriptCommand::ServoJ, 2, false));
@@ -51,6 +52,47 @@ private Q_SLOTS:
         QCOMPARE(last->lookahead, 0.1);
         QCOMPARE(last->gain, 300.0);
         QCOMPARE(last->duration, 0.002);
+    }
+
+    // The first target has to be near the arm, and each later one near the one before.
+    void aServoDoesNotJump() {
+        Bench bench;
+        bench.host.q = JointPositions(0.2, -1, 1, -1, -1, 0);
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        Command target = servo(ScriptCommand::ServoJ, 2, true);
+        target.values[3] += 0.05;  // 0.02 rad, and what a joint turns in 2 ms, would do
+        for (int i = 0; i < 60; ++i) {
+            bench.send(target);
+            bench.frame();
+        }
+        QVERIFY(bench.running());
+        QCOMPARE(bench.state(), ScriptState::TooFar);
+        QVERIFY(bench.last<urscript::StopJ>() != nullptr);
+        for (const auto& motion : bench.host.motions) {
+            const auto* servoed = std::get_if<urscript::ServoJ>(&motion.command);
+            QVERIFY(servoed == nullptr || servoed->q == bench.host.q);
+        }
+        // Small steps lead anywhere.
+        target = servo(ScriptCommand::ServoJ, 3, true);
+        for (int i = 0; i < 50; ++i) {
+            target.values[3] += 0.015;
+            bench.send(target);
+            bench.frame();
+        }
+        bench.frame();
+        QCOMPARE(bench.state(), ScriptState::Executing);
+        QCOMPARE(bench.last<urscript::ServoJ>()->q[3], target.values[3]);
+        const double before = target.values[3];
+        target.values[3] += 0.4;  // further than any joint gets while packages may stay away
+        for (int i = 0; i < 60; ++i) {
+            bench.send(target);
+            bench.frame();
+        }
+        QCOMPARE(bench.state(), ScriptState::TooFar);
+        for (const auto& motion : bench.host.motions) {
+            const auto* servoed = std::get_if<urscript::ServoJ>(&motion.command);
+            QVERIFY(servoed == nullptr || servoed->q[3] <= before);
+        }
     }
 
     void aPoseOutOfReachEndsTheServoNotTheProgram() {
@@ -117,9 +159,9 @@ private Q_SLOTS:
     }
 
     void linesOfASectionAreFoundAgain() {
-        const ControlScript plain = controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {});
-        const ControlScript script =
-            controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {}, QStringLiteral("a = 1\nb = 2\nc = 3"));
+        const ControlScript plain = controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {}, kJointSpeeds);
+        const ControlScript script = controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {}, kJointSpeeds,
+                                                   QStringLiteral("a = 1\nb = 2\nc = 3"));
         const QString found = script.text.section(QLatin1Char('\n'), script.sectionLine, script.sectionLine);
         QVERIFY(found.contains(QLatin1String("b = 2")));
         QCOMPARE(script.place(script.sectionLine + 1, 5), QStringLiteral("line 2"));
@@ -308,7 +350,7 @@ private Q_SLOTS:
 
     void whatOldSoftwareLacksIsNotInItsProgram() {
         for (const auto& version : {SoftwareVersion{3, 5, 0, 0}, SoftwareVersion{5, 3, 0, 0}}) {
-            const QString text = controlScript(version, RegisterRange::Lower, 1, {}).text;
+            const QString text = controlScript(version, RegisterRange::Lower, 1, {}, kJointSpeeds).text;
             for (const char* name : {"tool_contact(", "get_inverse_kin_has_solution(",
                                      "get_freedrive_status(", "set_target_payload("}) {
                 QVERIFY2(!text.contains(QLatin1String(name)), name);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <QTest>
+#include <algorithm>
 #include <limits>
 
 #include "robot/receive/receiver.h"
@@ -50,6 +51,8 @@ private Q_SLOTS:
     void latestIsTheNewest();
     void beforeTheFirstPackageThereIsNothing();
     void samplesCarryTheClocksTime();
+    void whatLayInABacklogIsNotFresh();
+    void dataComeBackWithinTwoSeconds();
     void countsWhatTheControllerSkipped();
     void countsWhatCameLate();
     void fieldsTheRobotLacksAreAbsent();
@@ -136,6 +139,42 @@ void TestReceiver::samplesCarryTheClocksTime() {
     QCOMPARE(receiver.ageNs(), 300 * kNsPerMs);
     QVERIFY(receiver.isFresh(300ms));
     QVERIFY(!receiver.isFresh(299ms));
+}
+
+// The host slept, or the path was blocked: what is read then is as old as it lay there.
+void TestReceiver::whatLayInABacklogIsNotFresh() {
+    VirtualClock clock;
+    RtdePeer peer;
+    ReceiverOptions options = to(peer.port());
+    options.clock = &clock;
+    Receiver receiver(options);
+    receiver.start();
+    std::uint64_t sent = 0;
+    const auto send = [&](double timestamp) {
+        peer.send(timestamp);
+        ++sent;
+        TRY_COMPARE(receiver.latest().sequence, sent);
+    };
+    for (int i = 0; i < 10; ++i) {
+        send(1 + 0.002 * i);
+        QCOMPARE(receiver.ageNs(), std::int64_t(0));
+        clock.advanceNs(2 * kNsPerMs);
+    }
+    clock.advanceNs(1000 * kNsPerMs);
+    send(1.02);  // sent when the last one should have been followed
+    QVERIFY(std::llabs(receiver.ageNs() - 1000 * kNsPerMs) < kNsPerMs);
+    QVERIFY(!receiver.isFresh(100ms));
+    send(1.92);
+    QVERIFY(std::llabs(receiver.ageNs() - 100 * kNsPerMs) < kNsPerMs);
+    send(2.02);
+    QVERIFY(receiver.isFresh(1ms));
+}
+
+// Whatever was under way when the path comes back: an attempt, then the wait after it, then one that works.
+void TestReceiver::dataComeBackWithinTwoSeconds() {
+    const ReceiverOptions options;
+    const auto longest = *std::max_element(options.reconnectDelays.begin(), options.reconnectDelays.end());
+    QVERIFY(options.connectTimeout + longest < 2s);
 }
 
 void TestReceiver::countsWhatTheControllerSkipped() {
@@ -284,6 +323,8 @@ void TestReceiver::givesUpASilentConnection() {
     QTest::qWait(120);
     QCOMPARE(peer.connections(), 1);
     clock.advanceNs(200 * kNsPerMs);
+    TRY_COMPARE(receiver.state(), ReceiverState::Waiting);
+    clock.advanceNs(1 * kNsPerMs);
     TRY_COMPARE(peer.connections(), 2);
 }
 

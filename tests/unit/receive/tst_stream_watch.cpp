@@ -17,6 +17,8 @@ private Q_SLOTS:
     void lateIsMoreThanHalfAPeriod();
     void burstAfterAStallCountsEachLatePackage();
     void driftOfTheClocksIsNotLateness();
+    void aBacklogIsAsOldAsItLayThere();
+    void aWayThatHasBecomeLongerIsTheNewMeasure();
     void restartOfTheControllerIsNoGap();
     void interruptionIsAGapInTimeStamps();
     void withoutTimeStampsNothingIsJudged();
@@ -75,6 +77,39 @@ void TestStreamWatch::driftOfTheClocksIsNotLateness() {
         const auto host = static_cast<std::int64_t>(i * 2e6 * 1.0002);
         QVERIFY(!watch.add(i * 0.002 + 1, host).late);
     }
+}
+
+void TestStreamWatch::aBacklogIsAsOldAsItLayThere() {
+    StreamWatch watch;
+    watch.begin(0.002);
+    for (int i = 0; i < 100; ++i) {
+        watch.add(1 + i * 0.002, i * 2 * kNsPerMs);
+    }
+    // Nothing for 2 s, then all of it within 0.4 s.
+    const std::int64_t end = 198 * kNsPerMs + 2 * kNsPerSecond;
+    for (int i = 0; i < 1000; ++i) {
+        const std::int64_t host = end + i * 400'000;
+        const std::int64_t sent = (100 + i) * 2 * kNsPerMs;
+        const auto verdict = watch.add(1 + (100 + i) * 0.002, host);
+        QVERIFY(std::llabs(verdict.jitterNs - (host - sent)) < 2 * kNsPerMs);
+    }
+}
+
+// A simulated robot that was held up, a way over other cables: late for ever would help nobody.
+void TestStreamWatch::aWayThatHasBecomeLongerIsTheNewMeasure() {
+    StreamWatch watch;
+    watch.begin(0.002);
+    watch.add(1, 0);
+    constexpr std::int64_t kHeldUp = 200 * kNsPerMs;
+    QVERIFY(watch.add(1.002, 2 * kNsPerMs + kHeldUp).jitterNs > 190 * kNsPerMs);
+    for (int i = 2; i < 490; ++i) {
+        QVERIFY(watch.add(1 + i * 0.002, i * 2 * kNsPerMs + kHeldUp).jitterNs > 190 * kNsPerMs);
+    }
+    for (int i = 490; i < 510; ++i) {
+        watch.add(1 + i * 0.002, i * 2 * kNsPerMs + kHeldUp);
+    }
+    QVERIFY(watch.add(2.02, 1020 * kNsPerMs + kHeldUp).jitterNs < kNsPerMs);
+    QVERIFY(!watch.add(2.022, 1022 * kNsPerMs + kHeldUp).late);
 }
 
 void TestStreamWatch::restartOfTheControllerIsNoGap() {

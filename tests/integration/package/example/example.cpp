@@ -3,15 +3,18 @@
 #include <ur_rtde/rtde_control_interface.h>
 
 #include <unistd.h>
+#include <QCoreApplication>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <thread>
 
 #include "robot/receive/receiver.h"
 #include "robot/receive/robot_state.h"
 #include "robot/simulator/controller.h"
 
-int main() {
+int main(int argc, char** argv) {
+    QCoreApplication application(argc, argv);  // for the sockets of the robot
     tiller::simulator::ControllerOptions options;
     options.listenAddress = QStringLiteral("127.%1.%2.1").arg(10 + getpid() % 200).arg(getpid() / 200 % 250);
     options.poweredOn = true;

@@ -31,7 +31,9 @@ int main(int, char** argv) {
     std::vector<double> home = kHome;
     home.insert(home.end(), {velocity, acceleration, 0.0});
     mixed.addEntry({PathEntry::MoveJ, PathEntry::PositionJoints, home});
-    mixed.addEntry({PathEntry::MoveL, PathEntry::PositionTcpPose, path[1]});
+    std::vector<double> last = path[1];
+    last.back() = 0.0;  // nothing comes after it to blend into
+    mixed.addEntry({PathEntry::MoveL, PathEntry::PositionTcpPose, last});
     rtde_control.movePath(mixed, true);
     while (rtde_control.getAsyncOperationProgress() < 0) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
