@@ -20,8 +20,10 @@
 #include "widgets/common/panel.h"
 #include "widgets/common/theme.h"
 #include "widgets/io/io_tab.h"
+#include "widgets/jog/axis_jog.h"
 #include "widgets/jog/jog_column.h"
 #include "widgets/jog/jog_pad.h"
+#include "widgets/jog/keyboard_jog.h"
 #include "widgets/jog/stop_keys.h"
 #include "widgets/log/log_tab.h"
 #include "widgets/plots/plot_dock.h"
@@ -90,6 +92,17 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     log_ = new LogTab(*session_, this);
     status_ = new StatusLine(*session_, this);
     stopKeys_ = new StopKeys(*session_, clock, this);
+    jog_->axisJog().setClock(clock);
+    keyboard_ = new KeyboardJog(jog_->axisJog(), *this, this);
+    keyboard_->setClock(clock);
+    jog_->addHoldKeys(*keyboard_);
+    connect(keyboard_, &KeyboardJog::armedChanged, this, [this](bool armed) {
+        Q_EMIT session_->message(Severity::Info,
+                                 armed ? tr("Keyboard jogging armed: arrows move X and Y, PgUp and "
+                                            "PgDn move Z, with Alt they turn, 1 to 6 with + and − "
+                                            "turn a joint. Space and Esc stop.")
+                                       : tr("Keyboard jogging disarmed"));
+    });
     connect(new SleepWatch(this), &SleepWatch::operatorLeaves, this,
             [this] { stopMotion(control::StopCause::Sleep); });
 
@@ -106,6 +119,7 @@ MainWindow::~MainWindow() {
     disconnect(qApp, nullptr, this, nullptr);
     // While all parts still live: the session tells them that it ends. Then they go, and it goes last.
     session_->shutDown();
+    delete keyboard_;
     delete takeCentralWidget();
     const QList<QDockWidget*> docks = findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly);
     qDeleteAll(docks);
@@ -186,6 +200,10 @@ void MainWindow::buildActions() {
     menu->addSeparator();
     menu->addAction(tr("Power off the arm"), this, [this] { session_->powerOff(); });
     menu->addAction(tr("Give control back"), this, [this] { session_->releaseControl(); });
+    QAction* keyboard = menu->addAction(tr("Arm or disarm the keyboard"), this,
+                                        [this] { keyboard_->setArmed(!keyboard_->isArmed()); });
+    keyboard->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_J));
+    addAction(keyboard);
     menu->addSeparator();
 
     QMenu* view = menu->addMenu(tr("View"));
@@ -223,6 +241,11 @@ void MainWindow::buildActions() {
 void MainWindow::connectParts() {
     connect(jog_, &JogColumn::refused, this,
             [this](const QString& reason) { Q_EMIT session_->message(Severity::Warning, reason); });
+    connect(jog_, &JogColumn::ghostWanted, this, [this](const JogGhost& ghost) {
+        scene_->view().setGhost(
+            SceneGhost{ghost.name, ghost.q, ghost.linear, ghost.reachable, ghost.speed, ghost.acceleration});
+    });
+    connect(jog_, &JogColumn::ghostGone, this, &MainWindow::updateScene);
     connect(waypoints_, &WaypointsTab::message, session_.get(), &RobotSession::message);
     connect(waypoints_, &WaypointsTab::ghostChanged, this, &MainWindow::updateScene);
     connect(waypoints_, &WaypointsTab::marksChanged, this, &MainWindow::updateScene);

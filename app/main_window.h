@@ -20,6 +20,7 @@ namespace tiller {
 class HeaderBar;
 class IoTab;
 class JogColumn;
+class KeyboardJog;
 class LogTab;
 class Panel;
 class PlotDock;
@@ -85,6 +86,7 @@ private:
     LogTab* log_ = nullptr;
     StatusLine* status_ = nullptr;
     StopKeys* stopKeys_ = nullptr;
+    KeyboardJog* keyboard_ = nullptr;
     QDockWidget* plotsDock_ = nullptr;
     QDockWidget* tabsDock_ = nullptr;
     bool layoutRemembered_ = false;  ///< the operator's own layout is kept as it is

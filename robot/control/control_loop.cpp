@@ -183,6 +183,7 @@ void ControlLoop::watch(const Feedback& data) {
     status_.tcpOffset = data.tcpOffset.array();
     status_.speedScaling = data.speedScaling;
     status_.runtimeState = data.runtimeState;
+    status_.forceKnown = data.tcpForce.has_value();
     if (data.runtimeState == RuntimeState::Playing) {
         playing_.fetch_add(1, std::memory_order_acq_rel);
     }
@@ -284,6 +285,8 @@ void ControlLoop::compose(const Feedback& data, Command& command) {
         followed_ = motion->id;
         followedByHand_ = motion->kind != MotionCommand::Kind::Program;
         followedTcp_ = data.tcpOffset;
+        followedForce_ = data.tcpForce.value_or(Eigen::Vector3d::Zero());
+        pressed_ = 0;
         status_.limiter = {};
         // What is still being measured belongs to a motion that another one has followed before standstill.
         meter_.cancel();
@@ -326,8 +329,26 @@ void ControlLoop::composeProgram(const MotionCommand& motion, const Feedback& da
     command.rotationAcceleration = from->rotationAcceleration;
 }
 
+bool ControlLoop::feelsContact(const JogTarget& target, const Feedback& data) {
+    if (target.contactForce <= 0) {
+        return false;
+    }
+    if (!data.tcpForce) {
+        return true;  // who cannot feel must not push
+    }
+    // One noisy package is no contact; three are 6 ms, a tenth of a millimetre at the speed this is for.
+    constexpr int kPackages = 3;
+    const bool pressed = (*data.tcpForce - followedForce_).norm() > target.contactForce;
+    pressed_ = pressed ? pressed_ + 1 : 0;
+    return pressed_ >= kPackages;
+}
+
 void ControlLoop::composeJog(const MotionCommand& motion, const Feedback& data, Command& command) {
     const JogTarget& target = motion.jog;
+    if (feelsContact(target, data)) {
+        mailbox_.end(motion.id, StopCause::Contact, data.hostNs);
+        return;
+    }
     status_.limiter = limiter_.limit(target, data.q, data.tcpPose);
     const double scale = status_.limiter.scale;
     if (scale <= 0) {

@@ -89,6 +89,7 @@ private:
     void compose(const Feedback& data, Command& command);
     void composeProgram(const MotionCommand& motion, const Feedback& data, Command& command);
     void composeJog(const MotionCommand& motion, const Feedback& data, Command& command);
+    bool feelsContact(const JogTarget& target, const Feedback& data);
     void noteEnded(std::int64_t nowNs);
     void publish();
     void seal(Command& command, std::int64_t nowNs);
@@ -121,10 +122,12 @@ private:
     std::int64_t unansweredSinceNs_ =
         0;  ///< when the first package after the last new echo was sent; 0: none
 
-    MotionId sentMotion_ = kNoMotion;  ///< what the robot was last told to do
-    MotionId followed_ = kNoMotion;    ///< the motion the last command was for
-    bool followedByHand_ = false;      ///< a jog or a move of the interface
-    Pose followedTcp_;                 ///< TCP offset when it began
+    MotionId sentMotion_ = kNoMotion;                          ///< what the robot was last told to do
+    MotionId followed_ = kNoMotion;                            ///< the motion the last command was for
+    bool followedByHand_ = false;                              ///< a jog or a move of the interface
+    Pose followedTcp_;                                         ///< TCP offset when it began
+    Eigen::Vector3d followedForce_ = Eigen::Vector3d::Zero();  ///< on the TCP when it began
+    int pressed_ = 0;  ///< packages in a row in which the TCP was pressed harder than the jog allows
 
     ControllerStatus status_;
     realtime::Seqlock<ControllerStatus> published_;

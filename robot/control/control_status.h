@@ -83,6 +83,7 @@ struct ControllerStatus {
     std::array<double, 6> q{};          ///< actual joint positions of the newest data [rad]
     std::array<double, 6> tcpPose{};    ///< actual TCP pose in the base frame [m, rad]
     std::array<double, 6> tcpOffset{};  ///< flange to TCP [m, rad]
+    bool forceKnown = false;            ///< the robot tells the force on its TCP
     std::uint64_t ticks = 0;            ///< data packages answered
     std::uint64_t late = 0;             ///< of those, more than half a period late by the host's clock
     std::int64_t dataTimeNs = 0;        ///< when the newest data arrived; by the controller's Clock

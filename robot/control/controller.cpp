@@ -21,7 +21,7 @@ constexpr std::chrono::milliseconds kLookUp(4);
 
 bool isFinite(const JogTarget& target) {
     return target.twist.linear.allFinite() && target.twist.angular.allFinite() && target.qd.allFinite() &&
-           target.T_base_frame.allFinite();
+           target.T_base_frame.allFinite() && std::isfinite(target.contactForce);
 }
 
 Error invalid(const QString& context, const QString& what) {
@@ -171,6 +171,9 @@ Result<JogId> Controller::startJog(const JogTarget& target) {
     }
     if (const Error error = d_->obstacle(context); error.code != ErrorCode::None) {
         return error;
+    }
+    if (target.contactForce > 0 && !d_->loop.status().forceKnown) {
+        return Error{ErrorCode::FieldUnknown, context, QStringLiteral("actual_TCP_force")};
     }
     MotionCommand command;
     command.kind = MotionCommand::Kind::Jog;

@@ -82,7 +82,8 @@ public:
 
     /// Starts a jog, ending whatever was active (StopCause::Superseded). Needs refreshJog() at least every
     /// 100 ms by the Clock. The target is clamped to the limits, never refused for its size.
-    /// Errors   NotInControl, UnsafeState, LinkLost, InvalidArgument (not a number)
+    /// Errors   NotInControl, UnsafeState, LinkLost, InvalidArgument (not a number), FieldUnknown (until
+    ///          contact, on a robot that tells no force)
     Result<JogId> startJog(const JogTarget& target);
     /// Returns  false when the jog has ended: it takes a new start
     bool refreshJog(JogId jog);

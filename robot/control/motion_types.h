@@ -25,6 +25,9 @@ struct JogTarget {
     Twist twist;         ///< Cartesian: in the axes of `frame` [m/s, rad/s]
     JointVelocities qd;  ///< Joint [rad/s]
     Pose T_base_frame;   ///< only for JogFrame::Custom; its rotation counts, its position does not
+    /// Above 0: ends with StopCause::Contact when the force on the TCP has changed by more than this since
+    /// the motion began [N].
+    double contactForce = 0;
 
     friend bool operator==(const JogTarget&, const JogTarget&) = default;
 };

@@ -34,7 +34,7 @@ std::vector<std::string> outputNames(RegisterRange range) {
     std::vector<std::string> names{"timestamp",   "runtime_state",         "robot_mode",
                                    "safety_mode", "target_speed_fraction", "actual_q",
                                    "actual_qd",   "actual_TCP_pose",       "actual_TCP_speed",
-                                   "tcp_offset",  "speed_scaling"};
+                                   "tcp_offset",  "speed_scaling",         "actual_TCP_force"};
     for (int i = 0; i < kIntOutputs; ++i) {
         names.push_back(rtde::intRegisterName(rtde::Direction::Output, firstRegister(range) + i));
     }
@@ -86,6 +86,7 @@ Result<FeedbackLayout> FeedbackLayout::of(const rtde::Recipe& outputs, RegisterR
     layout.tcpSpeed_ = find("actual_TCP_speed");
     layout.tcpOffset_ = outputs.indexOf("tcp_offset");  // older software has none
     layout.speedScaling_ = outputs.indexOf("speed_scaling");
+    layout.tcpForce_ = outputs.indexOf("actual_TCP_force");
     for (int i = 0; i < kDoubleOutputs; ++i) {
         layout.numbers_[static_cast<std::size_t>(i)] =
             find(rtde::doubleRegisterName(rtde::Direction::Output, firstRegister(range) + i));
@@ -119,6 +120,10 @@ Feedback FeedbackLayout::decode(std::span<const double> values, std::int64_t hos
     }
     if (speedScaling_) {
         f.speedScaling = values[*speedScaling_];
+    }
+    if (tcpForce_) {
+        const auto force = six(values, *tcpForce_);
+        f.tcpForce = Eigen::Vector3d(force[0], force[1], force[2]);
     }
     const auto whole = [&](std::size_t i) { return static_cast<std::int32_t>(values[echo_[i]]); };
     f.echo.sequence = whole(0);

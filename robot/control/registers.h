@@ -139,6 +139,7 @@ struct Feedback {
     Pose tcpPose;
     Twist tcpSpeed;
     Pose tcpOffset;
+    std::optional<Eigen::Vector3d> tcpForce;  ///< base frame [N]
     Echo echo;
 };
 
@@ -160,7 +161,7 @@ public:
 private:
     std::size_t timestamp_ = 0, runtimeState_ = 0, robotMode_ = 0, safetyMode_ = 0, speedFraction_ = 0;
     std::size_t q_ = 0, qd_ = 0, tcpPose_ = 0, tcpSpeed_ = 0;
-    std::optional<std::size_t> tcpOffset_, speedScaling_;
+    std::optional<std::size_t> tcpOffset_, speedScaling_, tcpForce_;
     std::array<std::size_t, 8> echo_{};
     std::array<std::size_t, 6> numbers_{};
 };

@@ -54,7 +54,9 @@ double lineSpeedBound(const DhParameters& dh, const JointPositions& from, const 
     const double length = line.norm();
     const Eigen::Matrix3d R_start = rotationMatrix(start.rotation);
     const Eigen::Vector3d turn = rotationVector(R_start.transpose() * rotationMatrix(to.rotation));
-    if (length < 1e-6) {
+    // What an arm at rest measures of its own place trembles by some hundredths of a millimetre.
+    constexpr double kOnTheSpot = 1e-4;  // [m]
+    if (length < kOnTheSpot) {
         // A turn on the spot: the controller counts its angle as a path, so there is no speed along a line to
         // bound.
         return kInfinite;

@@ -9,16 +9,24 @@
 
 #include "tests/support/virtual_cell.h"
 #include "widgets/common/hold_button.h"
+#include "widgets/jog/axis_jog.h"
 #include "widgets/jog/jog_column.h"
 
 namespace tiller::test {
 
 /// Lets the hold keys live on the cell's clock: their refresh comes with virtual time, not with real time.
-inline void driveKeys(VirtualCell& cell, const QVector<HoldButton*>& keys) {
+/// devices  what jogs without a key on the screen, if anything does
+inline void driveKeys(VirtualCell& cell, const QVector<HoldButton*>& keys, AxisJog* devices = nullptr) {
     for (HoldButton* key : keys) {
         key->guard().setClock(cell.clock);
     }
-    cell.everyRefresh = [keys] {
+    if (devices != nullptr) {
+        devices->setClock(cell.clock);
+    }
+    cell.everyRefresh = [keys, devices] {
+        if (devices != nullptr) {
+            devices->pump();
+        }
         for (HoldButton* key : keys) {
             if (key->guard().active()) {
                 key->guard().pump();

@@ -41,6 +41,10 @@ HoldGuard::~HoldGuard() {
     stop(StopCause::WindowClosed);
 }
 
+bool HoldGuard::isHoldKey(const QObject& widget) {
+    return widget.property(kHoldKeyProperty).toBool();
+}
+
 void HoldGuard::setMotion(HoldMotion motion) {
     stop(StopCause::SelectionChanged);
     motion_ = std::move(motion);
@@ -185,7 +189,7 @@ bool HoldGuard::filterSecondPress(QObject* watched, QEvent*) {
         return false;
     }
     stop(StopCause::SecondButton);
-    return watched->property(kHoldKeyProperty).toBool();
+    return isHoldKey(*watched);
 }
 
 void HoldGuard::filterOwnKey(QEvent* event) {

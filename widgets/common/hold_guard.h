@@ -41,6 +41,9 @@ public:
     explicit HoldGuard(QWidget& key, const Clock& clock = SteadyClock::shared());
     ~HoldGuard() override;
 
+    /// True for a key that has a guard: the press that stops another motion must not begin one there.
+    static bool isHoldKey(const QObject& widget);
+
     void setMotion(HoldMotion motion);
     void setClock(const Clock& clock);
 

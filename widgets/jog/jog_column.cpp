@@ -13,6 +13,8 @@
 #include "widgets/common/hold_button.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/common/theme.h"
+#include "widgets/jog/axis_jog.h"
+#include "widgets/jog/back_track.h"
 #include "widgets/jog/jog_pad.h"
 #include "widgets/jog/joint_rows.h"
 #include "widgets/jog/limiter_line.h"
@@ -29,6 +31,7 @@ namespace {
 constexpr int kMargin = 12;
 constexpr int kTaughtSegment = 3;
 constexpr int kRefusalShownMs = 6000;
+constexpr int kLookMs = 40;
 /// Below this height of the column the joints move into a tab.
 constexpr int kCompactBelow = 800;
 
@@ -77,8 +80,23 @@ JogColumn::JogColumn(JogPort port, QWidget* parent) : Panel(tr("Jog"), parent), 
         refusal_.clear();
         showReason();
     });
+    axisJog_ = new AxisJog(
+        port_, selection_, [this] { return deviceObstacle(); }, this);
+    connect(axisJog_, &AxisJog::began, this, [this] { pose_->pressedHere(); });
+    connect(axisJog_, &AxisJog::refused, this, [this](const QString& reason) {
+        refusal_ = reason;
+        refusalTimer_->start();
+        showReason();
+        Q_EMIT refused(reason);
+    });
     connectKeys();
+    connectBottom();
     connectSelectors();
+    // One direction at a time, so that no frame has to wait for twelve.
+    auto* lookTimer = new QTimer(this);
+    lookTimer->setInterval(kLookMs);
+    connect(lookTimer, &QTimer::timeout, this, &JogColumn::lookAround);
+    lookTimer->start();
     showFrames();
     arrange();
     applyState(SessionState());
@@ -107,7 +125,6 @@ void JogColumn::buildSelectors(QVBoxLayout* layout) {
     motion_->segment(0)->setToolTip(tr("Moves while the key is held"));
     motion_->segment(1)->setToolTip(tr("One step a press: 0.1 mm, turns 0.1°"));
     motion_->segment(2)->setToolTip(tr("One step a press: 1 mm, turns 1°"));
-    motion_->segment(3)->setToolTip(tr("One step a press: 10 mm, turns 5°"));
     speed_ = new SegmentedControl({QStringLiteral("5"), QStringLiteral("20"), QStringLiteral("50"),
                                    QStringLiteral("100"), QStringLiteral("250 mm/s")},
                                   this);
@@ -135,100 +152,25 @@ void JogColumn::buildSelectors(QVBoxLayout* layout) {
     layout->addLayout(grid);
 }
 
-void JogColumn::buildBottom(QVBoxLayout* layout) {
-    freedrive_ = new HoldButton(tr("Freedrive (hold)"), this);
-    freedrive_->setObjectName(QStringLiteral("freedriveKey"));
-    freedrive_->setUnavailable(tr("Freedrive from the PC is not built yet: use the teach pendant."));
-    homeKey_ = new HoldButton(tr("Home (hold)"), this);
-    homeKey_->setObjectName(QStringLiteral("homeKey"));
-    homeKey_->setToolTip(tr("Moves every joint to the home position while held"));
-    back_ = new HoldButton(QStringLiteral("↶ ") + tr("Back"), this);
-    back_->setObjectName(QStringLiteral("backKey"));
-    back_->setAccessibleName(tr("Back"));
-    back_->setUnavailable(tr("Going back over the last moves is not built yet."));
-    auto* row = new QHBoxLayout;
-    row->setContentsMargins(kMargin, 8, kMargin, 0);
-    row->setSpacing(8);
-    for (HoldButton* key : {freedrive_, homeKey_, back_}) {
-        key->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        row->addWidget(key);
-    }
-    layout->addLayout(row);
-}
-
-void JogColumn::guardKey(HoldButton* key, std::function<Result<RobotSession::MotionId>()> begin, bool steps) {
-    key->setMotion({
-        .begin = [this, begin = std::move(begin)]() -> Result<RobotSession::MotionId> {
-            if (!state_.canMove()) {
-                return Error{ErrorCode::NotInControl, cannotMoveReason(state_), {}};
-            }
-            return begin();
-        },
-        .hold = port_.hold,
-        .end = port_.endMotion,
-        .runsToEnd = [this, steps] { return steps && selection_.motion != MotionChoice::Hold; },
-    });
-    connect(&key->guard(), &HoldGuard::began, this, [this] {
-        refusal_.clear();
-        pose_->zeroHere();
-        showReason();
-    });
-    connect(&key->guard(), &HoldGuard::refused, this, [this](const Error& error) {
-        // Our own refusal is a whole sentence already.
-        refusal_ = state_.canMove() ? texts::errorText(error) : cannotMoveReason(state_);
-        refusalTimer_->start();
-        showReason();
-        Q_EMIT refused(refusal_);
-    });
-}
-
-void JogColumn::connectKeys() {
-    const auto factor = [] { return modifierFactor(QGuiApplication::keyboardModifiers()); };
-    for (JogKey* key : pad_->keys()) {
-        const CartesianKey axis = key->key();
-        guardKey(
-            key,
-            [this, axis, factor] {
-                return selection_.motion == MotionChoice::Hold
-                           ? port_.beginJog(cartesianJog(selection_, axis, factor(), port_.limits()))
-                           : port_.beginMove(
-                                 cartesianStep(selection_, axis, factor(), state_.tcpPose, port_.limits()));
-            },
-            true);
-    }
-    for (JointRow* row : joints_->rows()) {
-        for (const auto& [key, direction] : {std::pair{row->minusKey(), -1}, {row->plusKey(), 1}}) {
-            guardKey(
-                key,
-                [this, joint = row->joint(), direction = direction, factor] {
-                    return selection_.motion == MotionChoice::Hold
-                               ? port_.beginJog(
-                                     jointJog(selection_, joint, direction, factor(), port_.limits()))
-                               : port_.beginMove(jointStep(selection_, joint, direction, factor(), state_.q,
-                                                           port_.limits()));
-                },
-                true);
-        }
-    }
-    guardKey(
-        homeKey_,
-        [this] {
-            return port_.beginMove(homeMove(selection_, state_.q, home_, robotModel(state_.model),
-                                            state_.tcpOffset, port_.limits()));
-        },
-        false);
-}
-
 void JogColumn::connectSelectors() {
     connect(frame_, &SegmentedControl::currentChanged, this, &JogColumn::chooseFrame);
     connect(motion_, &SegmentedControl::currentChanged, this, [this](int index) {
         stopMotion(StopCause::SelectionChanged);
         selection_.motion = static_cast<MotionChoice>(index);
+        if (selection_.motion != MotionChoice::CoarseStep) {
+            selection_.step.reset();
+        }
+        showMotionTexts();
     });
     connect(speed_, &SegmentedControl::currentChanged, this, [this](int index) {
         stopMotion(StopCause::SelectionChanged);
         selection_.speedClass = index;
+        selection_.speed.reset();
+        showMotionTexts();
     });
+    offerChoices(motion_, static_cast<int>(MotionChoice::CoarseStep),
+                 [this](QMenu& menu) { fillStepMenu(menu); });
+    offerChoices(speed_, kSpeedClassCount - 1, [this](QMenu& menu) { fillSpeedMenu(menu); });
     connect(detailTab_, &SegmentedControl::currentChanged, this, [this] {
         stopMotion(StopCause::SelectionChanged);
         arrange();
@@ -242,6 +184,7 @@ void JogColumn::connectSelectors() {
         QMenu menu(this);
         for (const TaughtFrame& taught : frames_) {
             menu.addAction(taught.name, this, [this, taught] {
+                stopMotion(StopCause::SelectionChanged);
                 selection_.taught = taught;
                 showFrames();
             });
@@ -307,7 +250,10 @@ void JogColumn::setTaughtFrames(const QVector<TaughtFrame>& frames) {
 }
 
 void JogColumn::setSpeedClass(int index) {
+    stopMotion(StopCause::SelectionChanged);
+    selection_.speed.reset();
     speed_->setCurrentIndex(index);
+    showMotionTexts();
 }
 
 QVector<HoldButton*> JogColumn::holdKeys() const {
@@ -318,7 +264,7 @@ QVector<HoldButton*> JogColumn::holdKeys() const {
     for (const JointRow* row : joints_->rows()) {
         keys << row->minusKey() << row->plusKey();
     }
-    keys << freedrive_ << homeKey_ << back_;
+    keys << freedrive_ << homeKey_ << align_ << back_;
     return keys;
 }
 
@@ -326,6 +272,7 @@ void JogColumn::stopMotion(StopCause cause) {
     for (HoldButton* key : holdKeys()) {
         key->guard().stop(cause);
     }
+    axisJog_->stop(cause);
 }
 
 bool JogColumn::isHolding() const {
@@ -334,7 +281,7 @@ bool JogColumn::isHolding() const {
             return true;
         }
     }
-    return false;
+    return axisJog_->isActive();
 }
 
 void JogColumn::applyState(const SessionState& state) {
@@ -344,6 +291,12 @@ void JogColumn::applyState(const SessionState& state) {
         stopMotion(stopCauseFor(state));
     }
     const bool valid = state.hasData();
+    if (state.link == LinkState::Disconnected || state.link == LinkState::Connecting) {
+        track_->clear();
+        payloadChecked_ = true;
+    } else if (valid && state.link == LinkState::Live) {
+        track_->record(state.q);
+    }
     const bool stale = state.link != LinkState::Live;
     pose_->setPose(state.tcpPose, state.moving, valid, stale);
     joints_->setJoints(state.q, state.moving, valid, stale);
@@ -361,23 +314,17 @@ void JogColumn::showReason() {
         row->plusKey()->setUnavailable(reason);
     }
     homeKey_->setUnavailable(reason);
+    align_->setUnavailable(reason);
+    freedrive_->setUnavailable(reason);
+    back_->setUnavailable(!reason.isEmpty()                          ? reason
+                          : track_->isEmpty() && !back_->isHolding() ? tr("The arm has not moved yet.")
+                                                                     : QString());
     if (!refusal_.isEmpty() && reason.isEmpty()) {
         limiter_->setLimiter({refusal_, {}});
     } else {
-        limiter_->setLimiter(state_.hasData() ? nearestLimiter(state_) : Limiter());
+        showLimiter();
     }
     limiter_->setQuietText(quietText());
-}
-
-QString JogColumn::quietText() const {
-    const control::StopMeasurement& stop = state_.lastStop;
-    if (stop.count == 0) {
-        return {};
-    }
-    return tr("Last stop: %1, standstill after %2 ms, %3 mm")
-        .arg(texts::stopCauseText(stop.cause))
-        .arg(stop.durationMs, 0, 'f', 0)
-        .arg(stop.distanceMm, 0, 'f', 1);
 }
 
 QSize JogColumn::minimumSizeHint() const {

@@ -24,27 +24,15 @@ Eigen::Vector3d unit(int axis, int direction) {
     return v;
 }
 
-/// Axes in which the selection moves the TCP, in the base frame.
-Eigen::Matrix3d frameAxes(const JogSelection& selection, const Pose& tcp) {
-    switch (selection.frame) {
-        case FrameChoice::Base:
-            break;
-        case FrameChoice::Tool:
-            return rotationMatrix(tcp.rotation);
-        case FrameChoice::View:
-            return selection.R_base_view;
-        case FrameChoice::Taught:
-            if (selection.taught) {
-                return rotationMatrix(selection.taught->T_base_frame.rotation);
-            }
-            break;
-    }
-    return Eigen::Matrix3d::Identity();
+/// Looking for contact is never sped up.
+double allowed(const JogSelection& selection, double factor) {
+    return selection.motion == MotionChoice::UntilContact ? std::min(factor, 1.0) : factor;
 }
 
-const SpeedClass& speedOf(const JogSelection& selection) {
-    const int index = std::clamp(selection.speedClass, 0, kSpeedClassCount - 1);
-    return speedClasses()[static_cast<std::size_t>(index)];
+double contactForce(const JogSelection& selection) {
+    return selection.motion == MotionChoice::UntilContact
+               ? std::clamp(selection.contactForce, kLeastContactForce, kMostContactForce)
+               : 0;
 }
 
 }  // namespace
@@ -63,6 +51,7 @@ const std::array<SpeedClass, kSpeedClassCount>& speedClasses() {
 StepSize stepSize(MotionChoice motion) {
     switch (motion) {
         case MotionChoice::Hold:
+        case MotionChoice::UntilContact:
             break;
         case MotionChoice::FineStep:
             return {0.0001, 0.1 * kRadPerDeg};
@@ -96,13 +85,15 @@ control::JogTarget cartesianJog(const JogSelection& selection, const CartesianKe
             }
             break;
     }
-    const SpeedClass& speed = speedOf(selection);
+    const SpeedClass speed = chosenSpeed(selection);
     if (key.axis < 3) {
-        target.twist.linear = unit(key.axis, key.direction) * capped(speed.tcp * factor, limits.tcpSpeed);
+        target.twist.linear =
+            unit(key.axis, key.direction) * capped(speed.tcp * allowed(selection, factor), limits.tcpSpeed);
     } else {
-        target.twist.angular =
-            unit(key.axis, key.direction) * capped(speed.rotation * factor, limits.tcpRotationSpeed);
+        target.twist.angular = unit(key.axis, key.direction) *
+                               capped(speed.rotation * allowed(selection, factor), limits.tcpRotationSpeed);
     }
+    target.contactForce = contactForce(selection);
     return target;
 }
 
@@ -110,13 +101,15 @@ control::JogTarget jointJog(const JogSelection& selection, int joint, int direct
                             const control::MotionLimits& limits) {
     control::JogTarget target;
     target.kind = control::JogTarget::Kind::Joint;
-    target.qd[joint] = direction * capped(speedOf(selection).joint * factor, limits.jointSpeed);
+    target.qd[joint] =
+        direction * capped(chosenSpeed(selection).joint * allowed(selection, factor), limits.jointSpeed);
+    target.contactForce = contactForce(selection);
     return target;
 }
 
 MoveRequest cartesianStep(const JogSelection& selection, const CartesianKey& key, double factor,
                           const Pose& from, const control::MotionLimits& limits) {
-    const StepSize step = stepSize(selection.motion);
+    const StepSize step = chosenStep(selection);
     const Eigen::Matrix3d R_base_frame = frameAxes(selection, from);
     MoveRequest request;
     request.kind = MoveRequest::Kind::MoveL;
@@ -128,7 +121,7 @@ MoveRequest cartesianStep(const JogSelection& selection, const CartesianKey& key
         request.pose.rotation =
             rotationVector(Eigen::AngleAxisd(step.angle, axis) * rotationMatrix(from.rotation));
     }
-    request.speed = capped(speedOf(selection).tcp * factor, limits.tcpSpeed);
+    request.speed = capped(chosenSpeed(selection).tcp * factor, limits.tcpSpeed);
     request.acceleration = limits.jogAcceleration;
     return request;
 }
@@ -138,9 +131,9 @@ MoveRequest jointStep(const JogSelection& selection, int joint, int direction, d
     MoveRequest request;
     request.kind = MoveRequest::Kind::MoveJ;
     request.q = from;
-    request.q[joint] = std::clamp(from[joint] + direction * stepSize(selection.motion).angle,
-                                  -kJointPositionLimit, kJointPositionLimit);
-    request.speed = capped(speedOf(selection).joint * factor, limits.jointSpeed);
+    request.q[joint] = std::clamp(from[joint] + direction * chosenStep(selection).angle, -kJointPositionLimit,
+                                  kJointPositionLimit);
+    request.speed = capped(chosenSpeed(selection).joint * factor, limits.jointSpeed);
     request.acceleration = limits.jointAcceleration;
     return request;
 }
@@ -150,10 +143,89 @@ MoveRequest homeMove(const JogSelection& selection, const JointPositions& from, 
     MoveRequest request;
     request.kind = MoveRequest::Kind::MoveJ;
     request.q = home;
-    request.speed = capped(speedOf(selection).joint, limits.jointSpeed);
+    request.speed = capped(chosenSpeed(selection).joint, limits.jointSpeed);
     request.acceleration = limits.jointAcceleration;
     request.speed = std::min(
         request.speed, kinematics::jointSpeedBound(model.dh, from, home, tcpOffset, 0.95 * limits.tcpSpeed));
+    return request;
+}
+
+Eigen::Matrix3d frameAxes(const JogSelection& selection, const Pose& tcp) {
+    switch (selection.frame) {
+        case FrameChoice::Base:
+            break;
+        case FrameChoice::Tool:
+            return rotationMatrix(tcp.rotation);
+        case FrameChoice::View:
+            return selection.R_base_view;
+        case FrameChoice::Taught:
+            if (selection.taught) {
+                return rotationMatrix(selection.taught->T_base_frame.rotation);
+            }
+            break;
+    }
+    return Eigen::Matrix3d::Identity();
+}
+
+StepSize chosenStep(const JogSelection& selection) {
+    return selection.step && selection.motion == MotionChoice::CoarseStep ? *selection.step
+                                                                          : stepSize(selection.motion);
+}
+
+SpeedClass chosenSpeed(const JogSelection& selection) {
+    const int index = std::clamp(selection.speedClass, 0, kSpeedClassCount - 1);
+    const SpeedClass speed =
+        selection.speed ? *selection.speed : speedClasses()[static_cast<std::size_t>(index)];
+    if (selection.motion != MotionChoice::UntilContact) {
+        return speed;
+    }
+    return {std::min(speed.tcp, kContactSpeed.tcp), std::min(speed.rotation, kContactSpeed.rotation),
+            std::min(speed.joint, kContactSpeed.joint)};
+}
+
+bool isHeld(MotionChoice motion) {
+    return motion == MotionChoice::Hold || motion == MotionChoice::UntilContact;
+}
+
+SpeedClass speedFor(double tcpSpeed) {
+    const auto& classes = speedClasses();
+    if (tcpSpeed <= classes.front().tcp) {
+        const double factor = std::max(0.0, tcpSpeed) / classes.front().tcp;
+        return {tcpSpeed, classes.front().rotation * factor, classes.front().joint * factor};
+    }
+    for (std::size_t i = 1; i < classes.size(); ++i) {
+        if (tcpSpeed <= classes[i].tcp) {
+            const double t = (tcpSpeed - classes[i - 1].tcp) / (classes[i].tcp - classes[i - 1].tcp);
+            return {tcpSpeed, std::lerp(classes[i - 1].rotation, classes[i].rotation, t),
+                    std::lerp(classes[i - 1].joint, classes[i].joint, t)};
+        }
+    }
+    return {tcpSpeed, classes.back().rotation, classes.back().joint};
+}
+
+bool stepRunsToEnd(const JogSelection& selection) {
+    const StepSize step = chosenStep(selection);
+    return !isHeld(selection.motion) && step.length <= kFreeStepLength * 1.0001 &&
+           step.angle <= kFreeStepAngle * 1.0001;
+}
+
+MoveRequest alignMove(const JogSelection& selection, const Pose& from, const control::MotionLimits& limits) {
+    const Eigen::Matrix3d R_base_tool = rotationMatrix(from.rotation);
+    const Eigen::Matrix3d R_base_frame = selection.frame == FrameChoice::Tool
+                                             ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
+                                             : frameAxes(selection, from);
+    const Eigen::Vector3d z = R_base_tool.col(2);
+    Eigen::Index axis = 0;
+    const Eigen::Vector3d along = R_base_frame.transpose() * z;
+    along.cwiseAbs().maxCoeff(&axis);
+    const Eigen::Vector3d target = R_base_frame.col(axis) * (along[axis] < 0 ? -1.0 : 1.0);
+    const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(z, target);
+    MoveRequest request;
+    request.kind = MoveRequest::Kind::MoveL;
+    request.pose = from;
+    request.pose.rotation = rotationVector(turn.toRotationMatrix() * R_base_tool);
+    request.speed = capped(chosenSpeed(selection).tcp, limits.tcpSpeed);
+    request.acceleration = limits.jogAcceleration;
     return request;
 }
 

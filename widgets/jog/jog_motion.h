@@ -17,8 +17,9 @@ namespace tiller {
 
 enum class FrameChoice { Base, Tool, View, Taught };
 
-/// Hold moves while the key is held; the steps move once a press.
-enum class MotionChoice { Hold, FineStep, Step, CoarseStep };
+/// Hold moves while the key is held; the steps move once a press; until contact moves slowly while the key is
+/// held and stops by itself when the tool touches something.
+enum class MotionChoice { Hold, FineStep, Step, CoarseStep, UntilContact };
 
 /// One notch of the speed selector. Source: operator-interface.md, "Numbers".
 struct SpeedClass {
@@ -37,6 +38,17 @@ struct StepSize {
 };
 StepSize stepSize(MotionChoice motion);
 
+/// Steps up to this size go to their end by themselves; longer ones run only while the key is held.
+inline constexpr double kFreeStepLength = 0.010;            ///< [m]
+inline constexpr double kFreeStepAngle = 0.17453292519943;  ///< [rad] 10 deg
+
+/// Until contact: the force asked for at the start, the least a robot can tell from noise, the most that is
+/// sensible [N], and the speeds it never exceeds, whatever class is chosen.
+inline constexpr double kContactForce = 10;
+inline constexpr double kLeastContactForce = 5;
+inline constexpr double kMostContactForce = 50;
+inline constexpr SpeedClass kContactSpeed{0.020, 0.0523598775598, 0.0174532925199};
+
 /// A taught frame; its rotation counts, its position does not.
 struct TaughtFrame {
     QString name;
@@ -48,6 +60,10 @@ struct JogSelection {
     FrameChoice frame = FrameChoice::Base;
     MotionChoice motion = MotionChoice::Hold;
     int speedClass = kStartSpeedClass;
+    /// Sizes entered by hand in place of the chosen class or step.
+    std::optional<SpeedClass> speed;
+    std::optional<StepSize> step;
+    double contactForce = kContactForce;  ///< UntilContact: change of force that ends it [N]
     /// Axes of the view in the base frame: X to the right, Y away from the eye, Z up.
     Eigen::Matrix3d R_base_view = Eigen::Matrix3d::Identity();
     std::optional<TaughtFrame> taught;
@@ -77,6 +93,24 @@ MoveRequest jointStep(const JogSelection& selection, int joint, int direction, d
 /// A joint move whose TCP keeps below the application's cap on the whole way.
 MoveRequest homeMove(const JogSelection& selection, const JointPositions& from, const JointPositions& home,
                      const RobotModel& model, const Pose& tcpOffset, const control::MotionLimits& limits);
+
+/// The chosen step, or the one entered by hand.
+StepSize chosenStep(const JogSelection& selection);
+/// The chosen speeds, or those entered by hand.
+SpeedClass chosenSpeed(const JogSelection& selection);
+/// The speeds that go with a TCP speed entered by hand: turns and joints in the proportion of the classes.
+SpeedClass speedFor(double tcpSpeed);
+/// True where a press jogs as long as it lasts, false where it makes one step.
+bool isHeld(MotionChoice motion);
+/// True for steps that may go on after the key is let go.
+bool stepRunsToEnd(const JogSelection& selection);
+
+/// Turns the tool, about the TCP, until its Z axis lies along the nearest axis of the chosen frame (of the
+/// base when that is the tool's own). Held.
+MoveRequest alignMove(const JogSelection& selection, const Pose& from, const control::MotionLimits& limits);
+
+/// Axes in which the selection moves the TCP, as columns in the base frame.
+Eigen::Matrix3d frameAxes(const JogSelection& selection, const Pose& tcp);
 
 /// Fraction by which the modifier keys change the speed: Ctrl 0.1, Shift 3.
 double modifierFactor(Qt::KeyboardModifiers modifiers);

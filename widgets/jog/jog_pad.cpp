@@ -25,6 +25,21 @@ void JogKey::paintEvent(QPaintEvent*) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(isEnabled() ? theme.axis(key_.axis % 3) : theme.border);
     painter.drawRoundedRect(QRectF(13, bar, width() - 26, 4), 2, 2);
+    if (height() >= 68 && isEnabled() && !travel_.isEmpty()) {
+        painter.setFont(textFont(13, near_ ? QFont::Bold : QFont::Normal));
+        painter.setPen(near_ ? theme.warning : theme.secondary);
+        painter.drawText(QRect(0, bar + 5, width(), height() - bar - 6), Qt::AlignCenter, travel_);
+    }
+}
+
+void JogKey::setTravel(const QString& text, bool near) {
+    if (text == travel_ && near == near_) {
+        return;
+    }
+    travel_ = text;
+    near_ = near;
+    setAccessibleDescription(text.isEmpty() ? QString() : tr("%1 left this way").arg(text));
+    update();
 }
 
 /// The reason, on a card in the middle of the greyed pad.

@@ -20,6 +20,9 @@ public:
     JogKey(const QString& text, const CartesianKey& key, QWidget* parent = nullptr);
 
     const CartesianKey& key() const { return key_; }
+    /// What is left to go this way: "312 mm"; near: little is left. Empty: nothing is shown.
+    void setTravel(const QString& text, bool near);
+    QString travel() const { return travel_; }
     QSize sizeHint() const override { return {85, 72}; }
     QSize minimumSizeHint() const override { return {56, 56}; }
 
@@ -28,6 +31,8 @@ protected:
 
 private:
     CartesianKey key_;
+    QString travel_;
+    bool near_ = false;
 };
 
 class JogPad : public QWidget {

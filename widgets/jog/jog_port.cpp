@@ -11,6 +11,9 @@ JogPort sessionPort(RobotSession& session) {
         .endMotion = [&session](RobotSession::MotionId id,
                                 control::StopCause cause) { session.endMotion(id, cause); },
         .limits = [&session] { return session.limits(); },
+        .beginFreedrive = [&session](const control::Freedrive& f) { return session.beginFreedrive(f); },
+        .holdWith = [&session](RobotSession::MotionId id,
+                               const control::JogTarget& target) { return session.hold(id, target); },
     };
 }
 

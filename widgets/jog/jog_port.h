@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "robot/control/compliance.h"
 #include "widgets/session/robot_session.h"
 
 namespace tiller {
@@ -15,6 +16,9 @@ struct JogPort {
     std::function<bool(RobotSession::MotionId)> hold;
     std::function<void(RobotSession::MotionId, control::StopCause)> endMotion;
     std::function<control::MotionLimits()> limits;
+    std::function<Result<RobotSession::MotionId>(const control::Freedrive&)> beginFreedrive = {};
+    /// Keeps a jog alive with another target; false once it has been stopped.
+    std::function<bool(RobotSession::MotionId, const control::JogTarget&)> holdWith = {};
 };
 
 /// The doors of a session, which must outlive the port.

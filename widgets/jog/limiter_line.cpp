@@ -7,8 +7,10 @@
 #include <numbers>
 
 #include "robot/kinematics/arm_kinematics.h"
+#include "widgets/common/format.h"
 #include "widgets/common/shapes.h"
 #include "widgets/common/theme.h"
+#include "widgets/jog/travel.h"
 
 namespace tiller {
 
@@ -17,11 +19,53 @@ namespace {
 constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 constexpr double kWarnDegrees = 15.0;
 constexpr double kShoulderWarnMetres = 0.06;
+constexpr double kSineWarnDegrees = 8;
+
+QString text(const char* source) {
+    return QCoreApplication::translate("Limiter", source);
+}
+
+Limiter nearestSingularity(const SessionState& state, const Eigen::Matrix3d& R_base_frame) {
+    struct Kind {
+        Singularity singularity;
+        int joint;  ///< as the controller's limiter names it
+        bool near;
+        QString what;
+        QString slowed;
+        QString advice;
+        QString orElse;
+    };
+    const DhParameters& dh = robotModel(state.model).dh;
+    const auto measure = kinematics::singularityMeasure(dh, state.q);
+    const auto degrees = [](double sine) { return std::asin(std::min(1.0, std::abs(sine))) * kDegPerRad; };
+    const Kind kinds[] = {
+        {Singularity::Elbow, 2, degrees(measure.elbow) < kSineWarnDegrees, text("Elbow almost straight"),
+         text("Elbow almost straight: %1 of the speed"), text("bend the elbow"),
+         text("jog %1 or bend the elbow")},
+        {Singularity::Shoulder, 0, measure.shoulder < kShoulderWarnMetres, text("Wrist above the base axis"),
+         text("Wrist above the base axis: %1 of the speed"), text("move outwards"),
+         text("jog %1 or turn the base")},
+        {Singularity::Wrist, 4, degrees(measure.wrist) < kSineWarnDegrees, text("Wrist 2 near 0° or 180°"),
+         text("Wrist 2 near 0° or 180°: %1 of the speed"), text("turn wrist 2"),
+         text("jog %1 or turn wrist 2")}};
+    // What slows the jog down comes first; after it ended there the controller still says so.
+    const bool slowed = state.limiter.kind == control::LimiterKind::Singularity && state.limiter.scale < 0.98;
+    for (const bool slowing : {true, false}) {
+        for (const Kind& kind : kinds) {
+            if (slowing ? !slowed || kind.joint != state.limiter.joint : !kind.near) {
+                continue;
+            }
+            const int key = wayOutOf(dh, state.q, state.tcpOffset, R_base_frame, kind.singularity);
+            return {slowing ? kind.slowed.arg(format::percent(state.limiter.scale)) : kind.what,
+                    key < 0 ? kind.advice : kind.orElse.arg(travelKeyName(key))};
+        }
+    }
+    return {};
+}
 
 }  // namespace
 
-Limiter nearestLimiter(const SessionState& state) {
-    const auto text = [](const char* source) { return QCoreApplication::translate("Limiter", source); };
+Limiter nearestLimiter(const SessionState& state, const Eigen::Matrix3d& R_base_frame) {
     int nearest = -1;
     double least = kWarnDegrees;
     for (int joint = 0; joint < kJointCount; ++joint) {
@@ -34,21 +78,33 @@ Limiter nearestLimiter(const SessionState& state) {
     if (nearest >= 0) {
         const QString name = text(kJointNames[static_cast<std::size_t>(nearest)]);
         const QString back = state.q[nearest] > 0 ? QStringLiteral("−") : QStringLiteral("+");
+        const int key = wayOut(robotModel(state.model).dh, state.q, state.tcpOffset, R_base_frame, nearest);
         return {text("%1 %2° from its limit").arg(name).arg(std::max(0.0, least), 0, 'f', 0),
-                text("turn %1 %2").arg(name, back)};
+                key < 0 ? text("turn %1 %2").arg(name, back)
+                        : text("jog %1 or turn %2 %3").arg(travelKeyName(key), name, back)};
     }
-    const auto near = kinematics::singularityMeasure(robotModel(state.model).dh, state.q);
-    const auto degrees = [](double sine) { return std::asin(std::min(1.0, std::abs(sine))) * kDegPerRad; };
-    if (degrees(near.elbow) < 8) {
-        return {text("Elbow almost straight"), text("bend the elbow")};
+    if (state.motionActive && state.limiter.scale < 0.98) {
+        const QString percent = format::percent(state.limiter.scale);
+        switch (state.limiter.kind) {
+            case control::LimiterKind::TcpSpeed:
+                return {text("TCP at its speed cap: %1").arg(percent), text("the cap is in the settings")};
+            case control::LimiterKind::ElbowSpeed:
+                return {text("Elbow at its speed cap: %1").arg(percent), text("move less sideways")};
+            case control::LimiterKind::RotationSpeed:
+                return {text("Turning at its cap: %1").arg(percent), text("the cap is in the settings")};
+            case control::LimiterKind::JointSpeed:
+                if (state.limiter.joint >= 0) {
+                    return {
+                        text("%1 at its top speed: %2")
+                            .arg(text(kJointNames[static_cast<std::size_t>(state.limiter.joint)]), percent),
+                        text("choose a slower class")};
+                }
+                break;
+            default:
+                break;
+        }
     }
-    if (near.shoulder < kShoulderWarnMetres) {
-        return {text("Wrist above the base axis"), text("move outwards")};
-    }
-    if (degrees(near.wrist) < 8) {
-        return {text("Wrist 2 near 0° or 180°"), text("turn wrist 2")};
-    }
-    return {};
+    return nearestSingularity(state, R_base_frame);
 }
 
 LimiterLine::LimiterLine(QWidget* parent) : QWidget(parent) {

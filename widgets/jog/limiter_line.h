@@ -19,7 +19,9 @@ struct Limiter {
 
 /// The nearest limit worth a word: a joint within 15 deg of its range, or a singularity close by.
 /// Threads  any
-Limiter nearestLimiter(const SessionState& state);
+/// R_base_frame  the axes the keys of the pad move in, for the way out
+Limiter nearestLimiter(const SessionState& state,
+                       const Eigen::Matrix3d& R_base_frame = Eigen::Matrix3d::Identity());
 
 class LimiterLine : public QWidget {
     Q_OBJECT

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/jog/pose_view.h"
 
+#include <QFocusEvent>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <numbers>
@@ -31,7 +33,8 @@ QString dash() {
 PoseView::PoseView(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("poseView"));
     setAccessibleName(tr("TCP pose in Base"));
-    setToolTip(tr("TCP pose in Base, orientation as RPY. Click: zero here"));
+    setFocusPolicy(Qt::TabFocus);
+    describe();
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     pace_.setSingleShot(true);
     pace_.setInterval(kDigitPeriodMs);
@@ -67,8 +70,24 @@ void PoseView::setPose(const Pose& pose, bool moving, bool valid, bool stale) {
 }
 
 void PoseView::zeroHere() {
+    ownZero_ = !ownZero_;
     zero_ = pose_.position;
+    describe();
     update();
+}
+
+void PoseView::pressedHere() {
+    if (!ownZero_) {
+        zero_ = pose_.position;
+        update();
+    }
+}
+
+void PoseView::describe() {
+    setToolTip(
+        ownZero_ ? tr("TCP pose in Base, orientation as RPY. Δ₀: way since zero. Click: way since the press")
+                 : tr("TCP pose in Base, orientation as RPY. Δ: way since the press. Click: zero here"));
+    setAccessibleDescription(toolTip());
 }
 
 QString PoseView::positionText(int axis) const {
@@ -96,6 +115,10 @@ void PoseView::paintEvent(QPaintEvent*) {
     static constexpr const char* kAxes[] = {"X", "Y", "Z"};
     static constexpr const char* kTurns[] = {"RX", "RY", "RZ"};
     const int right = width();
+    if (hasFocus() && focusByKey_) {
+        painter.setPen(QPen(theme.moving, 2));
+        painter.drawRect(rect().adjusted(1, 1, -2, -2));
+    }
     for (int axis = 0; axis < 3; ++axis) {
         const int top = static_cast<int>(axis * rowHeight);
         const int h = static_cast<int>(rowHeight);
@@ -109,7 +132,8 @@ void PoseView::paintEvent(QPaintEvent*) {
             Qt::AlignLeft, QLatin1String(kAxes[axis]));
         put(value, ink, 12, number - 12, Qt::AlignRight, positionText(axis));
         put(label, theme.secondary, number + 4, 32, Qt::AlignLeft, QStringLiteral("mm"));
-        put(label, theme.secondary, number + (narrow ? 33 : 43), 14, Qt::AlignLeft, QStringLiteral("Δ"));
+        put(label, theme.secondary, number + (narrow ? 33 : 43), 20, Qt::AlignLeft,
+            ownZero_ ? QStringLiteral("Δ₀") : QStringLiteral("Δ"));
         put(label, theme.secondary, delta - 66, 66, Qt::AlignRight, deltaText(axis));
         put(label, theme.secondary, right - (narrow ? 121 : 124), 26, Qt::AlignLeft,
             QLatin1String(kTurns[axis]));
@@ -123,6 +147,25 @@ void PoseView::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton && rect().contains(event->position().toPoint())) {
         zeroHere();
     }
+}
+
+void PoseView::keyPressEvent(QKeyEvent* event) {
+    if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && !event->isAutoRepeat()) {
+        zeroHere();
+    } else {
+        event->ignore();
+    }
+}
+
+void PoseView::focusInEvent(QFocusEvent* event) {
+    focusByKey_ = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
+    QWidget::focusInEvent(event);
+    update();
+}
+
+void PoseView::focusOutEvent(QFocusEvent* event) {
+    QWidget::focusOutEvent(event);
+    update();
 }
 
 }  // namespace tiller

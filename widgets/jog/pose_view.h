@@ -20,8 +20,12 @@ public:
     /// moving  shows one digit less, because the last one only flickers
     /// valid   false: dashes; stale: grey
     void setPose(const Pose& pose, bool moving, bool valid, bool stale);
-    /// Counts the way from here: at each press, and at a click on the view.
+    /// Counts the way from here until it is asked again, which goes back to the way since the press. A click
+    /// on the view, or Enter on it, does the same.
     void zeroHere();
+    /// A motion begins here: counts from here, unless the operator chose another place.
+    void pressedHere();
+    bool hasOwnZero() const { return ownZero_; }
 
     QString positionText(int axis) const;
     QString deltaText(int axis) const;
@@ -33,17 +37,24 @@ public:
 protected:
     void paintEvent(QPaintEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
 
 private:
+    void describe();
+
     Pose pose_;
     Eigen::Vector3d rpy_ = Eigen::Vector3d::Zero();
     Eigen::Vector3d zero_ = Eigen::Vector3d::Zero();
     QTimer pace_;
     bool pending_ = false;
     bool hasZero_ = false;
+    bool ownZero_ = false;  ///< the operator's, not the press's
     bool moving_ = false;
     bool valid_ = false;
     bool stale_ = false;
+    bool focusByKey_ = false;
 };
 
 }  // namespace tiller

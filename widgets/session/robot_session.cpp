@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "robot/control/compliance.h"
 #include "widgets/session/session_backend.h"
 #include "widgets/session/texts.h"
 
@@ -311,6 +312,19 @@ Result<RobotSession::MotionId> RobotSession::beginMove(const MoveRequest& reques
         d_->moveMotion = *move;
     }
     return move;
+}
+
+Result<RobotSession::MotionId> RobotSession::beginFreedrive(const control::Freedrive& freedrive) {
+    if (!d_->link) {
+        return notMovable(d_->state);
+    }
+    const Result<control::Motion> motion =
+        control::Compliance(*d_->link->controller).startFreedrive(freedrive, control::Holding::Held);
+    if (!motion) {
+        return motion.error();
+    }
+    d_->moveMotion = motion->id();
+    return motion->id();
 }
 
 bool RobotSession::hold(MotionId motion) {

@@ -19,6 +19,9 @@ namespace tiller {
 namespace receive {
 class Receiver;
 }
+namespace control {
+struct Freedrive;
+}
 
 struct RobotAddress {
     QString name;  ///< shown in the robot selector
@@ -76,6 +79,8 @@ public:
     using MotionId = std::uint64_t;
     Result<MotionId> beginJog(const control::JogTarget& target);
     Result<MotionId> beginMove(const MoveRequest& request);
+    /// The arm follows the hand.
+    Result<MotionId> beginFreedrive(const control::Freedrive& freedrive);
     /// Keeps the motion alive; a jog may change its target on the way.
     /// Returns  false once the motion has been stopped: it needs a new press
     bool hold(MotionId motion);

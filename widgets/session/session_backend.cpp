@@ -90,6 +90,7 @@ void RobotSession::Backend::readSample() {
     state.tcpOffset = robot.tcpOffset();
     state.tcpSpeed = robot.tcpSpeed();
     state.tcpForce = robot.tcpForce();
+    state.payloadMass = robot.payloadMass();
     state.jointCurrent = robot.jointCurrent();
     state.jointTemperature = robot.jointTemperature();
     state.speedFraction = robot.speedSlider();

@@ -81,6 +81,7 @@ struct SessionState {
     Pose tcpOffset;
     Twist tcpSpeed;
     Wrench tcpForce;
+    double payloadMass = 0;                      ///< as the robot was told [kg]
     Vector6 jointCurrent = Vector6::Zero();      ///< [A]
     Vector6 jointTemperature = Vector6::Zero();  ///< [deg C]
     control::StopMeasurement lastStop;

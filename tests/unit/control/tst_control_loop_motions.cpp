@@ -37,6 +37,36 @@ private Q_SLOTS:
         QCOMPARE(bench.loop.status().lastCause, StopCause::Completed);
     }
 
+    void aJogUntilContactEndsWhenTheForceChangesAndNotForOneNoisyPackage() {
+        Bench bench;
+        bench.data.tcpForce =
+            Eigen::Vector3d(0, 0, 30);  // what hangs on the tool all the time does not count
+        bench.takeControl();
+        const auto begin = [&] {
+            MotionCommand jog;
+            jog.kind = MotionCommand::Kind::Jog;
+            jog.jog.twist.linear.z() = -0.01;
+            jog.jog.contactForce = 10;
+            return bench.mailbox.start(jog, bench.now());
+        };
+        MotionId jog = begin();
+        QCOMPARE(bench.tick(5).kind, ScriptCommand::JogCartesian);
+        bench.data.tcpForce = Eigen::Vector3d(0, 0, 45);
+        QCOMPARE(bench.tick(2).kind, ScriptCommand::JogCartesian);
+        bench.data.tcpForce = Eigen::Vector3d(0, 0, 39);
+        QCOMPARE(bench.tick(2).kind, ScriptCommand::JogCartesian);
+        bench.data.tcpForce = Eigen::Vector3d(0, 0, 41);
+        QCOMPARE(bench.tick(3).kind, ScriptCommand::Idle);
+        QCOMPARE(bench.causeOf(jog), StopCause::Contact);
+        // The next one begins from the force there is now.
+        jog = begin();
+        QCOMPARE(bench.tick(10).kind, ScriptCommand::JogCartesian);
+        // A robot that stops telling the force is not pushed with.
+        bench.data.tcpForce.reset();
+        QCOMPARE(bench.tick().kind, ScriptCommand::Idle);
+        QCOMPARE(bench.causeOf(jog), StopCause::Contact);
+    }
+
     void doneOfAnOlderEpochIsNotDone() {
         Bench bench;
         bench.takeControl();

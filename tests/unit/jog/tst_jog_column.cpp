@@ -27,6 +27,7 @@ struct FakeSession {
     std::uint64_t running = 0;
     QList<JogTarget> jogs;
     QList<MoveRequest> moves;
+    QList<control::Freedrive> freedrives;
     QList<StopCause> ends;
 
     JogPort port() {
@@ -46,7 +47,12 @@ struct FakeSession {
                         }
                         ends.append(cause);
                     },
-                .limits = [] { return control::MotionLimits(); }};
+                .limits = [] { return control::MotionLimits(); },
+                .beginFreedrive = [this](const control::Freedrive& f) -> Result<RobotSession::MotionId> {
+                    freedrives.append(f);
+                    return running = ++next;
+                },
+                .holdWith = [this](RobotSession::MotionId id, const JogTarget&) { return id == running; }};
     }
 };
 
@@ -253,6 +259,86 @@ private Q_SLOTS:
         QCOMPARE(s.session.moves.first().q, defaultHome());
         s.release("homeKey");
         QCOMPARE(s.session.ends, QList<StopCause>{StopCause::Released});
+    }
+
+    void freedriveLooksAtTheForcesFirst() {
+        Scene s;
+        s.state.tcpForce.force = {0, 0, -24};
+        s.state.payloadMass = 0.5;
+        s.column.applyState(s.state);
+        QSignalSpy refused(&s.column, &JogColumn::refused);
+        s.press("freedriveKey");
+        s.release("freedriveKey");
+        QVERIFY(s.session.freedrives.isEmpty());
+        QCOMPARE(refused.count(), 1);
+        const QString why = refused.first().first().toString();
+        QVERIFY2(why.contains("24.0 N") && why.contains("0.50 kg"), qPrintable(why));
+        s.state.tcpForce = {};
+        s.column.applyState(s.state);
+        s.press("freedriveKey");
+        QCOMPARE(s.session.freedrives.size(), 1);
+        QVERIFY(s.session.freedrives.first().freeAxes == control::Freedrive().freeAxes);
+        s.release("freedriveKey");
+        QCOMPARE(s.session.ends, QList<StopCause>{StopCause::Released});
+    }
+
+    void freedriveIsFreeOnlyAlongTheChosenAxes() {
+        Scene s;
+        s.choose("jogFrame", 1);
+        s.column.setFreedriveAxes(FreedriveAxes::Line);
+        s.press("freedriveKey");
+        const control::Freedrive freedrive = s.session.freedrives.last();
+        QVERIFY((freedrive.freeAxes == std::array{false, false, true, false, false, false}));
+        QVERIFY(rotationMatrix(freedrive.feature.rotation)
+                    .isApprox(rotationMatrix(s.state.tcpPose.rotation), 1e-9));
+        s.release("freedriveKey");
+    }
+
+    void untilContactIsSlowHeldAndNamesItsForce() {
+        Scene s;
+        s.column.setSpeedClass(4);
+        s.column.setUntilContact(15);
+        s.press("jog.Z-", Qt::ShiftModifier);
+        QCOMPARE(s.session.jogs.size(), 1);
+        QCOMPARE(s.session.jogs.last().contactForce, 15.0);
+        QVERIFY(std::abs(s.session.jogs.last().twist.linear.z() + 0.020) < 1e-12);
+        s.release("jog.Z-");
+        QCOMPARE(s.session.ends, QList<StopCause>{StopCause::Released});
+        s.choose("jogMotion", 0);
+        s.press("jog.Z-");
+        QCOMPARE(s.session.jogs.last().contactForce, 0.0);
+        s.release("jog.Z-");
+    }
+
+    void aLongStepShowsItsGhostAndRunsOnlyWhileHeld() {
+        Scene s;
+        s.column.setFreeStep({0.05, 0.1});
+        QSignalSpy wanted(&s.column, &JogColumn::ghostWanted);
+        QSignalSpy gone(&s.column, &JogColumn::ghostGone);
+        QEnterEvent enter(QPointF(5, 5), QPointF(5, 5), QPointF(5, 5));
+        QApplication::sendEvent(s.key("jog.Z+"), &enter);
+        QCOMPARE(wanted.count(), 1);
+        QVERIFY2(s.session.moves.isEmpty(), "seen before it moves");
+        s.press("jog.Z+");
+        QCOMPARE(s.session.moves.size(), 1);
+        QVERIFY(std::abs(s.session.moves.first().pose.position.z() - 0.25) < 1e-12);
+        s.release("jog.Z+");
+        QCOMPARE(s.session.ends, QList<StopCause>{StopCause::Released});
+        QVERIFY(gone.count() >= 1);
+    }
+
+    void theKeysSayWhatIsLeftTheirWay() {
+        Scene s;
+        for (int i = 0; i < 12; ++i) {
+            s.column.lookAround();
+        }
+        const QString up = s.column.findChild<JogKey*>(QStringLiteral("jog.Z+"))->travel();
+        QVERIFY2(up.endsWith(QStringLiteral(" mm")), qPrintable(up));
+        QVERIFY(up.chopped(3).toDouble() > 10);
+        s.state.link = LinkState::Lost;
+        s.column.applyState(s.state);
+        s.column.lookAround();
+        QVERIFY(s.column.findChild<JogKey*>(QStringLiteral("jog.Z+"))->travel().isEmpty());
     }
 
     void modifiersChangeTheSpeed() {

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The way the arm came, as joint positions, and the motion that goes back along it while a key is held: the
+// one way out of a tight place that is known to be free.
+
+#include <deque>
+#include <functional>
+
+#include "widgets/common/hold_guard.h"
+#include "widgets/jog/jog_port.h"
+
+namespace tiller {
+
+class BackTrack {
+public:
+    /// port   what moves the arm
+    /// speed  of the joint that turns fastest on the way back, asked at each turn [rad/s]
+    BackTrack(const JogPort& port, std::function<double()> speed);
+
+    /// Where the arm is now. While the arm goes back nothing is added. A jump means that the way between is
+    /// not known: then the trail begins anew.
+    void record(const JointPositions& q);
+    /// The arm was moved by somebody else, or the connection is another one: the trail says nothing any more.
+    void clear();
+    bool isEmpty() const;
+    int size() const { return static_cast<int>(trail_.size()); }
+
+    /// For the key: a joint jog from place to place of the trail, so that it has the life time, the limits
+    /// and the stops of a jog. It ends at the beginning of the trail; a stop of any kind ends it where it is,
+    /// and what is left of the trail stays.
+    HoldMotion motion();
+
+    /// Places nearer than this to the one before are not kept [rad].
+    static constexpr double kSpacing = 0.0087;
+    static constexpr int kCapacity = 4000;
+    /// Further between two pictures of the arm than it can go [rad].
+    static constexpr double kJump = 0.15;
+
+private:
+    Result<control::JogTarget> next();
+
+    const JogPort& port_;
+    std::function<double()> speed_;
+    std::deque<JointPositions> trail_;
+    JointPositions now_;
+    HoldMotion::Id going_ = 0;  ///< the jog under way; 0: none
+};
+
+}  // namespace tiller

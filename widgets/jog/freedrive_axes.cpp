@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/jog/freedrive_axes.h"
+
+#include <QCoreApplication>
+
+#include "widgets/common/format.h"
+
+namespace tiller {
+
+namespace {
+
+QString text(const char* source) {
+    return QCoreApplication::translate("Freedrive", source);
+}
+
+}  // namespace
+
+QString freedriveAxesText(FreedriveAxes axes) {
+    switch (axes) {
+        case FreedriveAxes::All:
+            return text("All axes");
+        case FreedriveAxes::Position:
+            return text("Position only");
+        case FreedriveAxes::Orientation:
+            return text("Orientation only");
+        case FreedriveAxes::Plane:
+            return text("Plane X Y");
+        case FreedriveAxes::Line:
+            return text("Line Z");
+    }
+    return {};
+}
+
+control::Freedrive freedriveOf(FreedriveAxes axes, const Eigen::Matrix3d& R_base_frame, const Pose& tcp) {
+    control::Freedrive freedrive;
+    if (axes == FreedriveAxes::All) {
+        return freedrive;  // without a frame, so that older software knows it too
+    }
+    switch (axes) {
+        case FreedriveAxes::All:
+        case FreedriveAxes::Position:
+            freedrive.freeAxes = {true, true, true, false, false, false};
+            break;
+        case FreedriveAxes::Orientation:
+            freedrive.freeAxes = {false, false, false, true, true, true};
+            break;
+        case FreedriveAxes::Plane:
+            freedrive.freeAxes = {true, true, false, false, false, false};
+            break;
+        case FreedriveAxes::Line:
+            freedrive.freeAxes = {false, false, true, false, false, false};
+            break;
+    }
+    freedrive.feature.position = tcp.position;
+    freedrive.feature.rotation = rotationVector(R_base_frame);
+    return freedrive;
+}
+
+QString payloadDoubt(const SessionState& state) {
+    if (state.moving) {
+        return text("Let the arm come to rest before freedrive.");
+    }
+    const double force = state.tcpForce.force.norm();
+    const double torque = state.tcpForce.torque.norm();
+    if (force <= kPayloadForce && torque <= kPayloadTorque) {
+        return {};
+    }
+    const QString felt = force > kPayloadForce ? format::newtons(force) : format::newtonMetres(torque);
+    return text(
+               "The arm feels %1 with a payload of %2 kg: it would move by itself. Let go of the tool, or "
+               "correct "
+               "payload and TCP.")
+        .arg(felt, format::number(state.payloadMass, 2));
+}
+
+}  // namespace tiller
