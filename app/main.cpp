@@ -128,6 +128,7 @@ int main(int argc, char* argv[]) {
         // It connects by itself, so that it hears of what goes wrong on the way.
         return runDemonstration(application, window, line->demoDirectory);
     }
+    window.lookForDevices();
     switch (line->start) {
         case app::CommandLine::Start::Simulator:
             window.connectSimulator();

@@ -21,6 +21,9 @@
 #include "widgets/common/theme.h"
 #include "widgets/io/io_tab.h"
 #include "widgets/jog/axis_jog.h"
+#include "widgets/jog/device_jog.h"
+#include "widgets/jog/device_sources.h"
+#include "widgets/jog/device_trainer.h"
 #include "widgets/jog/jog_column.h"
 #include "widgets/jog/jog_pad.h"
 #include "widgets/jog/keyboard_jog.h"
@@ -103,6 +106,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
                                             "turn a joint. Space and Esc stop.")
                                        : tr("Keyboard jogging disarmed"));
     });
+    connectDevices();
     connect(new SleepWatch(this), &SleepWatch::operatorLeaves, this,
             [this] { stopMotion(control::StopCause::Sleep); });
 
@@ -120,6 +124,7 @@ MainWindow::~MainWindow() {
     // While all parts still live: the session tells them that it ends. Then they go, and it goes last.
     session_->shutDown();
     delete keyboard_;
+    delete devices_;
     delete takeCentralWidget();
     const QList<QDockWidget*> docks = findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly);
     qDeleteAll(docks);
@@ -204,6 +209,7 @@ void MainWindow::buildActions() {
                                         [this] { keyboard_->setArmed(!keyboard_->isArmed()); });
     keyboard->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_J));
     addAction(keyboard);
+    menu->addAction(tr("Gamepad and SpaceMouse…"), this, &MainWindow::showTrainer);
     menu->addSeparator();
 
     QMenu* view = menu->addMenu(tr("View"));
@@ -274,6 +280,29 @@ void MainWindow::connectParts() {
             stopMotion(control::StopCause::WindowDeactivated);
         }
     });
+}
+
+void MainWindow::connectDevices() {
+    devices_ = new DeviceJog(jog_->axisJog(), this);
+    connect(devices_, &DeviceJog::lost, this, [this](const QString& name) {
+        Q_EMIT session_->message(Severity::Warning,
+                                 tr("%1 is gone. What it moved has been stopped.").arg(name));
+    });
+    connect(devices_, &DeviceJog::stopPressed, this, [this] { stopMotion(control::StopCause::StopButton); });
+}
+
+void MainWindow::lookForDevices() {
+    for (auto& source : deviceSources()) {
+        devices_->addSource(std::move(source));
+    }
+}
+
+void MainWindow::showTrainer() {
+    stopMotion(control::StopCause::DialogOpened);
+    auto* trainer = new DeviceTrainer(
+        *devices_, [this] { return jog_->selection(); }, [this] { return session_->limits(); }, this);
+    trainer->setAttribute(Qt::WA_DeleteOnClose);
+    trainer->show();
 }
 
 void MainWindow::followJog() {

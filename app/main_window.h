@@ -19,6 +19,7 @@ namespace tiller {
 
 class HeaderBar;
 class IoTab;
+class DeviceJog;
 class JogColumn;
 class KeyboardJog;
 class LogTab;
@@ -43,6 +44,9 @@ public:
     RobotSession& session() { return *session_; }
     JogColumn& jogColumn() { return *jog_; }
     WaypointsTab& waypoints() { return *waypoints_; }
+    DeviceJog& devices() { return *devices_; }
+    /// Looks for gamepads and a SpaceMouse from now on.
+    void lookForDevices();
 
     /// Starts the simulated robot in this process, unless it runs, and connects to it.
     void connectSimulator();
@@ -70,6 +74,8 @@ private:
     void proportion();
     void connectParts();
     void followJog();
+    void connectDevices();
+    void showTrainer();
     void updateScene();
     void stopMotion(control::StopCause cause);
 
@@ -87,6 +93,7 @@ private:
     StatusLine* status_ = nullptr;
     StopKeys* stopKeys_ = nullptr;
     KeyboardJog* keyboard_ = nullptr;
+    DeviceJog* devices_ = nullptr;
     QDockWidget* plotsDock_ = nullptr;
     QDockWidget* tabsDock_ = nullptr;
     bool layoutRemembered_ = false;  ///< the operator's own layout is kept as it is

@@ -257,7 +257,8 @@ private:
     }
 
     void prepare(Way way) {
-        // 100 mm/s is the contract's reference; a turn at its 30 deg/s takes 130 ms to brake, at 15 deg/s 65 ms.
+        // 100 mm/s is the contract's reference; a turn at its 30 deg/s takes 130 ms to brake, at 15 deg/s 65
+        // ms.
         window().jogColumn().setSpeedClass(way == Way::KeyboardTurn || way == Way::Align ? 2 : 3);
         switch (way) {
             case Way::Back:

@@ -45,6 +45,8 @@ public:
     void setInput(const Deflection& deflection, double factor = 1.0);
     /// Ends the motion, if there is one; the device must come back to neutral.
     void stop(control::StopCause cause);
+    /// Whatever the device says now: before it moves anything it has to be neutral once.
+    void requireNeutral() { neutral_ = false; }
     bool isActive() const { return id_ != 0; }
     /// True while a device that was stopped has not been let go yet.
     bool waitsForNeutral() const { return !neutral_; }

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Gamepads and SpaceMouse: the way from a raw axis to a jog, with devices that are only numbers, and, where
+// SDL has them, with a virtual joystick.
+#include <QApplication>
+#include <QCheckBox>
+#include <QSignalSpy>
+#include <QTest>
+#include <map>
+
+#include "widgets/jog/device_jog.h"
+#include "widgets/jog/device_trainer.h"
+
+#ifdef TILLER_HAS_SDL
+#define SDL_MAIN_HANDLED
+#include <SDL.h>
+
+#include "widgets/jog/gamepad_device.h"
+#endif
+
+using namespace tiller;
+using control::StopCause;
+
+namespace {
+
+struct Stick {
+    DeviceReading reading;
+    DeviceShape shape;
+    bool plugged = true;
+};
+
+class FakeDevice : public InputDevice {
+public:
+    explicit FakeDevice(Stick& stick) : stick_(stick) {}
+    QString name() const override { return QStringLiteral("Test pad"); }
+    DeviceShape shape() const override { return stick_.shape; }
+    std::optional<DeviceReading> read() override {
+        return stick_.plugged ? std::optional(stick_.reading) : std::nullopt;
+    }
+
+private:
+    Stick& stick_;
+};
+
+class FakeSource : public DeviceSource {
+public:
+    explicit FakeSource(Stick& stick) : stick_(stick) {}
+    std::vector<std::unique_ptr<InputDevice>> appeared() override {
+        std::vector<std::unique_ptr<InputDevice>> found;
+        if (!given_) {
+            given_ = true;
+            found.push_back(std::make_unique<FakeDevice>(stick_));
+        }
+        return found;
+    }
+
+private:
+    Stick& stick_;
+    bool given_ = false;
+};
+
+/// Device, rules and a port that only writes down.
+struct Bench {
+    std::uint64_t running = 0;
+    std::uint64_t next = 0;
+    QList<control::JogTarget> targets;
+    QList<StopCause> ends;
+    JogPort port;
+    JogSelection selection;
+    VirtualClock clock;
+    QWidget window;
+    AxisJog jog{port, selection, [] { return QString(); }};
+    Stick stick;
+    DeviceJog devices{jog};
+
+    Bench() {
+        port.beginJog = [this](const control::JogTarget& t) -> Result<RobotSession::MotionId> {
+            targets << t;
+            return running = ++next;
+        };
+        port.hold = [this](RobotSession::MotionId id) { return id == running; };
+        port.holdWith = [this](RobotSession::MotionId id, const control::JogTarget& t) {
+            targets << t;
+            return id == running;
+        };
+        port.endMotion = [this](RobotSession::MotionId, StopCause cause) {
+            running = 0;
+            ends << cause;
+        };
+        port.limits = [] { return control::MotionLimits(); };
+        jog.setClock(clock);
+        window.show();
+        window.activateWindow();
+        if (!QTest::qWaitForWindowActive(&window)) {
+            qFatal("the window did not become active");
+        }
+        stick.shape.deadManName = QStringLiteral("left shoulder");
+        stick.shape.exponent = 2.2;
+        devices.addSource(std::make_unique<FakeSource>(stick));
+    }
+    const InputDevice* device() const { return devices.devices().front().get(); }
+    void push(int axis, double out, bool deadMan = true) {
+        stick.reading.axes.setZero();
+        stick.reading.axes[axis] = out;
+        stick.reading.deadMan = deadMan;
+        devices.poll();
+    }
+};
+
+}  // namespace
+
+class TestDevices : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void deadZoneCurveAndDominantAxis() {
+        DeviceShape shape;
+        shape.deadZone = 0.08;
+        shape.exponent = 2.2;
+        Vector6 raw;
+        raw << 0.079, 1.0, -1.0, 0.54, -0.54, 2.0;
+        const Vector6 wish = shaped(raw, shape, false);
+        QCOMPARE(wish[0], 0.0);
+        QCOMPARE(wish[1], 1.0);
+        QCOMPARE(wish[2], -1.0);
+        QVERIFY2(std::abs(wish[3] - std::pow(0.5, 2.2)) < 1e-9, "half way beyond the dead zone");
+        QCOMPARE(wish[4], -wish[3]);
+        QCOMPARE(wish[5], 1.0);
+        raw << 0.5, -0.9, 0.3, 0, 0, 0;
+        const Vector6 one = shaped(raw, shape, true);
+        QCOMPARE(one[0], 0.0);
+        QVERIFY(one[1] < -0.7);
+        QCOMPARE(one[2], 0.0);
+        raw[1] = std::numeric_limits<double>::quiet_NaN();
+        QCOMPARE(shaped(raw, shape, false)[1], 0.0);
+    }
+
+    void aDeviceThatIsNotSwitchedOnMovesNothing() {
+        Bench b;
+        b.push(0, 1.0);
+        QVERIFY(b.targets.isEmpty());
+    }
+
+    void itMovesWithTheDeadManAndStopsWithoutIt() {
+        Bench b;
+        b.devices.use(b.device());
+        b.push(2, 0.0);
+        b.push(2, 1.0, false);
+        QVERIFY2(b.targets.isEmpty(), "no dead-man");
+        b.push(2, 1.0);
+        QVERIFY2(b.targets.isEmpty(), "the dead-man came after the stick");
+        b.push(2, 0.0);
+        b.push(2, 1.0);
+        QCOMPARE(b.targets.size(), 1);
+        QVERIFY(std::abs(b.targets.last().twist.linear.z() - 0.05) < 1e-12);
+        b.push(2, 1.0, false);
+        QCOMPARE(b.ends, QList<StopCause>{StopCause::Released});
+        b.push(2, 1.0);
+        QCOMPARE(b.next, 1U);
+    }
+
+    void switchedOnWithTheStickOutItWaitsForNeutral() {
+        Bench b;
+        b.push(0, 1.0);
+        b.devices.use(b.device());
+        b.push(0, 1.0);
+        b.push(0, 0.9);
+        QVERIFY(b.targets.isEmpty());
+        b.push(0, 0.0);
+        b.push(0, 1.0);
+        QCOMPARE(b.targets.size(), 1);
+    }
+
+    void aLostDeviceStopsTheArm() {
+        Bench b;
+        QSignalSpy lost(&b.devices, &DeviceJog::lost);
+        b.devices.use(b.device());
+        b.push(0, 0.0);
+        b.push(0, 1.0);
+        b.stick.plugged = false;
+        b.devices.poll();
+        QCOMPARE(b.ends, QList<StopCause>{StopCause::DeviceLost});
+        QCOMPARE(lost.count(), 1);
+        QVERIFY(b.devices.devices().empty());
+        QVERIFY(b.devices.used() == nullptr);
+    }
+
+    void theStopKeyStopsAndAsksForNeutral() {
+        Bench b;
+        QSignalSpy stop(&b.devices, &DeviceJog::stopPressed);
+        b.devices.use(b.device());
+        b.push(0, 0.0);
+        b.push(0, 1.0);
+        b.stick.reading.stop = true;
+        b.devices.poll();
+        b.devices.poll();
+        QCOMPARE(stop.count(), 1);
+        QCOMPARE(b.ends, QList<StopCause>{StopCause::StopButton});
+        b.stick.reading.stop = false;
+        b.devices.poll();
+        QCOMPARE(b.next, 1U);
+    }
+
+    void nothingMovesWhileTheProgramHasNoActiveWindow() {
+        Bench b;
+        b.devices.use(b.device());
+        b.push(0, 0.0);
+        b.window.hide();
+        QTRY_VERIFY(QApplication::activeWindow() == nullptr);
+        QSignalSpy refused(&b.jog, &AxisJog::refused);
+        b.push(0, 1.0);
+        QVERIFY(b.targets.isEmpty());
+        QCOMPARE(refused.count(), 1);
+    }
+
+    void theTrainerSaysWhichWayItWillGo() {
+        Bench b;
+        DeviceTrainer trainer(
+            b.devices, [&b] { return b.selection; }, [] { return control::MotionLimits(); });
+        trainer.show();
+        b.push(2, -1.0, false);
+        trainer.refresh();
+        QCOMPARE(trainer.directionText(), QStringLiteral("Z− 50.0 mm/s in Base"));
+        b.selection.frame = FrameChoice::Tool;
+        b.push(5, 1.0);
+        trainer.refresh();
+        QCOMPARE(trainer.directionText(), QStringLiteral("Rz+ 15.0 °/s in Tool"));
+        QVERIFY2(b.targets.isEmpty(), "trying out moves nothing");
+        b.push(5, 0.05);
+        trainer.refresh();
+        QVERIFY(trainer.directionText().contains("neutral"));
+        trainer.findChild<QCheckBox*>("device.use")->click();
+        QVERIFY(b.devices.used() == b.device());
+        b.stick.plugged = false;
+        b.devices.poll();
+        QVERIFY(!trainer.findChild<QCheckBox*>("device.use")->isEnabled());
+    }
+
+    void aGamepadOfTheSystemIsReadThroughSdl() {
+#ifdef TILLER_HAS_SDL
+        GamepadSource source;
+        const int index = SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER, SDL_CONTROLLER_AXIS_MAX,
+                                                    SDL_CONTROLLER_BUTTON_MAX, 0);
+        if (index < 0) {
+            QSKIP("this SDL has no virtual joysticks");
+        }
+        const SDL_JoystickID id = SDL_JoystickGetDeviceInstanceID(index);
+        auto found = source.appeared();
+        std::unique_ptr<InputDevice> pad;
+        SDL_Joystick* joystick = SDL_JoystickFromInstanceID(id);
+        QVERIFY2(joystick != nullptr, "it was opened");
+        QVERIFY(!found.empty());
+        pad = std::move(found.back());
+        QVERIFY2(source.appeared().empty(), "once");
+        QVERIFY(!pad->name().isEmpty());
+        QCOMPARE(pad->shape().deadZone, 0.08);
+        QCOMPARE(pad->shape().exponent, 2.2);
+
+        SDL_JoystickSetVirtualAxis(joystick, SDL_CONTROLLER_AXIS_LEFTX, 32767);
+        SDL_JoystickSetVirtualAxis(joystick, SDL_CONTROLLER_AXIS_LEFTY, -32767);
+        SDL_JoystickSetVirtualButton(joystick, SDL_CONTROLLER_BUTTON_LEFTSHOULDER, 1);
+        std::optional<DeviceReading> now = pad->read();
+        QVERIFY(now.has_value());
+        QCOMPARE(now->axes[0], 1.0);
+        QCOMPARE(now->axes[1], 1.0);
+        QVERIFY(now->deadMan && !now->stop);
+        SDL_JoystickSetVirtualButton(joystick, SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, 1);
+        SDL_JoystickSetVirtualButton(joystick, SDL_CONTROLLER_BUTTON_B, 1);
+        now = pad->read();
+        QCOMPARE(now->axes[0], 0.0);
+        QCOMPARE(now->axes[3], 1.0);
+        QVERIFY(now->stop);
+        SDL_JoystickDetachVirtual(index);
+        QVERIFY2(!pad->read().has_value(), "unplugged");
+#else
+        QSKIP("built without SDL");
+#endif
+    }
+};
+
+QTEST_MAIN(TestDevices)
+#include "tst_devices.moc"

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Jogging with a gamepad or a SpaceMouse. A device moves the arm only after it was switched on here, only
+// while its dead-man is held, and after any stop only once it has come back to neutral; see AxisJog for the
+// rules.
+
+#include <QObject>
+#include <QTimer>
+#include <memory>
+#include <vector>
+
+#include "widgets/jog/axis_jog.h"
+#include "widgets/jog/input_device.h"
+
+namespace tiller {
+
+/// Threads  GUI
+class DeviceJog : public QObject {
+    Q_OBJECT
+
+public:
+    explicit DeviceJog(AxisJog& jog, QObject* parent = nullptr);
+    ~DeviceJog() override;
+
+    /// Where devices come from. May be called several times.
+    void addSource(std::unique_ptr<DeviceSource> source);
+    const std::vector<std::unique_ptr<InputDevice>>& devices() const { return devices_; }
+
+    /// The device that moves the arm, or null. Never remembered: after a start none does.
+    const InputDevice* used() const { return used_; }
+    void use(const InputDevice* device);
+    bool dominantAxis() const { return dominantAxis_; }
+    void setDominantAxis(bool on);
+
+    /// The newest reading of a device, and what it asks for.
+    DeviceReading reading(const InputDevice* device) const;
+    Deflection wish(const InputDevice* device) const;
+
+    /// Reads all devices once. A timer does this every 10 ms; tests in virtual time do it themselves.
+    void poll();
+    static constexpr int kPollMs = 10;
+
+Q_SIGNALS:
+    /// Devices have come or gone, or another one is used.
+    void devicesChanged();
+    /// The device in use disappeared.
+    void lost(const QString& name);
+    /// The stop key of the device in use.
+    void stopPressed();
+
+private:
+    void look();
+
+    AxisJog& jog_;
+    std::vector<std::unique_ptr<DeviceSource>> sources_;
+    std::vector<std::unique_ptr<InputDevice>> devices_;
+    std::vector<DeviceReading> readings_;  ///< one for each device
+    const InputDevice* used_ = nullptr;
+    bool dominantAxis_ = true;
+    bool stopHeld_ = false;
+    QTimer pollTimer_;
+    QTimer lookTimer_;
+};
+
+}  // namespace tiller

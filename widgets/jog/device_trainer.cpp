@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/jog/device_trainer.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <cmath>
+#include <numbers>
+
+#include "widgets/common/format.h"
+#include "widgets/common/theme.h"
+
+namespace tiller {
+
+namespace {
+
+constexpr int kRefreshMs = 50;
+constexpr std::array kAxes = {"X", "Y", "Z", "Rx", "Ry", "Rz"};
+
+QString frameText(const JogSelection& selection) {
+    switch (selection.frame) {
+        case FrameChoice::Base:
+            return QCoreApplication::translate("DeviceTrainer", "Base");
+        case FrameChoice::Tool:
+            return QCoreApplication::translate("DeviceTrainer", "Tool");
+        case FrameChoice::View:
+            return QCoreApplication::translate("DeviceTrainer", "View");
+        case FrameChoice::Taught:
+            break;
+    }
+    return selection.taught ? selection.taught->name : QCoreApplication::translate("DeviceTrainer", "Base");
+}
+
+}  // namespace
+
+QString whichWay(const JogSelection& selection, const Deflection& deflection,
+                 const control::MotionLimits& limits) {
+    if (deflection.axes.isZero()) {
+        return {};
+    }
+    const Vector6 twist = deflectionTarget(selection, deflection, 1.0, limits).twist.vector();
+    QStringList parts;
+    for (int axis = 0; axis < 6; ++axis) {
+        const double speed = axis < 3 ? twist[axis] * 1e3 : twist[axis] * 180 / std::numbers::pi;
+        if (std::abs(speed) < 0.05) {
+            continue;
+        }
+        parts << QLatin1String(kAxes.at(static_cast<std::size_t>(axis))) +
+                     (speed < 0 ? QStringLiteral("−") : QStringLiteral("+")) + QLatin1Char(' ') +
+                     format::number(std::abs(speed), 1) +
+                     (axis < 3 ? QStringLiteral(" mm/s") : QStringLiteral(" °/s"));
+    }
+    return parts.isEmpty() ? QString()
+                           : QCoreApplication::translate("DeviceTrainer", "%1 in %2")
+                                 .arg(parts.join(QStringLiteral(", ")), frameText(selection));
+}
+
+/// Six bars from the middle: a thin line for what the device says, a thick one for what becomes of it.
+class DeviceBars : public QWidget {
+public:
+    explicit DeviceBars(QWidget* parent) : QWidget(parent) {
+        setMinimumSize(320, 6 * kRow);
+        setAccessibleName(QCoreApplication::translate("DeviceTrainer", "Axes of the device"));
+    }
+    void show(const Vector6& raw, const Vector6& wish, double deadZone) {
+        raw_ = raw;
+        wish_ = wish;
+        deadZone_ = deadZone;
+        update();
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        const Theme& theme = Theme::current();
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        const double left = 40;
+        const double half = (width() - left - 70) / 2;
+        const double middle = left + half;
+        for (int axis = 0; axis < 6; ++axis) {
+            const double top = axis * kRow;
+            painter.setFont(textFont(15, QFont::Bold));
+            painter.setPen(theme.axisTexts.at(static_cast<std::size_t>(axis % 3)));
+            painter.drawText(QRectF(0, top, left, kRow), Qt::AlignLeft | Qt::AlignVCenter,
+                             QLatin1String(kAxes.at(static_cast<std::size_t>(axis))));
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(theme.border);
+            painter.drawRoundedRect(QRectF(left, top + kRow / 2.0 - 5, 2 * half, 10), 5, 5);
+            painter.setBrush(theme.secondary);
+            painter.drawRect(
+                QRectF(middle - deadZone_ * half, top + kRow / 2.0 - 5, 2 * deadZone_ * half, 10));
+            painter.setBrush(theme.axis(axis % 3));
+            const double to = middle + wish_[axis] * half;
+            painter.drawRect(QRectF(std::min(middle, to), top + kRow / 2.0 - 5, std::abs(to - middle), 10));
+            painter.setBrush(theme.text);
+            painter.drawRect(
+                QRectF(middle + std::clamp(raw_[axis], -1.0, 1.0) * half - 1, top + kRow / 2.0 - 9, 2, 18));
+            painter.setFont(textFont(13));
+            painter.setPen(theme.text);
+            painter.drawText(QRectF(width() - 64, top, 64, kRow), Qt::AlignRight | Qt::AlignVCenter,
+                             format::signedNumber(raw_[axis] * 100, 0) + QStringLiteral(" %"));
+        }
+    }
+
+private:
+    static constexpr int kRow = 30;
+    Vector6 raw_ = Vector6::Zero();
+    Vector6 wish_ = Vector6::Zero();
+    double deadZone_ = 0;
+};
+
+DeviceTrainer::DeviceTrainer(DeviceJog& devices, std::function<JogSelection()> selection,
+                             std::function<control::MotionLimits()> limits, QWidget* parent)
+    : QDialog(parent)
+    , devices_(devices)
+    , selection_(std::move(selection))
+    , limits_(std::move(limits))
+    , list_(new QComboBox)
+    , hint_(new QLabel)
+    , bars_(new DeviceBars(this))
+    , deadMan_(new QLabel)
+    , direction_(new QLabel)
+    , use_(new QCheckBox(tr("Moves the arm (until the program ends)")))
+    , dominant_(new QCheckBox(tr("Only the axis that is out furthest"))) {
+    setObjectName(QStringLiteral("deviceTrainer"));
+    setWindowTitle(tr("Gamepad and SpaceMouse"));
+    list_->setObjectName(QStringLiteral("device.list"));
+    list_->setAccessibleName(tr("Device"));
+    use_->setObjectName(QStringLiteral("device.use"));
+    dominant_->setObjectName(QStringLiteral("device.dominant"));
+    direction_->setObjectName(QStringLiteral("device.direction"));
+    direction_->setAccessibleName(tr("Which way the arm would go"));
+    deadMan_->setObjectName(QStringLiteral("device.deadMan"));
+    hint_->setWordWrap(true);
+    hint_->setProperty("role", "secondary");
+    direction_->setFont(textFont(19, QFont::Bold));
+    direction_->setMinimumWidth(440);
+    direction_->setWordWrap(true);
+
+    auto* form = new QFormLayout;
+    form->addRow(tr("Device"), list_);
+    form->addRow(tr("Dead-man"), deadMan_);
+    form->addRow(tr("Would move"), direction_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(16, 16, 16, 16);
+    layout->setSpacing(12);
+    layout->addLayout(form);
+    layout->addWidget(bars_);
+    layout->addWidget(hint_);
+    layout->addWidget(dominant_);
+    layout->addWidget(use_);
+    auto* keyboard =
+        new QLabel(tr("Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt they turn, "
+                      "1 to 6 with + and − "
+                      "a joint, Home, End align, Backspace back, F freedrive. Ctrl slower, Shift faster. "
+                      "Space and Esc stop."));
+    keyboard->setWordWrap(true);
+    keyboard->setProperty("role", "secondary");
+    layout->addWidget(keyboard);
+    auto* close = new QPushButton(tr("Close"));
+    close->setObjectName(QStringLiteral("device.close"));
+    layout->addWidget(close, 0, Qt::AlignRight);
+    connect(close, &QPushButton::clicked, this, &QDialog::accept);
+
+    connect(&devices_, &DeviceJog::devicesChanged, this, &DeviceTrainer::listDevices);
+    connect(list_, &QComboBox::currentIndexChanged, this, &DeviceTrainer::refresh);
+    connect(use_, &QCheckBox::clicked, this, [this](bool on) { devices_.use(on ? chosen() : nullptr); });
+    connect(dominant_, &QCheckBox::clicked, this, [this](bool on) { devices_.setDominantAxis(on); });
+    timer_.setInterval(kRefreshMs);
+    connect(&timer_, &QTimer::timeout, this, &DeviceTrainer::refresh);
+    timer_.start();
+    listDevices();
+}
+
+const InputDevice* DeviceTrainer::chosen() const {
+    const int index = list_->currentIndex();
+    const auto& all = devices_.devices();
+    return index >= 0 && index < static_cast<int>(all.size()) ? all[static_cast<std::size_t>(index)].get()
+                                                              : nullptr;
+}
+
+void DeviceTrainer::listDevices() {
+    const int before = list_->currentIndex();
+    list_->clear();
+    for (const auto& device : devices_.devices()) {
+        list_->addItem(device->name());
+    }
+    list_->setCurrentIndex(std::min(std::max(before, 0), list_->count() - 1));
+    refresh();
+}
+
+QString DeviceTrainer::directionText() const {
+    return direction_->text();
+}
+
+void DeviceTrainer::refresh() {
+    const InputDevice* device = chosen();
+    use_->setEnabled(device != nullptr);
+    use_->setChecked(device != nullptr && devices_.used() == device);
+    dominant_->setEnabled(device != nullptr);
+    dominant_->setChecked(devices_.dominantAxis());
+    if (device == nullptr) {
+        hint_->setText(tr("No gamepad and no SpaceMouse is there. Plug one in: it appears by itself."));
+        deadMan_->setText(QStringLiteral("–"));
+        direction_->setText(QStringLiteral("–"));
+        bars_->show(Vector6::Zero(), Vector6::Zero(), 0);
+        return;
+    }
+    const DeviceShape shape = device->shape();
+    const Deflection wish = devices_.wish(device);
+    hint_->setText(shape.directions);
+    deadMan_->setText(wish.deadMan ? tr("● held (%1)").arg(shape.deadManName)
+                                   : tr("○ not held: hold the %1").arg(shape.deadManName));
+    const QString way = whichWay(selection_(), wish, limits_());
+    direction_->setText(way.isEmpty() ? tr("nothing: neutral") : way);
+    bars_->show(devices_.reading(device).axes, wish.axes, shape.deadZone);
+}
+
+}  // namespace tiller

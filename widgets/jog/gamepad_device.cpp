@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/jog/gamepad_device.h"
+
+// SDL's main() is none of ours.
+#define SDL_MAIN_HANDLED
+#include <SDL.h>
+
+#include <QCoreApplication>
+#include <set>
+
+namespace tiller {
+
+struct GamepadSource::Private {
+    bool ready = false;
+    std::set<SDL_JoystickID> open;
+
+    Private() {
+        // Signals and the main function stay the program's; gamepads are read while another window has the
+        // focus, because whether they may move the arm is decided here, by the program's own windows.
+        SDL_SetMainReady();
+        SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
+        SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
+        ready = SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) == 0;
+    }
+    ~Private() {
+        if (ready) {
+            SDL_QuitSubSystem(SDL_INIT_GAMECONTROLLER);
+        }
+    }
+};
+
+namespace {
+
+constexpr double kFull = 32767;
+
+// Keeps SDL alive through `owner`, however long the source lives.
+template <class Owner>
+class Gamepad : public InputDevice {
+public:
+    Gamepad(SDL_GameController* pad, std::shared_ptr<Owner> owner)
+        : pad_(pad)
+        , owner_(std::move(owner))
+        , id_(SDL_JoystickInstanceID(SDL_GameControllerGetJoystick(pad)))
+        , name_(QString::fromUtf8(SDL_GameControllerName(pad))) {}
+    ~Gamepad() override {
+        SDL_GameControllerClose(pad_);
+        owner_->open.erase(id_);
+    }
+    Gamepad(const Gamepad&) = delete;
+    Gamepad& operator=(const Gamepad&) = delete;
+
+    QString name() const override { return name_; }
+    DeviceShape shape() const override {
+        DeviceShape shape;
+        // Source: operator-interface.md, "Numbers".
+        shape.deadZone = 0.08;
+        shape.exponent = 2.2;
+        shape.deadManName = QCoreApplication::translate("Gamepad", "left shoulder");
+        shape.directions = QCoreApplication::translate(
+            "Gamepad", "Left stick X and Y, right stick Z and turn. Right shoulder: the sticks turn.");
+        return shape;
+    }
+    std::optional<DeviceReading> read() override {
+        SDL_GameControllerUpdate();
+        if (SDL_GameControllerGetAttached(pad_) != SDL_TRUE) {
+            return std::nullopt;
+        }
+        const auto axis = [this](SDL_GameControllerAxis which) {
+            return SDL_GameControllerGetAxis(pad_, which) / kFull;
+        };
+        const auto button = [this](SDL_GameControllerButton which) {
+            return SDL_GameControllerGetButton(pad_, which) != 0;
+        };
+        DeviceReading now;
+        const int first = button(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER) ? 3 : 0;
+        // A stick pushed away from the operator reads negative.
+        now.axes[first] = axis(SDL_CONTROLLER_AXIS_LEFTX);
+        now.axes[first + 1] = -axis(SDL_CONTROLLER_AXIS_LEFTY);
+        now.axes[first + 2] = -axis(SDL_CONTROLLER_AXIS_RIGHTY);
+        if (first == 0) {
+            now.axes[5] = -axis(SDL_CONTROLLER_AXIS_RIGHTX);
+        }
+        now.deadMan = button(SDL_CONTROLLER_BUTTON_LEFTSHOULDER);
+        now.stop = button(SDL_CONTROLLER_BUTTON_B);
+        return now;
+    }
+
+private:
+    SDL_GameController* pad_;
+    std::shared_ptr<Owner> owner_;
+    SDL_JoystickID id_;
+    QString name_;
+};
+
+}  // namespace
+
+GamepadSource::GamepadSource() : d_(std::make_shared<Private>()) {}
+GamepadSource::~GamepadSource() = default;
+
+std::vector<std::unique_ptr<InputDevice>> GamepadSource::appeared() {
+    std::vector<std::unique_ptr<InputDevice>> found;
+    if (!d_->ready) {
+        return found;
+    }
+    // Nobody else reads SDL's events; those that pile up are only news of what is looked at below.
+    SDL_PumpEvents();
+    SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
+    for (int i = 0; i < SDL_NumJoysticks(); ++i) {
+        const SDL_JoystickID id = SDL_JoystickGetDeviceInstanceID(i);
+        if (SDL_IsGameController(i) != SDL_TRUE || d_->open.contains(id)) {
+            continue;
+        }
+        if (SDL_GameController* pad = SDL_GameControllerOpen(i)) {
+            d_->open.insert(id);
+            found.push_back(std::make_unique<Gamepad<Private>>(pad, d_));
+        }
+    }
+    return found;
+}
+
+}  // namespace tiller

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/jog/space_mouse_device.h"
+
+#include <poll.h>
+#include <spnav.h>
+
+#include <QCoreApplication>
+
+namespace tiller {
+
+namespace {
+
+/// What the driver sends at full deflection.
+constexpr double kFull = 350;
+
+class SpaceMouse : public InputDevice {
+public:
+    explicit SpaceMouse(std::shared_ptr<void> connection) : connection_(std::move(connection)) {}
+
+    QString name() const override { return QStringLiteral("SpaceMouse"); }
+    DeviceShape shape() const override {
+        DeviceShape shape;
+        // Source: operator-interface.md, "Numbers".
+        shape.deadZone = 0.10;
+        shape.dominantAxis = true;
+        shape.deadManName = QCoreApplication::translate("SpaceMouse", "left key");
+        shape.directions =
+            QCoreApplication::translate("SpaceMouse", "The cap moves and turns as the tool shall.");
+        return shape;
+    }
+    std::optional<DeviceReading> read() override {
+        spnav_event event{};
+        while (spnav_poll_event(&event) != 0) {
+            if (event.type == SPNAV_EVENT_MOTION) {
+                const spnav_event_motion& m = event.motion;
+                // The driver has Y up and Z towards the hand; the jog frame Y away from it and Z up.
+                now_.axes << m.x / kFull, -m.z / kFull, m.y / kFull, m.rx / kFull, -m.rz / kFull,
+                    m.ry / kFull;
+            } else if (event.type == SPNAV_EVENT_BUTTON) {
+                (event.button.bnum == 0 ? now_.deadMan : now_.stop) = event.button.press != 0;
+            } else if (event.type == SPNAV_EVENT_DEV && event.dev.op == SPNAV_DEV_RM) {
+                return std::nullopt;
+            }
+        }
+        // The driver ends: nobody would tell that the cap came back.
+        pollfd socket{spnav_fd(), POLLIN, 0};
+        if (socket.fd < 0 ||
+            (::poll(&socket, 1, 0) > 0 && (socket.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0)) {
+            return std::nullopt;
+        }
+        return now_;
+    }
+
+private:
+    std::shared_ptr<void> connection_;
+    DeviceReading now_;
+};
+
+}  // namespace
+
+std::vector<std::unique_ptr<InputDevice>> SpaceMouseSource::appeared() {
+    std::vector<std::unique_ptr<InputDevice>> found;
+    if (open_.expired() && spnav_open() >= 0) {
+        const std::shared_ptr<void> connection(this, [](void*) { spnav_close(); });
+        open_ = connection;
+        found.push_back(std::make_unique<SpaceMouse>(connection));
+    }
+    return found;
+}
+
+}  // namespace tiller
