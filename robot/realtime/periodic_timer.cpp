@@ -51,6 +51,7 @@ std::uint64_t PeriodicTimer::wait() {
         nextNs_ += static_cast<std::int64_t>(missed) * periodNs_;
     }
     sleepUntil(nextNs_);
+    latenessNs_ = nowNs() - nextNs_;
     nextNs_ += periodNs_;
     return missed;
 }

@@ -18,11 +18,14 @@ public:
     ///          skipped, not made up for.
     std::uint64_t wait();
     void restart();
+    /// How much later than due the last wait() returned [ns].
+    std::int64_t latenessNs() const { return latenessNs_; }
     std::chrono::nanoseconds period() const { return std::chrono::nanoseconds(periodNs_); }
 
 private:
     std::int64_t periodNs_;
     std::int64_t nextNs_ = 0;
+    std::int64_t latenessNs_ = 0;
 };
 
 }  // namespace tiller::realtime

@@ -8,6 +8,7 @@
 #else
 #include <pthread.h>
 #include <sched.h>
+#include <time.h>
 
 #include <cerrno>
 #include <cstring>
@@ -37,6 +38,10 @@ PriorityReport requestThreadPriority(int priority) {
 void nameThread(const char* name) {
     const QString text = QString::fromUtf8(name);
     SetThreadDescription(GetCurrentThread(), reinterpret_cast<const wchar_t*>(text.utf16()));
+}
+
+double threadSeconds() {
+    return 0;
 }
 
 #else
@@ -87,6 +92,13 @@ void nameThread(const char* name) {
     std::strncpy(text, name, sizeof text - 1);
     pthread_setname_np(pthread_self(), text);
 #endif
+}
+
+double threadSeconds() {
+    timespec used{};
+    return clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used) == 0
+               ? static_cast<double>(used.tv_sec) + static_cast<double>(used.tv_nsec) * 1e-9
+               : 0.0;
 }
 
 #endif

@@ -24,4 +24,7 @@ PriorityReport requestThreadPriority(int priority);
 /// Shown by debuggers and `top -H`; cut to 15 characters on Linux.
 void nameThread(const char* name);
 
+/// Processor time the calling thread has used [s]; 0 where the system cannot tell.
+double threadSeconds();
+
 }  // namespace tiller::realtime

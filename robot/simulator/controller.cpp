@@ -109,7 +109,25 @@ public:
     bool stopping = false;
     Ports ports = Ports::none();
     Truth truth;
+    TickTiming timing;  ///< the thread's, as what follows
+    std::chrono::steady_clock::time_point timingBegan;
+    double threadSecondsBefore = 0;
     const RtdeServer* rtde = nullptr;  ///< of the running thread; its counters may be read by any
+
+    // In the thread.
+    void resetTiming() {
+        const bool granted = timing.priorityGranted;
+        timing = TickTiming();
+        timing.priorityGranted = granted;
+        timingBegan = std::chrono::steady_clock::now();
+        threadSecondsBefore = realtime::threadSeconds();
+    }
+    TickTiming timingNow() const {
+        TickTiming now = timing;
+        now.threadSeconds = realtime::threadSeconds() - threadSecondsBefore;
+        now.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - timingBegan).count();
+        return now;
+    }
 
     void publishTruth(Machine& machine) {
         const Telemetry& t = machine.plant.telemetry();
@@ -132,9 +150,9 @@ public:
 private:
     void run(std::promise<Result<void>>& opened) {
         realtime::nameThread("ur-simulator");
-        if (options.priority) {
-            realtime::requestThreadPriority(*options.priority);
-        }
+        timing.priorityGranted =
+            options.priority && realtime::requestThreadPriority(*options.priority).granted > 0;
+        resetTiming();
         Machine machine(options);
         Result<void> outcome = checkSoftware(options.model, options.software);
         if (outcome.ok()) {
@@ -186,12 +204,19 @@ private:
         realtime::PeriodicTimer timer{
             std::chrono::nanoseconds(static_cast<std::int64_t>(machine.plant.stepTime() * 1e9 + 0.5))};
         while (!mustStop()) {
-            const std::uint64_t missed = std::min(timer.wait(), kMostCatchUp);
+            const std::uint64_t over = timer.wait();
+            const std::uint64_t missed = std::min(over, kMostCatchUp);
+            const auto began = std::chrono::steady_clock::now();
             work(machine);
             for (std::uint64_t i = 0; i <= missed; ++i) {
                 machine.tick();
             }
             publishTruth(machine);
+            timing.ticks += 1 + missed;
+            timing.late += missed;
+            timing.lost += over - missed;
+            timing.lateness.add(timer.latenessNs());
+            timing.work.add((std::chrono::steady_clock::now() - began).count());
         }
     }
 
@@ -285,6 +310,16 @@ Truth Controller::truth() const {
     return d_->truth;
 }
 
+TickTiming Controller::timing() {
+    TickTiming now;
+    d_->call([this, &now](Machine&) { now = d_->timingNow(); });
+    return now;
+}
+
+void Controller::resetTiming() {
+    d_->post([this](Machine&) { d_->resetTiming(); });
+}
+
 // ---- hooks ----------------------------------------------------------------------------------------------
 
 void Controller::protectiveStop() {
@@ -352,6 +387,9 @@ void Controller::pressFreedriveButton(bool pressed) {
 }
 void Controller::pressHand(const Wrench& wrench) {
     d_->post([wrench](Machine& machine) { machine.plant.arm().environment().setHandWrench(wrench); });
+}
+void Controller::changeWorld(std::function<void(arm::Environment&)> change) {
+    d_->post([change = std::move(change)](Machine& machine) { change(machine.plant.arm().environment()); });
 }
 void Controller::setSpeedSlider(double fraction) {
     d_->post([fraction](Machine& machine) { machine.plant.setSpeedSlider(fraction); });

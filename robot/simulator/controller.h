@@ -14,6 +14,7 @@
 #include <QString>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,6 +27,8 @@
 #include "robot/core/robot_model.h"
 #include "robot/core/spatial.h"
 #include "robot/core/version.h"
+#include "robot/realtime/histogram.h"
+#include "robot/simulator/arm/environment.h"
 
 namespace tiller::simulator {
 
@@ -91,6 +94,18 @@ struct Truth {
     std::uint64_t digitalOutputs = 0;
 };
 
+/// How regularly a controller in real time kept its periods since start() or resetTiming().
+struct TickTiming {
+    std::uint64_t ticks = 0;
+    std::uint64_t late = 0;        ///< periods that were over before their turn came, and were made up for
+    std::uint64_t lost = 0;        ///< periods dropped for good: the robot's time stood still for them
+    realtime::Histogram lateness;  ///< from when a period was due to when its work began
+    realtime::Histogram work;      ///< what the work of a period took
+    double threadSeconds = 0;      ///< processor time of the thread [s]; 0 where the system cannot tell
+    double seconds = 0;            ///< time passed [s]
+    bool priorityGranted = false;
+};
+
 /// One thread, owned by this object, between start() and stop(); priority as in the options. Everything
 /// crosses into it through a queue that it empties between control periods.
 class Controller {
@@ -134,6 +149,10 @@ public:
     /// Threads  any. Consistent within one control period
     Truth truth() const;
 
+    /// Threads  any. Blocks: up to one control period
+    TickTiming timing();
+    void resetTiming();
+
     // ---- hooks: each takes effect in the next control period; none waits -------------------------------
 
     void protectiveStop();
@@ -149,6 +168,9 @@ public:
     void pressFreedriveButton(bool pressed);
     /// A hand on the tool; zero lets go. wrench  [N, Nm] at the TCP, base frame
     void pressHand(const Wrench& wrench);
+    /// Changes what is around the arm: surfaces, boxes, the load really carried, a hand, conveyors. `change`
+    /// runs in the simulator's thread.
+    void changeWorld(std::function<void(arm::Environment&)> change);
     void setSpeedSlider(double fraction);
     /// Answers the oldest question of request_..._from_primary_client() with a value of its type: bool,
     /// std::int32_t, double or std::string. Others are ignored.
