@@ -14,6 +14,8 @@ namespace {
 /// Stop category 1: power goes when the arm stands, at the latest after this time [s].
 constexpr double kEmergencyStopTime = 0.5;
 constexpr double kEmergencyDeceleration = 15.0;  ///< [rad/s2]
+/// In reduced mode the program is slowed to this [m/s]. What an installation sets it to is its own affair.
+constexpr double kReducedToolSpeed = 0.75;
 
 arm::ArmOptions armOptions(const ControllerOptions& options) {
     arm::ArmOptions arm;
@@ -23,20 +25,32 @@ arm::ArmOptions armOptions(const ControllerOptions& options) {
     return arm;
 }
 
-/// Numbers as the vendor's error code manual gives them; C153 and C157 are named in the RTDE guide too.
-std::int32_t errorNumber(arm::StopReason reason) {
+/// Numbers as the vendor's error code manual gives them; C153, C157, C158 and C159 are named in the RTDE
+/// guide too. The words are ours.
+struct StopMessage {
+    std::int32_t code;
+    const char* text;
+};
+StopMessage stopMessage(arm::StopReason reason) {
     switch (reason) {
         case arm::StopReason::JointPositionLimit:
-            return 150;
+            return {150, "a joint came to the end of its range"};
         case arm::StopReason::PoseUnreachable:
+            return {154, "the path leaves the arm's reach"};
         case arm::StopReason::Singularity:
-            return 154;
+            return {154, "the path runs into a singular position"};
         case arm::StopReason::JointSpeedLimit:
-            return 153;
+            return {153, "the path is faster than a joint can follow"};
+        case arm::StopReason::Overload:
+            return {155, "the arm cannot hold its position, check the payload"};
+        case arm::StopReason::WrongPayload:
+            return {156, "wrong payload, or something pushes the arm as freedrive begins"};
         case arm::StopReason::TcpForceLimit:
-            return 157;
+            return {158, "the tool touched something hard"};
+        case arm::StopReason::PathDeviation:
+            return {159, "force mode left the programmed path by more than its limits allow"};
     }
-    return 153;
+    return {153, ""};
 }
 
 arm::DriveState driveState(const PowerSystem& power) {
@@ -105,11 +119,18 @@ void Plant::step() {
     host_->beginPeriod();
     programs_->step();
     reactToSafety();  // a script may have asked for a protective stop
-    arm_.setSpeedFraction(speedSlider_);
-    arm_.step();
+    stepArm();
     ++tick_;
     reactToArm();
     refreshTelemetry();
+}
+
+void Plant::stepArm() {
+    host_->stepConveyors();
+    arm_.setExternalForce(externalSensor_ ? std::optional(externalForce_) : std::nullopt);
+    arm_.setToolSpeedLimit(safety_.isReduced() ? std::optional(kReducedToolSpeed) : std::nullopt);
+    arm_.setSpeedFraction(speedSlider_);
+    arm_.step();
 }
 
 void Plant::stepPower() {
@@ -189,8 +210,8 @@ void Plant::reactToArm() {
     }
     if (arm_.protectiveStop() && !safety_.isProtectiveStopped()) {
         const arm::ProtectiveStop& stop = *arm_.protectiveStop();
-        protectiveStop({errorNumber(stop.reason), stop.joint + 1, primary::ReportLevel::Warning,
-                        arm::stopReasonName(stop.reason)});
+        const StopMessage message = stopMessage(stop.reason);
+        protectiveStop({message.code, stop.joint + 1, primary::ReportLevel::Warning, message.text});
     }
     reactToSafety();
     if (arm_.protectiveStop() && safety_.mode() == SafetyMode::Normal) {

@@ -116,6 +116,7 @@ private:
     void reactToSafety();
     void stepPower();
     void stepWatchdogs();
+    void stepArm();
     void reactToArm();
     void followBoot();
     void refreshTelemetry();

@@ -14,6 +14,7 @@
 #include <string>
 
 #include "robot/simulator/arm/arm.h"
+#include "robot/simulator/encoders.h"
 #include "robot/simulator/script_sockets.h"
 #include "robot/simulator/terminal_rules.h"
 #include "robot/simulator/urscript/host.h"
@@ -29,6 +30,8 @@ public:
 
     /// Once a control period, before the scripts run.
     void beginPeriod();
+    /// Once a control period, after the scripts: counts the encoders and moves what they carry.
+    void stepConveyors();
     /// A person answers what a program asks for, the oldest question first. False when nothing is asked, or
     /// something of another type.
     bool answerRequest(const urscript::RequestAnswer& answer);
@@ -49,6 +52,23 @@ public:
     void endFreedrive() override;
     int freedriveStatus() const override;
     Result<void> setJointPositions(const JointPositions& q) override;
+    Result<void> resetRevolutionCounter(const JointPositions& qNear) override;
+    Result<void> screwDriving(double force, double speedLimit) override;
+    Result<void> endScrewDriving() override;
+
+    // SuperpositionHost
+    Result<void> enablePathOffset() override;
+    Result<void> setPathOffset(const Pose& offset, int type) override;
+    Result<Pose> pathOffset(int type) const override;
+    Result<void> setPathOffsetFilter(double alpha) override;
+    Result<void> setPathOffsetLimits(double translation, double rotation) override;
+    Result<void> trackConveyorLinear(const Pose& direction, double ticksPerMeter, int encoder) override;
+    Result<void> trackConveyorCircular(const Pose& center, double ticksPerRevolution, bool rotateTool,
+                                       int encoder) override;
+    Result<double> encoderTicks(int encoder) const override;
+    Result<void> setEncoderTicks(int encoder, double ticks) override;
+    Result<void> enableEncoder(int encoder, int decoder, int inputA, int inputB) override;
+    Result<void> setEncoderRange(int encoder, int rangeId) override;
 
     // StateHost
     JointPositions jointPositions(urscript::Source source) const override;
@@ -155,10 +175,13 @@ private:
     const arm::ArmState& state() const;
     const DhParameters& dh() const;
     Result<void> accepted(urscript::ThreadId thread, const arm::MotionStart& start);
+    Result<void> begunForces(const arm::ForceModeParameters& parameters);
 
     Plant& plant_;
     std::map<urscript::ThreadId, arm::MotionId> motions_;  ///< unfinished, by thread; 0: done at once
     ScriptSockets sockets_;
+    Encoders encoders_;
+    int trackedEncoder_ = 0;  ///< which of them moves the conveyor that is tracked
     TerminalRules rules_;
     bool wasRunning_ = false;
     bool freedriveWanted_ = false;

@@ -3,6 +3,8 @@
 // The motion part of ScriptHost: URScript's commands in the arm's words.
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/simulator/plant.h"
@@ -18,6 +20,10 @@ using urscript::Move;
 constexpr double kOptimoveJointAcceleration = 10.0;  ///< [rad/s2] at 1
 constexpr double kOptimoveToolSpeed = 1.0;           ///< [m/s] at 1
 constexpr double kOptimoveToolAcceleration = 2.5;    ///< [m/s2] at 1
+
+/// Freedrive does not begin while more than this acts on the tool that the payload does not explain [N]. The
+/// controller's own threshold is not published.
+constexpr double kUnexplainedInFreedrive = 50.0;
 
 Error refusal(arm::MotionError error, int joint) {
     std::string text;
@@ -100,8 +106,10 @@ struct Starter {
         return arm.motion().directTorque(torque.torque, torque.viscous.value_or(all),
                                          torque.coulomb.value_or(all));
     }
-    arm::MotionStart operator()(const urscript::StopSuperposition&) const {
-        return {};  // nothing is superposed here, so nothing has to stop
+    // The command does not say which of the two it ends; a conveyor goes first.
+    arm::MotionStart operator()(const urscript::StopSuperposition& stop) const {
+        return arm.superposition().tracksConveyor() ? arm.endConveyorTracking(stop.deceleration)
+                                                    : arm.endPathOffset(stop.deceleration);
     }
 };
 
@@ -144,11 +152,31 @@ void ScriptHost::motionAbandoned(urscript::ThreadId thread) {
     }
 }
 
-Result<void> ScriptHost::forceMode(const urscript::ForceMode& mode) {
-    const arm::ForceModeParameters parameters{mode.taskFrame, mode.compliant, mode.wrench, mode.type,
-                                              mode.limits};
+Result<void> ScriptHost::begunForces(const arm::ForceModeParameters& parameters) {
+    if (plant_.arm().superposition().active()) {
+        return urscript::scriptError("force mode and path offset or conveyor tracking exclude each other");
+    }
     const arm::MotionError error = plant_.arm().compliance().startForceMode(parameters);
     return error == arm::MotionError::None ? Result<void>() : Result<void>(refusal(error, -1));
+}
+
+Result<void> ScriptHost::forceMode(const urscript::ForceMode& mode) {
+    return begunForces({mode.taskFrame, mode.compliant, mode.wrench, mode.type, mode.limits});
+}
+
+// Force mode along the tool's z axis; the other axes follow the program.
+Result<void> ScriptHost::screwDriving(double force, double speedLimit) {
+    arm::ForceModeParameters parameters;
+    parameters.compliant[2] = true;
+    parameters.wrench.force.z() = force;
+    parameters.limits[2] = std::abs(speedLimit);
+    parameters.followTool = true;
+    return begunForces(parameters);
+}
+
+Result<void> ScriptHost::endScrewDriving() {
+    plant_.arm().compliance().endForceMode();
+    return {};
 }
 
 void ScriptHost::endForceMode() {
@@ -174,6 +202,15 @@ double ScriptHost::forceModeGainScaling() const {
 }
 
 Result<void> ScriptHost::freedrive(const urscript::Freedrive& mode) {
+    arm::Arm& arm = plant_.arm();
+    if (arm.superposition().active()) {
+        return urscript::scriptError("freedrive and path offset or conveyor tracking exclude each other");
+    }
+    if (mode.checkPayload && !arm.compliance().isFreedrive() &&
+        arm.unexplainedForce() > kUnexplainedInFreedrive) {
+        arm.raiseProtectiveStop(arm::StopReason::WrongPayload);
+        return {};
+    }
     const arm::FreedriveParameters parameters{mode.freeAxes, mode.feature, mode.tool};
     const arm::MotionError error = plant_.arm().compliance().startFreedrive(parameters);
     return error == arm::MotionError::None ? Result<void>() : Result<void>(refusal(error, -1));
@@ -189,6 +226,22 @@ int ScriptHost::freedriveStatus() const {
 
 Result<void> ScriptHost::setJointPositions(const JointPositions& q) {
     plant_.arm().setJointPositions(q);
+    return {};
+}
+
+// Only wrist 3 of the smallest arms turns without end, and only whole turns are forgotten.
+Result<void> ScriptHost::resetRevolutionCounter(const JointPositions& qNear) {
+    constexpr double kTurn = 2 * std::numbers::pi;
+    arm::Arm& arm = plant_.arm();
+    const RobotModelId id = arm.model().id;
+    if (id == RobotModelId::UR3 || id == RobotModelId::UR3e) {
+        JointPositions q = arm.state().targetQ;
+        const double turns = std::round((q[5] - qNear[5]) / kTurn);
+        if (turns != 0) {
+            q[5] -= turns * kTurn;
+            arm.setJointPositions(q);
+        }
+    }
     return {};
 }
 

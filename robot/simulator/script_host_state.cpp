@@ -169,8 +169,8 @@ urscript::Payload ScriptHost::payload() const {
     return {now.mass, now.centreOfGravity, now.inertia};
 }
 
-Result<void> ScriptHost::setPayload(const urscript::Payload& payload, double, bool zeroSensor) {
-    plant_.arm().setPayload({payload.mass, payload.centreOfGravity, payload.inertia});
+Result<void> ScriptHost::setPayload(const urscript::Payload& payload, double transition, bool zeroSensor) {
+    plant_.arm().setPayload({payload.mass, payload.centreOfGravity, payload.inertia}, transition);
     if (zeroSensor) {
         plant_.arm().zeroForceSensor();
     }
@@ -198,7 +198,11 @@ void ScriptHost::zeroForceSensor() {
 
 Result<void> ScriptHost::setExternalForceSensor(const urscript::ExternalForceSensor& sensor) {
     plant_.setExternalSensorInUse(sensor.enabled && sensor.viaRtde);
-    return {};
+    // A sensor that falls silent pauses the program, unless the program asks for something else.
+    constexpr double kLeastFrequency = 10.0;
+    const auto action =
+        sensor.enabled && sensor.viaRtde ? urscript::WatchdogAction::Pause : urscript::WatchdogAction::Ignore;
+    return plant_.watchdogs().set("external_force_torque", kLeastFrequency, action);
 }
 
 }  // namespace tiller::simulator

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "robot/simulator/arm/arm_geometry.h"
@@ -31,6 +32,7 @@ struct Arm::Parts {
         , geometry(model)
         , generator(geometry, period, options.start)
         , complianceController(geometry, generator, period)
+        , superposition(geometry, generator.limits(), period)
         , sensors(geometry, period, options.seed, options.ideal)
         , torque(sensors.dynamics())
         , motion(generator)
@@ -44,6 +46,69 @@ struct Arm::Parts {
         sensors.update(complianceController.target(), drive, environment, state);
         state.speedScaling = generator.speedScaling();
         state.speedFraction = generator.speedFraction();
+    }
+
+    /// The program's target with what is laid over it.
+    const JointTarget& layOver() {
+        if (!superposition.active()) {
+            superposed = generator.target();
+            return superposed;
+        }
+        std::optional<StopReason> stop;
+        if (generator.protectiveStop()) {
+            stop = generator.protectiveStop()->reason;
+        } else {
+            stop = superposition.step(generator.target(), generator.isHeld(), superposed);
+        }
+        if (stop) {
+            superposition.drop();
+            generator.raiseFrom(superposed, *stop);
+            superposed = generator.target();
+        }
+        return superposed;
+    }
+
+    /// The program goes on from where offset and conveyor have brought the arm.
+    void foldSuperposition() {
+        if (superposition.active()) {
+            generator.relocate(superposed);
+        }
+    }
+
+    MotionStart endSuperposition(void (Superposition::*end)(), double deceleration) {
+        foldSuperposition();
+        (superposition.*end)();
+        return generator.stopJ(deceleration);
+    }
+
+    void stepPayload() {
+        if (payloadLeft <= 0) {
+            return;
+        }
+        payloadLeft = std::max(0.0, payloadLeft - period);
+        const double part = 1 - payloadLeft / payloadTime;
+        Payload now;
+        now.mass = payloadFrom.mass + part * (payloadTo.mass - payloadFrom.mass);
+        now.centreOfGravity =
+            payloadFrom.centreOfGravity + part * (payloadTo.centreOfGravity - payloadFrom.centreOfGravity);
+        now.inertia = payloadFrom.inertia + part * (payloadTo.inertia - payloadFrom.inertia);
+        sensors.setPayload(now);
+    }
+
+    /// Stops the arm makes by what it feels.
+    void watchForces() {
+        if (drive != DriveState::Running || generator.protectiveStop()) {
+            return;
+        }
+        const bool hit = sensors.contactForce() > environment.forceLimit();
+        const int joint = hit ? -1 : sensors.overloadedJoint();
+        if (!hit && joint < 0) {
+            return;
+        }
+        complianceController.drop();
+        superposition.drop();
+        generator.relocate(complianceController.target());
+        generator.raise(hit ? StopReason::TcpForceLimit : StopReason::Overload, joint);
     }
 
     void remember() {
@@ -61,6 +126,7 @@ struct Arm::Parts {
     ArmGeometry geometry;
     MotionGenerator generator;
     ComplianceController complianceController;
+    Superposition superposition;
     Sensors sensors;
     TorqueMotion torque;
     Motion motion;
@@ -68,6 +134,12 @@ struct Arm::Parts {
     Environment environment;
     ArmState state;
     DriveState drive = DriveState::Off;
+    JointTarget superposed;  ///< as commanded while something is laid over the path
+    std::optional<Wrench> externalForce;
+    Payload payloadFrom;
+    Payload payloadTo;
+    double payloadTime = 0;
+    double payloadLeft = 0;  ///< [s] of a transition
     std::vector<Vector6> joints;
     std::vector<Eigen::Vector3d> forces;
 };
@@ -82,18 +154,18 @@ Arm::~Arm() = default;
 void Arm::step() {
     Parts& p = *parts_;
     ++p.state.controlStep;
+    p.stepPayload();
+    if (p.generator.followsTorque()) {
+        p.torque.setExternal(p.sensors.unexplainedTorques());
+    }
     p.generator.step();
-    p.complianceController.apply(p.state.tcpForce, p.sensors.unexplained(), p.drive == DriveState::Running);
+    p.complianceController.apply(p.layOver(), p.externalForce.value_or(p.state.tcpForce),
+                                 p.sensors.unexplained(), p.drive == DriveState::Running);
     p.measure();
     const bool stands = p.state.targetQd.values.isZero(0);
     p.state.standstillTime = stands ? p.state.standstillTime + p.period : 0.0;
     p.remember();
-    if (p.sensors.contactForce() > p.environment.forceLimit() && p.drive == DriveState::Running &&
-        !p.generator.protectiveStop()) {
-        p.complianceController.drop();
-        p.generator.relocate(p.complianceController.target());
-        p.generator.raise(StopReason::TcpForceLimit, -1);
-    }
+    p.watchForces();
 }
 
 double Arm::period() const {
@@ -116,6 +188,42 @@ Compliance& Arm::compliance() {
     return parts_->compliance;
 }
 
+Superposition& Arm::superposition() {
+    return parts_->superposition;
+}
+
+MotionStart Arm::endPathOffset(double deceleration) {
+    return parts_->endSuperposition(&Superposition::endOffset, deceleration);
+}
+
+MotionStart Arm::endConveyorTracking(double deceleration) {
+    return parts_->endSuperposition(&Superposition::endTracking, deceleration);
+}
+
+Pose Arm::targetPoseAlongPath() const {
+    return Pose(parts_->geometry.tcpPose(parts_->generator.target().q));
+}
+
+Twist Arm::targetSpeedAlongPath() const {
+    Posture posture;
+    const JointTarget& target = parts_->generator.target();
+    parts_->geometry.evaluate(target.q, posture);
+    return Twist::fromVector(posture.jacobian * target.qd);
+}
+
+void Arm::setToolSpeedLimit(const std::optional<double>& limit) {
+    parts_->generator.setToolSpeedLimit(limit.value_or(std::numeric_limits<double>::infinity()));
+}
+
+void Arm::raiseProtectiveStop(StopReason reason) {
+    Parts& p = *parts_;
+    if (!p.generator.protectiveStop()) {
+        p.superposition.drop();
+        p.generator.relocate(p.complianceController.target());
+        p.generator.raise(reason, -1);
+    }
+}
+
 Environment& Arm::environment() {
     return parts_->environment;
 }
@@ -128,6 +236,10 @@ void Arm::setDriveState(DriveState state) {
     }
     if (!running) {
         parts_->complianceController.drop();
+        if (parts_->superposition.active()) {
+            parts_->superposition.drop();
+            parts_->generator.relocate({parts_->superposed.q, Vector6::Zero()});
+        }
     }
     parts_->generator.setOperational(running);
 }
@@ -160,6 +272,8 @@ void Arm::abort(double deceleration) {
         p.complianceController.drop();
         p.generator.relocate(p.complianceController.target());
     }
+    p.foldSuperposition();
+    p.superposition.drop();
     p.generator.abort(deceleration);
 }
 
@@ -186,8 +300,14 @@ const Pose& Arm::tcp() const {
     return parts_->geometry.tcp();
 }
 
-void Arm::setPayload(const Payload& payload) {
-    parts_->sensors.setPayload(payload);
+void Arm::setPayload(const Payload& payload, double transition) {
+    Parts& p = *parts_;
+    p.payloadFrom = p.sensors.payload();
+    p.payloadTo = payload;
+    p.payloadTime = p.payloadLeft = std::isfinite(transition) ? std::max(0.0, transition) : 0.0;
+    if (p.payloadLeft <= 0) {
+        p.sensors.setPayload(payload);
+    }
 }
 
 const Payload& Arm::payload() const {
@@ -202,6 +322,14 @@ const Eigen::Vector3d& Arm::gravity() const {
     return parts_->sensors.gravity();
 }
 
+void Arm::setExternalForce(const std::optional<Wrench>& wrench) {
+    parts_->externalForce = wrench;
+}
+
+double Arm::unexplainedForce() const {
+    return parts_->sensors.unexplained().force.norm();
+}
+
 void Arm::zeroForceSensor() {
     parts_->sensors.zeroForce();
 }
@@ -209,8 +337,9 @@ void Arm::zeroForceSensor() {
 void Arm::setJointPositions(const JointPositions& q) {
     Parts& p = *parts_;
     p.complianceController.drop();
+    p.superposition.drop();
     p.generator.relocate({q.values, Vector6::Zero()});
-    p.complianceController.apply({}, {}, p.drive == DriveState::Running);
+    p.complianceController.apply(p.layOver(), {}, {}, p.drive == DriveState::Running);
     p.sensors.place(q.values);
     p.measure();
     std::fill(p.joints.begin(), p.joints.end(), p.state.actualQ.values);

@@ -21,6 +21,7 @@
 #include "robot/simulator/arm/environment.h"
 #include "robot/simulator/arm/motion.h"
 #include "robot/simulator/arm/motion_types.h"
+#include "robot/simulator/arm/superposition.h"
 
 namespace tiller::simulator::arm {
 
@@ -45,8 +46,10 @@ public:
     const RobotModel& model() const;
     const ArmState& state() const;
 
-    Motion& motion();            ///< moves, servo, speed, stops
-    Compliance& compliance();    ///< force mode, freedrive
+    Motion& motion();          ///< moves, servo, speed, stops
+    Compliance& compliance();  ///< force mode, freedrive
+    /// Path offset and conveyor tracking. To be begun only while neither force mode nor freedrive is active.
+    Superposition& superposition();
     Environment& environment();  ///< what is really there: load, hand, planes
 
     // power and program time
@@ -63,6 +66,18 @@ public:
     /// `deceleration` [rad/s2] of the leading axis. For stops of the program and of category 1.
     void abort(double deceleration = 10.0);
 
+    /// Ends path offset or conveyor tracking and brakes all joints; `deceleration` [rad/s2] of the leading
+    /// axis. The program goes on from where the arm then is.
+    MotionStart endPathOffset(double deceleration);
+    MotionStart endConveyorTracking(double deceleration);
+    /// Where the program's path is without what is laid over it, and how fast it moves there.
+    Pose targetPoseAlongPath() const;
+    Twist targetSpeedAlongPath() const;
+    /// Highest TCP speed [m/s] of programmed motion, as in reduced mode; nothing: no limit but the joints'.
+    void setToolSpeedLimit(const std::optional<double>& limit);
+    /// Stops as if the arm had found `reason` itself.
+    void raiseProtectiveStop(StopReason reason);
+
     /// The stop the arm made by itself, until cleared.
     const std::optional<ProtectiveStop>& protectiveStop() const;
     void clearProtectiveStop();
@@ -73,11 +88,17 @@ public:
     void setTcp(const Pose& T_flange_tcp);
     const Pose& tcp() const;
     /// Payload as configured. Unless environment().setLoad() said otherwise the arm carries exactly this.
-    void setPayload(const Payload& payload);
+    /// transition [s]  the configured payload changes evenly to the new one in that time
+    void setPayload(const Payload& payload, double transition = 0);
     const Payload& payload() const;
     /// Acceleration the base experiences; upright [0, 0, 9.82] m/s2.
     void setGravity(const Eigen::Vector3d& gravity);
     const Eigen::Vector3d& gravity() const;
+    /// What an external sensor measures (base axes at the TCP); nothing: the arm's own sensor counts. Force
+    /// mode follows it.
+    void setExternalForce(const std::optional<Wrench>& wrench);
+    /// What pushes on the tool besides what the controller knows of [N]: hand, contact, unknown weight.
+    double unexplainedForce() const;
     /// zero_ftsensor(): the present reading becomes zero.
     void zeroForceSensor();
     /// set_pos(): places the arm at rest; drops every command.

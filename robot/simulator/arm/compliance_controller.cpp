@@ -16,6 +16,9 @@ constexpr double kDampingLinearMore = 2000;
 constexpr double kDampingAngular = 8;  // Nm s/rad
 constexpr double kDampingAngularMore = 80;
 constexpr double kPathStiffness = 10;  // 1/s: how non-compliant axes return to the path
+// Limits below this would end force mode for what the arm's own control leaves.
+constexpr double kLeastDeviation = 2e-3;  // m
+constexpr double kLeastTurn = 0.02;       // rad
 
 // Freedrive.
 const Vector6 kJointInertia = (Vector6() << 2.0, 2.0, 1.2, 0.3, 0.3, 0.3).finished();  // kg m2
@@ -118,8 +121,8 @@ int ComplianceController::freedriveStatus() const {
     return margin < kTooCloseToSingular ? 2 : margin < kNearSingular ? 1 : 0;
 }
 
-const JointTarget& ComplianceController::apply(const Wrench& measured, const Wrench& external,
-                                               bool operational) {
+const JointTarget& ComplianceController::apply(const JointTarget& program, const Wrench& measured,
+                                               const Wrench& external, bool operational) {
     if (!operational) {
         drop();
     } else if (forceMode_ && generator_.protectiveStop()) {
@@ -131,13 +134,16 @@ const JointTarget& ComplianceController::apply(const Wrench& measured, const Wre
     } else if (freedrive_) {
         stepFreedrive(external);
     } else {
-        command_ = generator_.target();
+        command_ = program;
     }
     return command_;
 }
 
 Eigen::Matrix3d ComplianceController::forceFrame(const Eigen::Vector3d& tcp,
                                                  const Eigen::Vector3d& tcpVelocity) const {
+    if (force_.followTool) {
+        return posture_.T_base_tcp.linear();
+    }
     const Eigen::Isometry3d T = force_.T_base_task.transform();
     Eigen::Matrix3d R = T.linear();
     if (force_.type == 1) {
@@ -165,6 +171,18 @@ Eigen::Matrix3d ComplianceController::forceFrame(const Eigen::Vector3d& tcp,
     return R;
 }
 
+// `way`: what the axes lack to where the program wants them, force frame.
+bool ComplianceController::deviates(const Vector6& way) const {
+    for (int i = 0; i < 6; ++i) {
+        const double least = i < 3 ? kLeastDeviation : kLeastTurn;
+        if (!force_.compliant[static_cast<std::size_t>(i)] &&
+            std::abs(way[i]) > std::max(force_.limits[i], least)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 void ComplianceController::stepForceMode(const Wrench& measured) {
     geometry_.evaluate(command_.q, posture_);
     const JointTarget& program = generator_.target();
@@ -183,6 +201,14 @@ void ComplianceController::stepForceMode(const Wrench& measured) {
         const Eigen::Quaterniond turn(program_.T_base_tcp.linear() *
                                       posture_.T_base_tcp.linear().transpose());
         const Eigen::Vector3d rotation = vectorFromQuaternion(turn) - covered.tail<3>();
+        Vector6 lag;
+        lag << R.transpose() * way, R.transpose() * rotation;
+        if (deviates(lag)) {
+            forceMode_ = false;
+            generator_.raiseFrom(command_, StopReason::PathDeviation);
+            command_ = generator_.target();
+            return;
+        }
         wanted.head<3>() += kPathStiffness * (R.transpose() * way);
         wanted.tail<3>() += kPathStiffness * (R.transpose() * rotation);
     }

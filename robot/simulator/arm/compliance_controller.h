@@ -28,14 +28,17 @@ public:
 
     /// Ends both without a stop of its own.
     void drop();
-    /// The program's target becomes the commanded one. `measured`: TCP force as the controller sees it;
-    /// `external`: what really pushes at the TCP, without load and noise; both base axes about the TCP.
-    const JointTarget& apply(const Wrench& measured, const Wrench& external, bool operational);
+    /// `program`, the target asked for, becomes the commanded one. `measured`: TCP force as the controller
+    /// sees it; `external`: what really pushes at the TCP, without load and noise; both base axes about the
+    /// TCP.
+    const JointTarget& apply(const JointTarget& program, const Wrench& measured, const Wrench& external,
+                             bool operational);
     const JointTarget& target() const { return command_; }
 
 private:
     Eigen::Matrix3d forceFrame(const Eigen::Vector3d& tcp, const Eigen::Vector3d& tcpVelocity) const;
     void stepForceMode(const Wrench& measured);
+    bool deviates(const Vector6& way) const;
     void stepFreedrive(const Wrench& external);
     bool takeTwist(const Vector6& twist);
 

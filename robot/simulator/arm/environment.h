@@ -2,7 +2,7 @@
 #pragma once
 
 // What the arm meets that the controller does not know: the load it really carries, a hand that pushes it,
-// flat surfaces the tool can touch.
+// surfaces and boxes the tool can touch, conveyors that run.
 
 #include <Eigen/Core>
 #include <array>
@@ -13,13 +13,25 @@
 
 namespace tiller::simulator::arm {
 
+/// How a surface answers the tool.
+struct ContactMaterial {
+    double stiffness = 20000;  ///< [N/m]
+    double damping = 200;      ///< [N s/m]
+    double friction = 0.2;     ///< of the normal force, against sliding
+};
+
 /// A flat surface; the TCP cannot go behind it without being pushed back along the normal.
 struct ContactPlane {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();    ///< [m], base frame
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outwards; normalised when added
-    double stiffness = 20000;                           ///< [N/m]
-    double damping = 200;                               ///< [N s/m]
-    double friction = 0.2;                              ///< of the normal force, against sliding
+    ContactMaterial material = {};
+};
+
+/// A solid box; the TCP is pushed out of it through the nearest face.
+struct ContactBox {
+    Pose T_base_box;                                        ///< its centre and axes
+    Eigen::Vector3d size = Eigen::Vector3d::Constant(0.1);  ///< whole edges along its axes [m]
+    ContactMaterial material = {};
 };
 
 class Environment {
@@ -34,23 +46,39 @@ public:
 
     /// Adds a surface; false when kMaxPlanes exist or the plane makes no sense.
     bool addPlane(const ContactPlane& plane);
-    void clearPlanes() { planeCount_ = 0; }
+    /// Adds a box; false when kMaxBoxes exist or the box makes no sense.
+    bool addBox(const ContactBox& box);
+    void clearSurfaces() { planeCount_ = boxCount_ = 0; }
+
+    /// Runs a conveyor: what its encoder (0 or 1) counts [ticks/s]. Not a number is ignored.
+    void setConveyorSpeed(int encoder, double ticksPerSecond);
+    const std::array<double, 2>& conveyorSpeeds() const { return conveyorSpeeds_; }
 
     /// Force above which contact is a protective stop [N].
     void setForceLimit(double force) { forceLimit_ = force; }
     double forceLimit() const { return forceLimit_; }
 
-    /// What the surfaces exert at a TCP at `position` with `velocity`, base axes [N]; no torque about the
-    /// TCP.
+    /// What surfaces and boxes exert at a TCP at `position` with `velocity`, base axes [N]; no torque about
+    /// the TCP.
     Eigen::Vector3d contactForce(const Eigen::Vector3d& position, const Eigen::Vector3d& velocity) const;
 
     static constexpr int kMaxPlanes = 8;
+    static constexpr int kMaxBoxes = 8;
 
 private:
+    struct Box {
+        Eigen::Isometry3d T_base_box = Eigen::Isometry3d::Identity();
+        Eigen::Vector3d half = Eigen::Vector3d::Zero();
+        ContactMaterial material = {};
+    };
+
     std::optional<Payload> load_;
     Wrench hand_;
     std::array<ContactPlane, kMaxPlanes> planes_{};
+    std::array<Box, kMaxBoxes> boxes_{};
+    std::array<double, 2> conveyorSpeeds_{};
     int planeCount_ = 0;
+    int boxCount_ = 0;
     double forceLimit_ = 250;
 };
 

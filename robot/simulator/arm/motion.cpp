@@ -80,6 +80,12 @@ const char* stopReasonName(StopReason reason) {
             return "JointSpeedLimit";
         case StopReason::TcpForceLimit:
             return "TcpForceLimit";
+        case StopReason::PathDeviation:
+            return "PathDeviation";
+        case StopReason::Overload:
+            return "Overload";
+        case StopReason::WrongPayload:
+            return "WrongPayload";
     }
     return "";
 }

@@ -214,11 +214,19 @@ void MotionGenerator::startStop(double deceleration, MotionId id) {
 void MotionGenerator::startVelocity(MotionId id, std::optional<double> t) {
     supersede();
     path_.drop();
+    // A period is not a whole part of a time stretched by the slider; what a command took too long must not
+    // add up from one to the next.
+    const bool follows = mode_ == Mode::Velocity && !blocking_ && sinceReturned_ == 0;
+    const double spent = follows && t ? overrun_ : 0.0;
+    overrun_ = 0;
+    if (mode_ != Mode::Velocity) {
+        velocityPace_ = programScale_;
+    }
     mode_ = Mode::Velocity;
     activeId_ = id;
     blocking_ = true;
     blocksUntilSpeed_ = !t.has_value();
-    blockingLeft_ = t.value_or(0);
+    blockingLeft_ = t.value_or(0) - spent;
     sinceReturned_ = 0;
 }
 
@@ -261,6 +269,17 @@ void MotionGenerator::stepScale() {
     }
     const double rate = std::min(kFastestRamp, kRampAcceleration / std::max(programRate_, 1e-3));
     programScale_ = std::clamp(wanted, programScale_ - rate * period_, programScale_ + rate * period_);
+}
+
+// What is left of joint velocities so that the tool keeps its limit, 0..1.
+double MotionGenerator::toolSpeedFactor(const Vector6& qd) const {
+    if (!std::isfinite(toolSpeedLimit_)) {
+        return 1;
+    }
+    Posture posture;
+    geometry_.evaluate(state_.q, posture);
+    const double speed = (posture.jacobian * qd).head<3>().norm();
+    return speed > toolSpeedLimit_ ? toolSpeedLimit_ / speed : 1.0;
 }
 
 // Finds a pace for this step at which every joint stays within speed and acceleration.
@@ -344,7 +363,8 @@ void MotionGenerator::stepPath() {
     const bool realTime = path_.current().realTime;
     path_.prepare(programScale_ * period_);
     double scale = pathScale_;
-    const double target = std::min(programScale_, pathScale_ + 0.5 * kFastestRamp * period_);
+    const double most = programScale_ * toolSpeedFactor(candidate_.rateProgram * programScale_);
+    const double target = std::min(most, pathScale_ + 0.5 * kFastestRamp * period_);
     int limited = -1;
     if (const auto failure = chooseStep(target, scale, candidate_, limited)) {
         pathFailed(*failure, limited);
@@ -387,8 +407,10 @@ void MotionGenerator::stepVelocity() {
     }
     int joint = -1;
     const JointTarget before = state_;
-    const std::optional<StopReason> stop = velocity_.step(programScale_, state_, joint);
-    scaling_ = velocity_.slowedBy() * std::clamp(programScale_ / std::max(slider_, 1e-3), 0.0, 1.0);
+    const Vector6 rates = state_.qd / std::max(velocityPace_, 1e-2);
+    velocityPace_ = programScale_ * toolSpeedFactor(rates * programScale_);
+    const std::optional<StopReason> stop = velocity_.step(velocityPace_, state_, joint);
+    scaling_ = velocity_.slowedBy() * std::clamp(velocityPace_ / std::max(slider_, 1e-3), 0.0, 1.0);
     programRate_ = state_.qd.cwiseAbs().maxCoeff() / std::max(programScale_, 1e-2);
     if (stop) {
         state_ = before;
@@ -405,6 +427,8 @@ void MotionGenerator::stepVelocity() {
         if (over) {
             blocking_ = false;
             sinceReturned_ = 0;
+            overrun_ =
+                servoC || blocksUntilSpeed_ ? 0.0 : std::clamp(-blockingLeft_, 0.0, period_ * programScale_);
             finish(activeId_, MotionProgress::Returned);
         }
         return;

@@ -5,6 +5,7 @@
 // what is asked of the joints.
 
 #include <array>
+#include <limits>
 #include <optional>
 
 #include "robot/simulator/arm/arm_geometry.h"
@@ -38,6 +39,10 @@ public:
     Pose targetWaypoint() const;
     bool isActive() const { return mode_ != Mode::Rest; }
     bool followsPath() const { return mode_ == Mode::Path; }
+    bool followsTorque() const { return mode_ == Mode::Torque; }
+    /// Highest TCP speed of the program [m/s]; infinity where nothing limits it. Slows the motion down on its
+    /// path, which shows in speedScaling().
+    void setToolSpeedLimit(double limit) { toolSpeedLimit_ = limit; }
 
     // the arm
     void step();
@@ -98,6 +103,7 @@ private:
     bool moving() const { return state_.qd.cwiseAbs().maxCoeff() > 1e-9; }
 
     void stepScale();
+    double toolSpeedFactor(const Vector6& qd) const;
     void stepPath();
     void stepStop();
     void stepVelocity();
@@ -129,7 +135,9 @@ private:
     double programScale_ = 1;  // slider and pause, ramped
     double pathScale_ = 1;     // the same, and what the limits leave of it
     double scaling_ = 1;
-    double programRate_ = 0;  // fastest joint, in program time
+    double programRate_ = 0;   // fastest joint, in program time
+    double velocityPace_ = 1;  // program time as the last velocity step took it
+    double toolSpeedLimit_ = std::numeric_limits<double>::infinity();
 
     MotionId lastId_ = 0;
     MotionId activeId_ = 0;
@@ -144,6 +152,8 @@ private:
     std::optional<ProtectiveStop> protectiveStop_;
     std::array<MotionWarning, kMaxWarnings> warnings_{};
     int warningCount_ = 0;
+    // Program time by which the last timed speed or servo command overran: the next one is shorter by it.
+    double overrun_ = 0;
 };
 
 }  // namespace tiller::simulator::arm

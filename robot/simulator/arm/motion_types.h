@@ -66,6 +66,9 @@ enum class StopReason : std::uint8_t {
     JointPositionLimit,  ///< a joint was driven to the end of its range
     JointSpeedLimit,     ///< the path cannot be followed within the joint limits
     TcpForceLimit,       ///< contact with the environment above the limit
+    PathDeviation,       ///< force mode: an axis that is not compliant left its path
+    Overload,            ///< what the arm carries is more than its joints can hold
+    WrongPayload,        ///< freedrive with a load the controller was not told of, or pushed when it began
 };
 
 struct ProtectiveStop {
@@ -90,6 +93,7 @@ struct ForceModeParameters {
     int type = 2;                     ///< 1, 2 or 3: how the frame is turned
     /// Compliant axes: highest TCP speed [m/s, rad/s]; others: largest deviation from the path [m, rad].
     Vector6 limits = Vector6::Constant(0.1);
+    bool followTool = false;  ///< the axes are always those of the tool; T_base_task is not used
 };
 
 /// freedrive_mode().

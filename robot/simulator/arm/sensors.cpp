@@ -215,6 +215,7 @@ void Sensors::updateForces(const Environment& environment, DriveState drive, Arm
 void Sensors::updateDrives(DriveState drive, ArmState& state) {
     if (drive != DriveState::Running) {
         // The brakes carry the arm.
+        needed_.setZero();
         state.targetMoment = state.actualMoment = state.externalTorque = JointTorques();
         state.targetCurrent.setZero();
         state.actualCurrent.setZero();
@@ -224,7 +225,8 @@ void Sensors::updateDrives(DriveState drive, ArmState& state) {
     }
     const Vector6 expected =
         model_.torques(state.targetQ.values, state.targetQd.values, state.targetQdd.values);
-    const Vector6 needed = real_.torques(q_, qd_, qdd_, external_);
+    needed_ = real_.torques(q_, qd_, qdd_, external_);
+    const Vector6& needed = needed_;
     const auto perCurrent = Eigen::Map<const Vector6>(geometry_.model().torquePerCurrent.data());
     state.targetMoment.values = expected;
     state.targetCurrent = expected.cwiseQuotient(perCurrent);
@@ -243,6 +245,21 @@ void Sensors::updateDrives(DriveState drive, ArmState& state) {
     const Matrix6 damped = J * J.transpose() + 1e-6 * Matrix6::Identity();
     state.wrenchFromCurrents =
         Wrench::fromVector(-damped.partialPivLu().solve(J * state.externalTorque.values));
+}
+
+Vector6 Sensors::unexplainedTorques() const {
+    return actual_.jacobian.transpose() * unexplained_.vector();
+}
+
+int Sensors::overloadedJoint() {
+    const auto most = Eigen::Map<const Vector6>(geometry_.model().maxTorque.data());
+    if ((needed_.cwiseAbs().array() <= most.array()).all()) {
+        return -1;
+    }
+    // Hard braking may ask for as much for a moment; what counts is what stays at rest.
+    const Vector6 holding = real_.torques(q_, Vector6::Zero(), Vector6::Zero(), external_);
+    Eigen::Index joint = 0;
+    return (holding.cwiseAbs().array() - most.array()).maxCoeff(&joint) > 0 ? static_cast<int>(joint) : -1;
 }
 
 void Sensors::updateSupply(DriveState drive, ArmState& state) {

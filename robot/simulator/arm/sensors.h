@@ -46,6 +46,10 @@ public:
     /// What pushes at the TCP besides what the controller knows of: hand, contact, weight it was not told of.
     const Wrench& unexplained() const { return unexplained_; }
     double contactForce() const { return contact_; }
+    /// The same by joint [Nm].
+    Vector6 unexplainedTorques() const;
+    /// A joint that could not even hold still what acts on it now, or -1.
+    int overloadedJoint();
 
 private:
     void updateKinematics(const JointTarget& target, ArmState& state);
@@ -68,6 +72,7 @@ private:
     Vector6 q_ = Vector6::Zero();  // where the joints really are
     Vector6 qd_ = Vector6::Zero();
     Vector6 qdd_ = Vector6::Zero();
+    Vector6 needed_ = Vector6::Zero();  // torque of the joints
     Posture target_;
     Posture actual_;
     Twist targetTwist_;

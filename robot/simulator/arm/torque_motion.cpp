@@ -22,7 +22,7 @@ void TorqueMotion::command(const JointTorques& torques, const Vector6& viscousSc
 
 bool TorqueMotion::step(double period, const JointLimits& limits, JointTarget& state) {
     const Matrix6 mass = dynamics_.massMatrix(state.q);
-    const Vector6 free = torques_ - dynamics_.coriolis(state.q, state.qd);
+    const Vector6 free = torques_ + external_ - dynamics_.coriolis(state.q, state.qd);
     // Friction is taken implicitly: it can stop a joint but not turn it round.
     Matrix6 effective = mass;
     for (int j = 0; j < kJointCount; ++j) {

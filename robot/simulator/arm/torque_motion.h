@@ -15,12 +15,15 @@ public:
 
     /// torques [Nm] without gravity; scales 0..1: how much of the friction is compensated.
     void command(const JointTorques& torques, const Vector6& viscousScale, const Vector6& coulombScale);
+    /// What pushes on the joints besides the command [Nm]: hands, contact, a load it was not told of.
+    void setExternal(const Vector6& torques) { external_ = torques; }
     /// One control period. False if a joint has come to the end of its range.
     bool step(double period, const JointLimits& limits, JointTarget& state);
 
 private:
     Dynamics& dynamics_;
     Vector6 torques_ = Vector6::Zero();
+    Vector6 external_ = Vector6::Zero();
     Vector6 viscous_ = Vector6::Zero();  // Nm s/rad that remain
     Vector6 coulomb_ = Vector6::Zero();  // Nm that remain
 };

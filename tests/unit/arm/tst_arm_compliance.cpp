@@ -60,7 +60,7 @@ void TestArmCompliance::forceModeHoldsTenNewtonOnASurface() {
     arm.run(0.1);
     arm->zeroForceSensor();
     const double z = arm.state().targetTcpPose.position.z();
-    arm->environment().addPlane({.point = {0, 0, z - 0.01}, .stiffness = stiffness});
+    arm->environment().addPlane({.point = {0, 0, z - 0.01}, .material = {.stiffness = stiffness}});
     arm->compliance().setDamping(damping);
     arm->compliance().setGainScaling(gain);
     QCOMPARE(arm->compliance().startForceMode(pushDown(-10)), MotionError::None);
@@ -140,8 +140,9 @@ void TestArmCompliance::movingSidewaysKeepsTheForce() {
     WatchedArm arm;
     const Pose start = arm.state().targetTcpPose;
     // The surface falls away by 1 mm in 100 mm.
-    arm->environment().addPlane(
-        {.point = start.position - Eigen::Vector3d(0, 0, 0.005), .normal = {0.01, 0, 1}, .friction = 0});
+    arm->environment().addPlane({.point = start.position - Eigen::Vector3d(0, 0, 0.005),
+                                 .normal = {0.01, 0, 1},
+                                 .material = {.friction = 0}});
     arm->compliance().startForceMode(pushDown(-10));
     arm.run(3);
     QVERIFY(std::abs(arm.state().tcpForce.force.z() - 10) < 1);

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What is laid over the programmed path: a Cartesian offset, and a conveyor that carries the path along. The
+// program goes on as if neither were there; the tool goes where program, offset and conveyor say together. A
+// jump of either is caught up with smoothly; the path itself is never delayed by it.
+// Source: URScript path_offset_*, track_conveyor_*.
+
+#include "robot/core/spatial.h"
+#include "robot/simulator/arm/arm_geometry.h"
+#include "robot/simulator/arm/joint_limits.h"
+#include "robot/simulator/arm/motion_types.h"
+
+namespace tiller::simulator::arm {
+
+/// Axes in which an offset is given. Values: URScript's.
+enum class OffsetFrame : std::uint8_t {
+    Base = 1,
+    Tool = 2,
+    Motion = 3,  ///< x along the tangent of the path, y normal to it and to the tool's z
+    World = 4,   ///< taken as the base: the controller's mounting is not known here (unconfirmed)
+};
+
+class Superposition {
+public:
+    Superposition(const ArmGeometry& geometry, const JointLimits& limits, double period)
+        : geometry_(geometry), limits_(limits), period_(period) {}
+
+    // the offset
+    void enableOffset();
+    /// offset  position [m] and rotation vector [rad] in the axes of `frame`; held to the limits
+    void setOffset(const Pose& offset, OffsetFrame frame);
+    /// What is applied now, in the axes of `frame`.
+    Pose offset(OffsetFrame frame) const;
+    /// Per control period the applied offset goes this part of the way (0..1) to the one set.
+    void setFilter(double alpha);
+    /// translation [m], rotation [rad]; 0.1 and 0.52 at the start
+    void setLimits(double translation, double rotation);
+
+    // the conveyor
+    /// perTick  what one tick of the encoder moves [m], base axes
+    void trackLinear(const Eigen::Vector3d& perTick);
+    /// centre  turns about its z axis by `perTick` [rad]; the tool turns along or keeps its orientation
+    void trackCircular(const Pose& centre, double perTick, bool turnTool);
+    /// What the encoder has counted; where it stands when a tracking begins does not matter.
+    void setTravel(double ticks) { travel_ = ticks; }
+    bool tracksConveyor() const { return conveyor_ != Conveyor::None; }
+
+    bool active() const { return offsetOn_ || tracksConveyor(); }
+    /// The program goes on from where the arm is: what was laid over it until now is part of it.
+    void endOffset();
+    void endTracking();
+    void drop();
+
+    /// One control period: where the joints go when the program asks for `program`. `frozen`: neither offset
+    /// nor conveyor moves on (the program is paused).
+    /// Returns  why it cannot be, or nothing; `state` is then what to command
+    std::optional<StopReason> step(const JointTarget& program, bool frozen, JointTarget& state);
+
+private:
+    enum class Conveyor : std::uint8_t { None, Linear, Circular };
+
+    void begin();
+    void rebase();
+    Eigen::Matrix3d axes(OffsetFrame frame) const;
+    Eigen::Isometry3d laidOver(const Eigen::Isometry3d& T) const;
+    void settle(const Vector6& rate, const Vector6& goal, JointTarget& state);
+
+    const ArmGeometry& geometry_;
+    const JointLimits& limits_;
+    double period_;
+
+    bool offsetOn_ = false;
+    OffsetFrame frame_ = OffsetFrame::Base;
+    Vector6 wanted_ = Vector6::Zero();   // in the axes of frame_
+    Vector6 applied_ = Vector6::Zero();  // same
+    double alpha_ = 1;
+    double mostTranslation_ = 0.1;
+    double mostRotation_ = 0.52;
+
+    Conveyor conveyor_ = Conveyor::None;
+    Eigen::Vector3d perTick_ = Eigen::Vector3d::Zero();
+    Eigen::Isometry3d centre_ = Eigen::Isometry3d::Identity();
+    double anglePerTick_ = 0;
+    bool turnTool_ = false;
+    double travel_ = 0;
+    double zero_ = 0;     // of the travel
+    double carried_ = 0;  // the travel that is applied, from zero_ on
+
+    bool started_ = false;
+    Posture program_;
+    Posture posture_;
+    Eigen::Matrix3d pathAxes_ = Eigen::Matrix3d::Identity();
+    Eigen::Isometry3d goalPose_ = Eigen::Isometry3d::Identity();
+    Vector6 goal_ = Vector6::Zero();
+    Vector6 rate_ = Vector6::Zero();
+    Vector6 slip_ = Vector6::Zero();  // velocity of the arm less that of the goal
+};
+
+}  // namespace tiller::simulator::arm

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The two conveyor encoders of a controller: counted from pulses on the first four digital inputs, or told
+// their count by a program. Source: URScript encoder_*.
+
+#include <array>
+#include <cstdint>
+
+namespace tiller::simulator {
+
+class Encoders {
+public:
+    static constexpr int kCount = 2;
+
+    /// decoder  0 none, 1 quadrature, 2 both edges of A, 3 rising edges of A, 4 falling edges of A
+    /// inputA, inputB  digital inputs 0..3
+    void enablePulses(int encoder, int decoder, int inputA, int inputB);
+    /// The program sets the count, which wraps by `range`: 0 int32, 1 uint8, 2 uint16, 3 uint24, 4 uint32.
+    void enableCount(int encoder, int range);
+    void set(int encoder, double ticks);
+    double ticks(int encoder) const { return at(encoder).ticks; }
+    /// What has been counted since the start, without the jumps of a count that wraps; a count set by hand
+    /// while pulses are decoded moves nothing.
+    double travel(int encoder) const { return at(encoder).travel; }
+    /// The count as RTDE tells it.
+    std::int32_t raw(int encoder) const;
+
+    /// One control period. conveyorSpeeds  what else the decoders see in that time [ticks/s]
+    void step(std::uint64_t digitalInputs, const std::array<double, 2>& conveyorSpeeds, double dt);
+
+private:
+    struct Encoder {
+        int decoder = 0;
+        int inputA = 0;
+        int inputB = 1;
+        unsigned lines = 0;    ///< A and B as last seen
+        bool counted = false;  ///< the program sets the count
+        double wrap = 0;       ///< after so many ticks it begins anew
+        double least = 0;
+        double ticks = 0;
+        double travel = 0;
+    };
+    const Encoder& at(int encoder) const { return encoders_[static_cast<std::size_t>(encoder)]; }
+    Encoder& at(int encoder) { return encoders_[static_cast<std::size_t>(encoder)]; }
+    static double pulses(Encoder& encoder, std::uint64_t inputs);
+    static double wrapped(const Encoder& encoder, double ticks);
+
+    std::array<Encoder, kCount> encoders_;
+};
+
+}  // namespace tiller::simulator
