@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A client that does what ur_rtde 1.5.8 does: the start-up in its order, its recipes with their trailing
+// commas, its register protocol, its reaction to stops. In virtual time: whatever it waits for, it waits for
+// by moving the controller on one period and reading one package.
+// Source: control-script-requirements.md, part A.
+
+#include <array>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+
+#include "tests/integration/clients/register_script.h"
+#include "tests/integration/simulator/raw_client.h"
+
+namespace tiller::test {
+
+using Six = std::array<double, 6>;
+
+class RegisterClient {
+public:
+    enum Recipe : char {
+        kMove = 1,
+        kServo,
+        kForce,
+        kNothing,
+        kServoCircular,
+        kSix,
+        kFour,
+        kOne,
+        kInt,
+        kFourteen,
+        kKick,
+        kTwelve,
+        kSpeed,
+        kJog,
+        kPath,
+        kUntilContact,
+        kFreedrive,
+        kExternalForce,
+        kSensor,
+        kStop
+    };
+    struct State {
+        quint32 robotBits = 0;
+        quint32 safetyBits = 0;
+        quint32 runtime = 0;
+        std::array<qint32, 3> ints{};
+        Six doubles{};
+    };
+
+    RegisterClient(VirtualRobot& robot, int offset = 0) : robot_(robot), offset_(offset) {}
+
+    /// The start-up, step by step; false, with `trouble` telling the step, where ur_rtde would give up.
+    bool connect();
+    bool upload(const QByteArray& path = {});
+
+    /// Step by step as its command function: false where it returns false.
+    bool command(Recipe recipe, int id, std::initializer_list<double> doubles = {},
+                 std::initializer_list<int> ints = {});
+    /// Of those it does not wait for.
+    bool realtime(Recipe recipe, int id, std::initializer_list<double> doubles = {},
+                  std::initializer_list<int> ints = {}) {
+        return waitReady() && send(recipe, id, doubles, ints);
+    }
+    bool send(Recipe recipe, int id, const std::vector<double>& doubles, const std::vector<int>& ints);
+    bool clear() { return send(kNothing, 0, {}, {}); }
+    /// Moves on one control period.
+    void step(int ticks = 1);
+    template <class Condition>
+    bool until(Condition condition, double seconds) {
+        for (int n = static_cast<int>(seconds / robot_.controller.stepTime()); n > 0; --n) {
+            if (condition()) {
+                return true;
+            }
+            step();
+        }
+        return condition();
+    }
+    /// Ends the script as its path and custom-script functions do.
+    bool stopScript();
+    void disconnect();
+
+    const State& state() const { return state_; }
+    simulator::Truth truth() const { return robot_.controller.truth(); }
+    RawDashboard& dashboard() { return *dashboard_; }
+    RawClient& scriptSocket() { return *script_; }
+
+    QByteArray trouble;
+
+private:
+    bool waitReady();
+    bool fail(const char* step) {
+        trouble = step;
+        return false;
+    }
+    QByteArray ints(int first, int count) const { return names("input_int_register_", first, count); }
+    QByteArray doubles(int first, int count) const { return names("input_double_register_", first, count); }
+    QByteArray names(const char* prefix, int first, int count) const {
+        QByteArray list;
+        for (int i = first; i < first + count; ++i) {
+            list += prefix + QByteArray::number(i + offset_) + ',';
+        }
+        return list;
+    }
+    bool inMode(quint32 safetyBit) const { return (state_.safetyBits >> safetyBit & 1U) != 0; }
+
+    VirtualRobot& robot_;
+    int offset_;
+    std::unique_ptr<RawDashboard> dashboard_;
+    std::unique_ptr<RawRtde> rtde_;
+    std::unique_ptr<RawClient> script_;
+    State state_;
+};
+
+}  // namespace tiller::test
