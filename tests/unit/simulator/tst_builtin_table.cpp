@@ -9,7 +9,6 @@
 #include <QTcpServer>
 #include <QTest>
 #include <map>
-#include <set>
 
 #include "robot/simulator/plant.h"
 #include "robot/simulator/program_runner.h"
@@ -22,29 +21,6 @@ using urscript::Builtin;
 namespace {
 
 const char* const kBegin = "<!-- builtins: written by tst_builtin_table -->\n";
-
-/// Of arms that have no superposed motion yet: they end the program, saying so.
-bool isNotYet(const Builtin& b) {
-    static const std::set<std::string> kNames{
-        "conveyor_pulse_decode",
-        "encoder_enable_pulse_decode",
-        "encoder_enable_set_tick_count",
-        "encoder_get_tick_count",
-        "encoder_set_tick_count",
-        "get_conveyor_tick_count",
-        "path_offset_enable",
-        "path_offset_get",
-        "path_offset_set",
-        "path_offset_set_alpha_filter",
-        "path_offset_set_max_offset",
-        "reset_revolution_counter",
-        "screw_driving",
-        "set_conveyor_tick_count",
-        "track_conveyor_circular",
-        "track_conveyor_linear",
-    };
-    return kNames.contains(b.name);
-}
 
 QString since(const urscript::Since& s) {
     if (s.minor5 == urscript::kNever) {
@@ -65,9 +41,6 @@ QString since(const urscript::Since& s) {
 QString state(const Builtin& b) {
     if (b.needs != nullptr) {
         return QStringLiteral("error: needs %1").arg(QString::fromLatin1(b.needs));
-    }
-    if (isNotYet(b)) {
-        return QStringLiteral("error: not simulated yet");
     }
     return b.function == urscript::setting ? QStringLiteral("taken, without effect")
                                            : QStringLiteral("works");
@@ -259,9 +232,7 @@ private Q_SLOTS:
             }
         }
         QVERIFY2(began, error.constData());
-        if (isNotYet(b)) {
-            QVERIFY2(error.isEmpty() || error.endsWith(" is not simulated"), error.constData());
-        } else if (b.needs == nullptr) {
+        if (b.needs == nullptr) {
             QCOMPARE(error, QByteArray());
         } else {
             QCOMPARE(error, QByteArray(b.name.c_str()) + " needs " + b.needs + ", which is not simulated");
