@@ -128,6 +128,8 @@ const JointTarget& ComplianceController::apply(const JointTarget& program, const
     } else if (forceMode_ && generator_.protectiveStop()) {
         forceMode_ = false;
         generator_.raiseFrom(command_, generator_.protectiveStop()->reason);
+        command_ = generator_.target();
+        return command_;
     }
     if (forceMode_) {
         stepForceMode(measured);
