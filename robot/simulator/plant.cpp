@@ -16,6 +16,8 @@ constexpr double kEmergencyStopTime = 0.5;
 constexpr double kEmergencyDeceleration = 15.0;  ///< [rad/s2]
 /// In reduced mode the program is slowed to this [m/s]. What an installation sets it to is its own affair.
 constexpr double kReducedToolSpeed = 0.75;
+/// While a joint stands outside its safety limits. Source: modes.md 3.1.
+constexpr double kRecoveryToolSpeed = 0.25;
 
 arm::ArmOptions armOptions(const ControllerOptions& options) {
     arm::ArmOptions arm;
@@ -51,6 +53,12 @@ StopMessage stopMessage(arm::StopReason reason) {
             return {159, "force mode left the programmed path by more than its limits allow"};
     }
     return {153, ""};
+}
+
+/// A robot's real-time thread is busy for so long [ms]; the same in each run.
+double executionTime(std::uint64_t tick, bool programActive) {
+    const auto scatter = static_cast<double>(tick * 2654435761U >> 8U & 0xFFU) / 255.0;
+    return (programActive ? 0.52 : 0.45) + 0.06 * scatter;
 }
 
 arm::DriveState driveState(const PowerSystem& power) {
@@ -128,7 +136,9 @@ void Plant::step() {
 void Plant::stepArm() {
     host_->stepConveyors();
     arm_.setExternalForce(externalSensor_ ? std::optional(externalForce_) : std::nullopt);
-    arm_.setToolSpeedLimit(safety_.isReduced() ? std::optional(kReducedToolSpeed) : std::nullopt);
+    arm_.setToolSpeedLimit(safety_.mode() == SafetyMode::Recovery ? std::optional(kRecoveryToolSpeed)
+                           : safety_.isReduced()                  ? std::optional(kReducedToolSpeed)
+                                                                  : std::nullopt);
     arm_.setSpeedFraction(speedSlider_);
     arm_.step();
 }
@@ -176,7 +186,7 @@ void Plant::reactToSafety() {
         case SafetyMode::ProtectiveStop:
             arm_.compliance().endForceMode();
             arm_.compliance().endFreedrive();
-            programs_->pause();
+            programs_->haltForProtectiveStop();
             pausedBySafeguard_ = false;
             break;
         case SafetyMode::SafeguardStop:
@@ -360,6 +370,7 @@ void Plant::refreshTelemetry() {
     t.software = options_.software;
     t.tick = tick_;
     t.timestamp = timestamp();
+    t.executionTime = executionTime(tick_, programs_->isActive());
     t.robotMode = power_.mode();
     t.safetyMode = safety_.mode();
     t.safetyStatus = safety_.status();
@@ -377,8 +388,9 @@ void Plant::refreshTelemetry() {
     t.jointMode = jointMode(power_);
     t.speedSlider = speedSlider_;
     t.speedScaling = programs_->isActive() ? t.arm->speedScaling : 0.0;
-    t.timeScaleSource = programs_->isActive() ? 1 : 0;
+    t.timeScaleSource = programs_->isActive() ? t.arm->scaledBy : arm::TimeScaleSource::NoProgram;
     t.scriptLine = programs_->currentLine();
+    t.encoders = {host_->encoders().raw(0), host_->encoders().raw(1)};
     t.tcpOffset = arm_.tcp();
     t.payload = arm_.payload();
     t.gravity = arm_.gravity();

@@ -109,6 +109,7 @@ void ProgramRunner::startMain(std::shared_ptr<const Program> program) {
     main_ = std::make_unique<Interpreter>(std::move(program), host_, limits);
     ended_ = false;
     state_ = RuntimeState::Playing;
+    begun_ = plant_.elapsed();
     ++starts_;
     plant_.publish(primary::key(plant_.timestampNs(), primary::kProgramStarted, name_));
 }
@@ -155,6 +156,9 @@ void ProgramRunner::stepMain() {
             break;
     }
     if (ended_) {
+        if (plant_.elapsed() - begun_ < kLeastPlaying - 0.5 * plant_.stepTime()) {
+            return;
+        }
         main_.reset();
         if (arm.isStandstill()) {
             finishStopping();
@@ -228,6 +232,14 @@ void ProgramRunner::pause() {
         main_->pause();
         plant_.arm().hold();
         state_ = RuntimeState::Pausing;
+    }
+}
+
+void ProgramRunner::haltForProtectiveStop() {
+    if (fromFile_) {
+        pause();
+    } else {
+        beginStopping();
     }
 }
 

@@ -27,6 +27,9 @@ public:
     /// A stop takes at least this long, so that clients can see it under way [s].
     static constexpr double kStopTime = 0.02;
 
+    /// So does a program, however short: a client that looks less often than every period misses none [s].
+    static constexpr double kLeastPlaying = 0.01;
+
     ProgramRunner(Plant& plant, ScriptHost& host);
     ~ProgramRunner() { endAll(); }
     ProgramRunner(const ProgramRunner&) = delete;
@@ -47,6 +50,9 @@ public:
     void endAll();
     void pause();
     void resume();
+    /// A protective stop: a program from a file waits for `play`, one that came over a socket ends and has to
+    /// be sent again. Source: modes.md 3.2, 5.2.
+    void haltForProtectiveStop();
 
     RuntimeState state() const { return state_; }
     /// Anything but stopped.
@@ -93,9 +99,10 @@ private:
     std::string name_;  ///< of the main program
     RuntimeState state_ = RuntimeState::Stopped;
     double stopping_ = 0;  ///< [s] in STOPPING
+    double begun_ = 0;     ///< when the main program started [s]
     std::uint64_t starts_ = 0;
     bool fromFile_ = false;
-    bool ended_ = false;  ///< the main body ended; told in the next period
+    bool ended_ = false;  ///< the main body ended; told in a later period
     bool runningSecondary_ = false;
 };
 

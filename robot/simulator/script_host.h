@@ -32,6 +32,7 @@ public:
     void beginPeriod();
     /// Once a control period, after the scripts: counts the encoders and moves what they carry.
     void stepConveyors();
+    const Encoders& encoders() const { return encoders_; }
     /// A person answers what a program asks for, the oldest question first. False when nothing is asked, or
     /// something of another type.
     bool answerRequest(const urscript::RequestAnswer& answer);
@@ -174,11 +175,16 @@ public:
 private:
     const arm::ArmState& state() const;
     const DhParameters& dh() const;
-    Result<void> accepted(urscript::ThreadId thread, const arm::MotionStart& start);
+    struct Motion {
+        arm::MotionId id = 0;
+        bool settles = false;  ///< a stop, which waits until the arm has come to rest
+        double settled = 0;    ///< [s] since it stands
+    };
+    bool comesToRest(Motion& motion) const;
     Result<void> begunForces(const arm::ForceModeParameters& parameters);
 
     Plant& plant_;
-    std::map<urscript::ThreadId, arm::MotionId> motions_;  ///< unfinished, by thread; 0: done at once
+    std::map<urscript::ThreadId, Motion> motions_;  ///< unfinished, by thread
     ScriptSockets sockets_;
     Encoders encoders_;
     int trackedEncoder_ = 0;  ///< which of them moves the conveyor that is tracked

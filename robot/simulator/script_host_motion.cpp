@@ -25,6 +25,10 @@ constexpr double kOptimoveToolAcceleration = 2.5;    ///< [m/s2] at 1
 /// controller's own threshold is not published.
 constexpr double kUnexplainedInFreedrive = 50.0;
 
+/// How long a stop waits for the arm to come to rest [s]. Not published; a client of others takes moves that
+/// end in a stop and are over sooner than this for failed.
+constexpr double kSettling = 0.04;
+
 Error refusal(arm::MotionError error, int joint) {
     std::string text;
     switch (error) {
@@ -115,30 +119,42 @@ struct Starter {
 
 }  // namespace
 
-Result<void> ScriptHost::accepted(urscript::ThreadId thread, const arm::MotionStart& start) {
+Result<void> ScriptHost::startMotion(urscript::ThreadId thread, const urscript::MotionCommand& command) {
+    const arm::MotionStart start = std::visit(Starter{plant_.arm()}, command);
     if (!start.ok()) {
         return refusal(start.error, start.joint);
     }
-    motions_[thread] = start.id;
+    const bool stop =
+        std::holds_alternative<urscript::StopJ>(command) || std::holds_alternative<urscript::StopL>(command);
+    motions_[thread] = {start.id, stop, 0};
     return {};
 }
 
-Result<void> ScriptHost::startMotion(urscript::ThreadId thread, const urscript::MotionCommand& command) {
-    return accepted(thread, std::visit(Starter{plant_.arm()}, command));
+// What the target has ended, the arm has not: a stop waits a little for it, unless it stands already.
+bool ScriptHost::comesToRest(Motion& motion) const {
+    if (motion.settles && state().standstillTime < kSettling && motion.settled < kSettling) {
+        motion.settled += stepTime();
+        return false;
+    }
+    return true;
 }
 
 Result<bool> ScriptHost::motionFinished(urscript::ThreadId thread) {
     const auto it = motions_.find(thread);
-    if (it == motions_.end() || it->second == 0) {
+    if (it == motions_.end()) {
         return true;
     }
-    switch (plant_.arm().motion().progress(it->second)) {
+    switch (plant_.arm().motion().progress(it->second.id)) {
         case arm::MotionProgress::Running:
             return false;
         case arm::MotionProgress::Failed:
             // The program is about to be paused; it may go on behind the move once it is resumed.
             return !plant_.safety().isProtectiveStopped() && !plant_.arm().protectiveStop();
         case arm::MotionProgress::Returned:
+            if (!comesToRest(it->second)) {
+                return false;
+            }
+            break;
         case arm::MotionProgress::Superseded:
             break;
     }
@@ -193,6 +209,9 @@ double ScriptHost::forceModeDamping() const {
 }
 
 Result<void> ScriptHost::setForceModeGainScaling(double scaling) {
+    if (plant_.options().software.isCb3()) {
+        return urscript::scriptError("force_mode_set_gain_scaling: not on this series of controllers");
+    }
     plant_.arm().compliance().setGainScaling(scaling);
     return {};
 }

@@ -144,8 +144,8 @@ Result<Matrix6> ScriptHost::jacobianTimeDerivative(const std::optional<JointPosi
                    (2 * kStep));
 }
 
-Result<Matrix6> ScriptHost::massMatrix(const std::optional<JointPositions>& q, bool) const {
-    return plant_.arm().massMatrix(q.value_or(state().actualQ));
+Result<Matrix6> ScriptHost::massMatrix(const std::optional<JointPositions>& q, bool includeRotors) const {
+    return plant_.arm().massMatrix(q.value_or(state().actualQ), includeRotors);
 }
 
 Result<JointTorques> ScriptHost::coriolisTorques(const std::optional<JointPositions>& q,

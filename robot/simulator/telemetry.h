@@ -4,6 +4,7 @@
 // Everything a client can be told about the robot, as of the end of one control period: what the RTDE,
 // primary and realtime encoders read from. Refers to the plant's own data; valid until its next step.
 
+#include <array>
 #include <cstdint>
 
 #include "robot/core/modes.h"
@@ -27,8 +28,8 @@ struct Telemetry {
     SoftwareVersion software;
 
     std::uint64_t tick = 0;
-    double timestamp = 0;        ///< [s] since the controller started
-    double executionTime = 0.4;  ///< [ms] of the real-time thread
+    double timestamp = 0;      ///< [s] since the controller started
+    double executionTime = 0;  ///< [ms] of the real-time thread, as on a robot: no measurement of this one
 
     RobotMode robotMode = RobotMode::PowerOff;
     SafetyMode safetyMode = SafetyMode::Normal;
@@ -48,8 +49,9 @@ struct Telemetry {
 
     double speedSlider = 1;
     double speedScaling = 0;  ///< 0 while no program runs
-    std::int32_t timeScaleSource = 0;
+    arm::TimeScaleSource timeScaleSource = arm::TimeScaleSource::NoProgram;
     std::uint32_t scriptLine = 0;
+    std::array<std::int32_t, 2> encoders{};  ///< counts of the conveyor encoders
 
     Pose tcpOffset;
     arm::Payload payload;

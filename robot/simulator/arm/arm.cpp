@@ -45,7 +45,10 @@ struct Arm::Parts {
     void measure() {
         sensors.update(complianceController.target(), drive, environment, state);
         state.speedScaling = generator.speedScaling();
+        state.scaledBy = generator.scaledBy();
         state.speedFraction = generator.speedFraction();
+        state.collisionRatio =
+            environment.forceLimit() > 0 ? sensors.contactForce() / environment.forceLimit() : 0.0;
     }
 
     /// The program's target with what is laid over it.
@@ -373,8 +376,8 @@ int Arm::toolContact(const Eigen::Vector3d& direction) const {
     return steps;
 }
 
-Matrix6 Arm::massMatrix(const JointPositions& q) const {
-    return parts_->sensors.dynamics().massMatrix(q.values);
+Matrix6 Arm::massMatrix(const JointPositions& q, bool rotors) const {
+    return parts_->sensors.dynamics().massMatrix(q.values, rotors);
 }
 
 JointTorques Arm::coriolisTorques(const JointPositions& q, const JointVelocities& qd) const {

@@ -109,7 +109,8 @@ public:
     std::optional<JointPositions> jointHistory(int steps) const;
     /// tool_contact(): control periods since contact began, 0 = none. Direction in base axes, zero = any.
     int toolContact(const Eigen::Vector3d& direction) const;
-    Matrix6 massMatrix(const JointPositions& q) const;
+    /// rotors  with the inertia of the motors, as the joints feel it
+    Matrix6 massMatrix(const JointPositions& q, bool rotors = false) const;
     JointTorques coriolisTorques(const JointPositions& q, const JointVelocities& qd) const;
 
 private:

@@ -30,6 +30,15 @@ enum class DriveState : std::uint8_t {
     Running,  ///< powered, brakes released, position control
 };
 
+/// What slows program time. Numbers as RTDE tells them.
+enum class TimeScaleSource : std::int32_t {
+    Other = -1,
+    NoProgram = 0,
+    NotScaled = 1,
+    ToolSpeed = 8,
+    JointSpeed = 10,
+};
+
 struct ArmState {
     // joints
     JointPositions targetQ;                         ///< target_q [rad]
@@ -73,11 +82,15 @@ struct ArmState {
     double toolCurrent{};      ///< [A]
     double toolTemperature{};  ///< tool_temperature [degC]
     double energyConsumed{};   ///< actual_robot_energy_consumed [J]
+    double energyBraked{};     ///< actual_robot_braking_energy_dissipated [J]
+    /// collision_detection_ratio: contact force by the force that stops the arm; 1 is a protective stop.
+    double collisionRatio{};
 
     // motion
     /// Factor by which the trajectory limiter, a pause or a resume slows the motion now, 0..1
     /// (speed_scaling). The speed slider is not part of it.
     double speedScaling = 1;
+    TimeScaleSource scaledBy = TimeScaleSource::NotScaled;  ///< what makes it less than 1 (time_scale_source)
     double speedFraction = 1;     ///< the speed slider as set (target_speed_fraction), 0..1
     double standstillTime{};      ///< for how long the target velocity has been zero [s]
     std::uint64_t controlStep{};  ///< control periods since construction

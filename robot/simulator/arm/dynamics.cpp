@@ -9,6 +9,10 @@
 namespace tiller::simulator::arm {
 
 namespace {
+/// Inertia of a motor behind its gear by the torque of the joint [kg m2/Nm]: no figures are public; this is
+/// in the order of what others identified.
+constexpr double kRotorInertia = 0.005;
+
 KDL::Vector toKdl(const Eigen::Vector3d& v) {
     return {v.x(), v.y(), v.z()};
 }
@@ -80,11 +84,15 @@ Vector6 Dynamics::torques(const Vector6& q, const Vector6& qd, const Vector6& qd
     return c.torque.data;
 }
 
-Matrix6 Dynamics::massMatrix(const Vector6& q) {
+Matrix6 Dynamics::massMatrix(const Vector6& q, bool rotors) {
     Chain& c = *chain_;
     Chain::set(c.q, q);
     c.parameters->JntToMass(c.q, c.mass);
-    return c.mass.data;
+    Matrix6 mass = c.mass.data;
+    if (rotors) {
+        mass.diagonal() += kRotorInertia * Eigen::Map<const Vector6>(c.model.maxTorque.data());
+    }
+    return mass;
 }
 
 Vector6 Dynamics::coriolis(const Vector6& q, const Vector6& qd) {

@@ -25,7 +25,8 @@ public:
 
     /// Torques at the joints [Nm] that produce qdd while `onFlange` (flange frame, about its origin) acts.
     Vector6 torques(const Vector6& q, const Vector6& qd, const Vector6& qdd, const Wrench& onFlange = {});
-    Matrix6 massMatrix(const Vector6& q);
+    /// rotors  the motors' too, as the joints feel them through their gears
+    Matrix6 massMatrix(const Vector6& q, bool rotors = false);
     Vector6 coriolis(const Vector6& q, const Vector6& qd);
     Vector6 gravityTorques(const Vector6& q);
 

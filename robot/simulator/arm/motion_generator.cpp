@@ -246,6 +246,7 @@ void MotionGenerator::step() {
         case Mode::Rest:
             state_.qd.setZero();
             scaling_ = held_ ? 0 : 1;
+            explainScaling(1, false);
             break;
         case Mode::Path:
             stepPath();
@@ -280,6 +281,14 @@ double MotionGenerator::toolSpeedFactor(const Vector6& qd) const {
     geometry_.evaluate(state_.q, posture);
     const double speed = (posture.jacobian * qd).head<3>().norm();
     return speed > toolSpeedLimit_ ? toolSpeedLimit_ / speed : 1.0;
+}
+
+// What has slowed this step; a pause and the way back from it are none of the limits.
+void MotionGenerator::explainScaling(double toolFactor, bool byJoints) {
+    scaledBy_ = byJoints              ? TimeScaleSource::JointSpeed
+                : toolFactor < 1      ? TimeScaleSource::ToolSpeed
+                : scaling_ < 1 - 1e-6 ? TimeScaleSource::Other
+                                      : TimeScaleSource::NotScaled;
 }
 
 // Finds a pace for this step at which every joint stays within speed and acceleration.
@@ -363,8 +372,8 @@ void MotionGenerator::stepPath() {
     const bool realTime = path_.current().realTime;
     path_.prepare(programScale_ * period_);
     double scale = pathScale_;
-    const double most = programScale_ * toolSpeedFactor(candidate_.rateProgram * programScale_);
-    const double target = std::min(most, pathScale_ + 0.5 * kFastestRamp * period_);
+    const double toolFactor = toolSpeedFactor(candidate_.rateProgram * programScale_);
+    const double target = std::min(programScale_ * toolFactor, pathScale_ + 0.5 * kFastestRamp * period_);
     int limited = -1;
     if (const auto failure = chooseStep(target, scale, candidate_, limited)) {
         pathFailed(*failure, limited);
@@ -378,6 +387,7 @@ void MotionGenerator::stepPath() {
     pathScale_ = scale;
     programRate_ = candidate_.rateProgram.cwiseAbs().maxCoeff();
     scaling_ = realTime ? 1 : std::clamp(scale / std::max(slider_, 1e-3), 0.0, 1.0);
+    explainScaling(toolFactor, !realTime && scale < target - 1e-6);
 
     if (goalId_ != 0 && !path_.nextWaiting()) {
         activeId_ = goalId_;
@@ -408,9 +418,11 @@ void MotionGenerator::stepVelocity() {
     int joint = -1;
     const JointTarget before = state_;
     const Vector6 rates = state_.qd / std::max(velocityPace_, 1e-2);
-    velocityPace_ = programScale_ * toolSpeedFactor(rates * programScale_);
+    const double toolFactor = toolSpeedFactor(rates * programScale_);
+    velocityPace_ = programScale_ * toolFactor;
     const std::optional<StopReason> stop = velocity_.step(velocityPace_, state_, joint);
     scaling_ = velocity_.slowedBy() * std::clamp(velocityPace_ / std::max(slider_, 1e-3), 0.0, 1.0);
+    explainScaling(toolFactor, velocity_.slowedBy() < 1);
     programRate_ = state_.qd.cwiseAbs().maxCoeff() / std::max(programScale_, 1e-2);
     if (stop) {
         state_ = before;
@@ -450,9 +462,10 @@ void MotionGenerator::stepTorque() {
         return;
     }
     const JointTarget before = state_;
-    if (!torque_->step(period_, limits_, state_)) {
+    int joint = -1;
+    if (const auto stop = torque_->step(period_, limits_, state_, joint)) {
         state_ = before;
-        raise(StopReason::JointPositionLimit, -1);
+        raise(*stop, joint);
         stepStop();
         return;
     }

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "robot/simulator/arm/arm_geometry.h"
+#include "robot/simulator/arm/arm_state.h"
 #include "robot/simulator/arm/joint_limits.h"
 #include "robot/simulator/arm/motion_types.h"
 #include "robot/simulator/arm/path_motion.h"
@@ -43,6 +44,7 @@ public:
     /// Highest TCP speed of the program [m/s]; infinity where nothing limits it. Slows the motion down on its
     /// path, which shows in speedScaling().
     void setToolSpeedLimit(double limit) { toolSpeedLimit_ = limit; }
+    TimeScaleSource scaledBy() const { return scaledBy_; }
 
     // the arm
     void step();
@@ -103,6 +105,7 @@ private:
     bool moving() const { return state_.qd.cwiseAbs().maxCoeff() > 1e-9; }
 
     void stepScale();
+    void explainScaling(double toolFactor, bool byJoints);
     double toolSpeedFactor(const Vector6& qd) const;
     void stepPath();
     void stepStop();
@@ -135,6 +138,7 @@ private:
     double programScale_ = 1;  // slider and pause, ramped
     double pathScale_ = 1;     // the same, and what the limits leave of it
     double scaling_ = 1;
+    TimeScaleSource scaledBy_ = TimeScaleSource::NotScaled;
     double programRate_ = 0;   // fastest joint, in program time
     double velocityPace_ = 1;  // program time as the last velocity step took it
     double toolSpeedLimit_ = std::numeric_limits<double>::infinity();

@@ -10,6 +10,7 @@ namespace tiller::simulator::arm {
 namespace {
 constexpr double kTrackingTime = 0.002;       // s, lag of the position control
 constexpr double kEncoderNoise = 4e-6;        // rad
+constexpr double kEncoderRest = 1e-4;         // rad/s
 constexpr double kVelocityNoise = 1e-4;       // rad/s
 constexpr double kCurrentNoise = 0.012;       // A
 constexpr double kForceNoise = 0.12;          // N
@@ -112,7 +113,10 @@ void Sensors::updateKinematics(const JointTarget& target, ArmState& state) {
     state.actualQd.values = qd_;
     if (!ideal_) {
         for (int j = 0; j < kJointCount; ++j) {
-            state.actualQ[j] += noise_(kEncoderNoise);
+            // A joint that stands gives the very same reading again and again.
+            if (std::abs(qd_[j]) > kEncoderRest) {
+                state.actualQ[j] += noise_(kEncoderNoise);
+            }
             state.actualQd[j] += noise_(kVelocityNoise);
         }
     }
@@ -288,6 +292,9 @@ void Sensors::updateSupply(DriveState drive, ArmState& state) {
         state.robotCurrent = std::max(0.0, state.robotCurrent + noise_(0.01));
     }
     state.energyConsumed += power * period_;
+    for (int j = 0; j < kJointCount; ++j) {
+        state.energyBraked += std::max(0.0, -state.actualMoment[j] * qd_[j]) * period_;
+    }
 }
 
 }  // namespace tiller::simulator::arm

@@ -20,8 +20,9 @@ void TorqueMotion::command(const JointTorques& torques, const Vector6& viscousSc
     coulomb_ = kCoulomb.cwiseProduct((1 - coulombScale.array().max(0).min(1)).matrix());
 }
 
-bool TorqueMotion::step(double period, const JointLimits& limits, JointTarget& state) {
-    const Matrix6 mass = dynamics_.massMatrix(state.q);
+std::optional<StopReason> TorqueMotion::step(double period, const JointLimits& limits, JointTarget& state,
+                                             int& joint) {
+    const Matrix6 mass = dynamics_.massMatrix(state.q, true);
     const Vector6 free = torques_ + external_ - dynamics_.coriolis(state.q, state.qd);
     // Friction is taken implicitly: it can stop a joint but not turn it round.
     Matrix6 effective = mass;
@@ -29,16 +30,19 @@ bool TorqueMotion::step(double period, const JointLimits& limits, JointTarget& s
         effective(j, j) += period * (viscous_[j] + coulomb_[j] / (kStickSpeed + std::abs(state.qd[j])));
     }
     Vector6 next = effective.ldlt().solve(mass * state.qd + period * free);
-    next *= limits.speedFactor(next);
     limits.cutToAcceleration(state.qd, next, period);
-    int joint = -1;
+    Eigen::Index fastest = 0;
+    if ((next.cwiseAbs() - limits.speed).maxCoeff(&fastest) > 0) {
+        joint = static_cast<int>(fastest);
+        return StopReason::JointSpeedLimit;
+    }
     const double factor = limits.rangeFactor(state.q, next, period, joint);
     if (factor < 0.999) {
-        return false;
+        return StopReason::JointPositionLimit;
     }
     state.q += 0.5 * (state.qd + next) * period;
     state.qd = next;
-    return true;
+    return std::nullopt;
 }
 
 }  // namespace tiller::simulator::arm

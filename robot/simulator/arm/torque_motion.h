@@ -4,8 +4,11 @@
 // direct_torque: the joints move as the commanded torques and the arm's inertia make them. Gravity is always
 // compensated, friction in part.
 
+#include <optional>
+
 #include "robot/simulator/arm/dynamics.h"
 #include "robot/simulator/arm/joint_limits.h"
+#include "robot/simulator/arm/motion_types.h"
 
 namespace tiller::simulator::arm {
 
@@ -17,8 +20,9 @@ public:
     void command(const JointTorques& torques, const Vector6& viscousScale, const Vector6& coulombScale);
     /// What pushes on the joints besides the command [Nm]: hands, contact, a load it was not told of.
     void setExternal(const Vector6& torques) { external_ = torques; }
-    /// One control period. False if a joint has come to the end of its range.
-    bool step(double period, const JointLimits& limits, JointTarget& state);
+    /// One control period. Why it cannot go on, if it cannot: a joint would become too fast, or has come to
+    /// the end of its range; `joint` says which.
+    std::optional<StopReason> step(double period, const JointLimits& limits, JointTarget& state, int& joint);
 
 private:
     Dynamics& dynamics_;

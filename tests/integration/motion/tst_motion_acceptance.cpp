@@ -295,6 +295,8 @@ void TestMotionAcceptance::forceModeHoldsTenNewton() {
     const Eigen::Vector3d start = robot.now().target();
     // An axis that turns away from the normal feels friction as force; that row is told without it.
     const double friction = type == 1 ? 0.0 : 0.2;
+    // And what it moves across that axis runs into the plane; the force that takes grows with the speed.
+    const double speed = type == 1 ? 0.03 : 0.05;
     robot.robot.controller.changeWorld([start, friction](simulator::arm::Environment& world) {
         simulator::arm::ContactPlane plane;
         plane.point = start - Eigen::Vector3d(0, 0, 0.01);
@@ -305,7 +307,9 @@ void TestMotionAcceptance::forceModeHoldsTenNewton() {
                ")\n  force_mode_set_gain_scaling(" + QByteArray::number(gain) + ")\n  force_mode(" + frame +
                ", " + selection + ", " + wrench + ", " + QByteArray::number(type) +
                ", [0.1,0.1,0.1,0.2,0.2,0.2])\n  sleep(3)\n  write_output_integer_register(0, 1)\n  sleep(2)\n"
-               "  p = get_target_tcp_pose()\n  p[0] = p[0] - 0.05\n  movel(p, a=0.3, v=0.05)\n"
+               "  p = get_target_tcp_pose()\n  p[0] = p[0] - 0.05\n  movel(p, a=0.3, v=" +
+               QByteArray::number(speed) +
+               ")\n"
                "  write_output_integer_register(0, 2)\n  sleep(1)\n  end_force_mode()\nend\n");
     QVERIFY(robot.until([&] { return robot.now().runtime == 2; }, 1));
     QVERIFY(robot.until([&] { return robot.now().runtime == 1; }, 30));

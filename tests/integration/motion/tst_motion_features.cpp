@@ -3,6 +3,7 @@
 // What is laid over a path (offsets, conveyors), and what stops or slows the arm: loads it was not told of,
 // reduced mode, hard contact. Programs over the primary interface, results over RTDE, in virtual time.
 
+#include <QSet>
 #include <QTest>
 #include <cmath>
 #include <numbers>
@@ -34,6 +35,24 @@ std::vector<qint32> errorCodes(RecordedRobot& robot) {
     }
     return codes;
 }
+
+/// The newest value of one INT32 output, told to a client of its own.
+class Watched {
+public:
+    Watched(RecordedRobot& robot, const QByteArray& name) : robot_(robot), rtde_(robot.robot.rtde()) {
+        ready =
+            rtde_.useVersion() && rtde_.setupOutputs(500, name) == QByteArray("\x01INT32") && rtde_.start();
+    }
+    qint32 now() {
+        robot_.step();
+        return intAt(rtde_.packages().back().payload, 1);
+    }
+    bool ready = false;
+
+private:
+    RecordedRobot& robot_;
+    RawRtde rtde_;
+};
 
 QByteArray number(double value) {
     return QByteArray::number(value, 'g', 17);
@@ -217,6 +236,11 @@ private Q_SLOTS:
         phase(false, true);
         phase(true, true);
         QCOMPARE(now().value[0], 10.0);
+        Watched pulses(*robot_, "encoder0_raw");
+        Watched told(*robot_, "encoder1_raw");
+        QVERIFY(pulses.ready && told.ready);
+        QCOMPARE(pulses.now(), 10);
+        QCOMPARE(told.now(), 0);
         // A count told by a program wraps as it is told to.
         robot_->send(
             "def told():\n  encoder_enable_set_tick_count(1, 2)\n"
@@ -225,6 +249,7 @@ private Q_SLOTS:
             "  write_output_integer_register(0, 2)\n  sync()\nend\n");
         QVERIFY(robot_->until([this] { return now().mark == 2; }, 2));
         QCOMPARE(now().value[1], 4.0);
+        QCOMPARE(told.now(), 4);
     }
 
     void aScrewdriverPressesAlongItsTool() {
@@ -304,6 +329,26 @@ private Q_SLOTS:
         QVERIFY(now().targetQ[5] < 6.3355451848);
     }
 
+    void aTorqueThatMakesAJointTooFastIsAProtectiveStop() {
+        auto options = VirtualRobot::options();
+        options.software = {5, 25, 0, 1254000};
+        robot_ = std::make_unique<RecordedRobot>(options);
+        QVERIFY(robot_->ready);
+        robot_->send("def torque():\n  while True:\n    direct_torque([30,0,0,0,0,0])\n  end\nend\n");
+        QVERIFY(stopped(5));
+        QCOMPARE(errorCodes(*robot_), std::vector<qint32>{153});
+    }
+
+    void forceModeThatLeavesThePathIsAProtectiveStop() {
+        // The elbow is at its limit for the path; what the force asks of it has to come from the other axes.
+        robot_->send(
+            "def leave():\n  force_mode(p[0,0,0,0,0,0], [0,0,1,0,0,0], [0,0,80,0,0,0], 2,"
+            " [0.003,0.003,1,0.03,0.03,0.03])\n  q = get_target_joint_positions()\n  q[2] = q[2] + 2\n"
+            "  movej(q, a=30, v=3.3)\nend\n");
+        QVERIFY(stopped(5));
+        QCOMPARE(errorCodes(*robot_), std::vector<qint32>{159});
+    }
+
     void aPathThroughASingularPositionIsAProtectiveStop() {
         QVERIFY(robot_->execute("def up():\n  set_pos([0,-1.2,0.6,-1,-1.5707,0])\nend\n"));
         robot_->send(
@@ -332,6 +377,35 @@ private Q_SLOTS:
         }
         QVERIFY2(fastest > 0.7 && fastest < 0.77, qPrintable(QString::number(fastest)));
         QVERIFY2(scaling < 0.9, qPrintable(QString::number(scaling)));
+    }
+
+    void whatSlowsAPathIsTold() {
+        constexpr qint32 kNoProgram = 0;
+        constexpr qint32 kNotScaled = 1;
+        constexpr qint32 kToolSpeed = 8;
+        constexpr qint32 kJointSpeed = 10;
+        Watched source(*robot_, "time_scale_source");
+        QVERIFY(source.ready);
+        QCOMPARE(source.now(), kNoProgram);
+        const auto during = [&](const QByteArray& move) {
+            robot_->send("def up():\n  p = get_target_tcp_pose()\n  p[2] = p[2] + 0.4\n  " + move +
+                         "\nend\n");
+            QSet<qint32> seen;
+            const double begin = now().time;
+            do {
+                seen.insert(source.now());
+            } while (now().runtime == 2 || now().time < begin + 0.1);
+            return seen;
+        };
+        const QByteArray up = "movel(p, a=3, v=1.5)";
+        QVERIFY(!during("movel(p, a=1, v=0.2)").contains(kToolSpeed));
+        QVERIFY(robot_->execute(
+            "def back():\n  movej([-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310])\nend\n"));
+        robot_->robot.controller.reducedMode(true);
+        robot_->run(0.6);
+        const QSet<qint32> reduced = during(up);
+        QVERIFY(reduced.contains(kToolSpeed) && reduced.contains(kNotScaled) &&
+                !reduced.contains(kJointSpeed));
     }
 
     void pauseFreezesAPathAndItGoesOn() {

@@ -105,9 +105,9 @@ private Q_SLOTS:
         row("reduced ends", true, {"f:reduced on"}, {"f:reduced off"}, running, stopped, 1);
         row("protective stop, idle", true, {}, {"f:protective-stop"}, running, stopped, 3);
         row("protective stop, moving", true, {kMoving, "t:0.7"}, {"f:protective-stop"}, running,
-            {Playing, Pausing, Paused}, 3);
+            {Playing, Stopping, Stopped}, 3);
         row("protective stop, by script", true, {}, {"p:def p():\n  protective_stop()\nend"}, running,
-            {Stopped, Pausing, Stopped}, 3);
+            {Stopped, Stopping, Stopped}, 3);
         row("protective stop, of a .urp program", true, {"d:load wait.urp", "d:play", "t:0.1"},
             {"f:protective-stop"}, running, {Playing, Paused}, 3);
         row("unlock before 5 s", true, {"f:protective-stop", "t:4.9"}, {"d:unlock protective stop"}, running,

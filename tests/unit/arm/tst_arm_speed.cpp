@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Speed and servo commands, stops, and the campaign of random commands.
+#include <Eigen/Cholesky>
 #include <QTest>
 #include <cmath>
 #include <numbers>
@@ -43,6 +44,8 @@ private Q_SLOTS:
     void servoJumpStaysWithinLimits();
     void servoCReachesItsTarget();
     void directTorqueMovesAndGravityIsCompensated();
+    void directTorqueAcceleratesAsTheInertiaSays();
+    void aTorqueThatMakesAJointTooFastIsAProtectiveStop();
     void randomCommandsKeepTheBounds();
 };
 
@@ -340,6 +343,38 @@ void TestArmSpeed::directTorqueMovesAndGravityIsCompensated() {
     arm.run(0.01);
     arm.rest();
     QVERIFY(arm.state().isStandstill());
+    QVERIFY2(arm.withinBounds(), arm.worst().c_str());
+}
+
+// What a torque does to a joint is the business of the arm's inertia alone, once friction is compensated.
+void TestArmSpeed::directTorqueAcceleratesAsTheInertiaSays() {
+    for (int j = 0; j < kJointCount; ++j) {
+        WatchedArm arm;
+        JointTorques torque;
+        torque[j] = j < 3 ? 5.0 : 0.2;
+        const Matrix6 mass = arm->massMatrix(arm.state().targetQ, true);
+        const Vector6 expected = mass.ldlt().solve(torque.values);
+        for (int n = 0; n < 10; ++n) {
+            arm->motion().directTorque(torque, Vector6::Ones(), Vector6::Ones());
+            arm.step();
+        }
+        // The pose has hardly changed.
+        const Vector6 reached = arm.state().targetQd.values / (10 * kTick);
+        QVERIFY2((reached - expected).norm() < 0.02 * expected.norm(), qPrintable(QString::number(j)));
+    }
+}
+
+void TestArmSpeed::aTorqueThatMakesAJointTooFastIsAProtectiveStop() {
+    WatchedArm arm;
+    for (int n = 0; n < 2000 && !arm->protectiveStop(); ++n) {
+        arm->motion().directTorque(JointTorques(30, 0, 0, 0, 0, 0), Vector6::Ones(), Vector6::Ones());
+        arm.step();
+    }
+    QVERIFY(arm->protectiveStop());
+    QCOMPARE(arm->protectiveStop()->reason, StopReason::JointSpeedLimit);
+    QCOMPARE(arm->protectiveStop()->joint, 0);
+    QVERIFY(arm.worstSpeed > 0.95);
+    arm.rest();
     QVERIFY2(arm.withinBounds(), arm.worst().c_str());
 }
 

@@ -36,7 +36,7 @@ class TestProgramRunner : public QObject {
     }
 
 private Q_SLOTS:
-    void aProgramOfOnePeriodIsSeenPlaying() {
+    void aProgramOfOnePeriodIsSeenPlayingForSome() {
         Plant plant(running());
         submit(plant, "def p():\n  set_standard_digital_out(0, True)\nend\n");
         QCOMPARE(plant.programs().state(), RuntimeState::Stopped);
@@ -44,7 +44,10 @@ private Q_SLOTS:
         QCOMPARE(plant.telemetry().runtimeState, RuntimeState::Playing);
         QCOMPARE(plant.telemetry().robotStatusBits(), 3U);
         QCOMPARE(plant.pins().digitalOutputs, 1ULL);
-        plant.step();
+        // Long enough for a client that looks at every second package.
+        steps(plant, 3);
+        QCOMPARE(plant.telemetry().runtimeState, RuntimeState::Playing);
+        steps(plant, 3);
         QCOMPARE(plant.telemetry().runtimeState, RuntimeState::Stopped);
     }
 
@@ -158,7 +161,7 @@ private Q_SLOTS:
         Plant plant(running());
         submit(plant, kEndless);
         steps(plant, 5);
-        plant.safety().protectiveStop();
+        plant.safety().set(simulator::SafetySystem::Input::Safeguard, true);
         steps(plant, 100);
         QVERIFY(plant.programs().isPaused());
         submit(plant, "def q():\n  set_standard_digital_out(0, True)\nend\n");
