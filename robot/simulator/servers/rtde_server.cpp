@@ -12,6 +12,10 @@ namespace {
 constexpr std::size_t kMostInputRecipes = 255;
 /// Bytes of one client read at a stretch, so that one that floods does not keep the others waiting.
 constexpr std::size_t kReadShare = 256 * 1024;
+/// A CB3 serves so many clients; a further one completes its handshake and is closed after so long [s].
+/// Source: rtde.md 5, from the vendor's forum.
+constexpr int kMostCb3Clients = 3;
+constexpr double kExtraCb3Client = 1.0;
 /// Owner of the inputs that a fault holds; clients count from 1.
 constexpr RtdeInputs::ClientId kNobodyHere = ~RtdeInputs::ClientId{0};
 }  // namespace
@@ -90,6 +94,9 @@ void RtdeServer::handle(Client& client, const rtde::PackageView& package) {
             onInputs(client, package.payload);
             break;
         case rtde::PackageType::Start:
+            if (!client.started && !client.leaves && placesAreTaken()) {
+                client.leaves = plant_.elapsed() + kExtraCb3Client;
+            }
             client.started = client.output && client.output->isValid();
             client.periods = 0;
             rtde::writeStartReply(reply_, client.started);
@@ -105,6 +112,13 @@ void RtdeServer::handle(Client& client, const rtde::PackageView& package) {
             break;  // taken note of, as the guide says: never answered
     }
     reply(client);
+}
+
+bool RtdeServer::placesAreTaken() const {
+    return plant_.options().software.isCb3() &&
+           std::count_if(clients_.begin(), clients_.end(), [](const auto& client) {
+               return client->started && !client->leaves;
+           }) >= kMostCb3Clients;
 }
 
 void RtdeServer::reply(Client& client) {
@@ -171,6 +185,9 @@ void RtdeServer::onData(Client& client, rtde::ByteView payload) {
 
 void RtdeServer::publish() {
     for (const auto& client : clients_) {
+        if (client->leaves && plant_.elapsed() >= *client->leaves) {
+            client->peer.close();
+        }
         if (!client->started || !client->peer.isOpen()) {
             continue;
         }

@@ -58,6 +58,7 @@ private:
         std::optional<OutputRecipe> output;
         unsigned divider = 1;  ///< every n-th control period
         bool started = false;
+        std::optional<double> leaves;     ///< when it is closed, as one too many [s]
         std::uint64_t periods = 0;        ///< since START
         std::vector<InputRecipe> inputs;  ///< index + 1 is the recipe id
     };
@@ -71,6 +72,7 @@ private:
     void onData(Client& client, rtde::ByteView payload);
     unsigned dividerFor(double frequency) const;
     void reply(Client& client);
+    bool placesAreTaken() const;
     void removeGone();
 
     Plant& plant_;

@@ -76,6 +76,49 @@ private Q_SLOTS:
         QVERIFY(std::abs(spacing - 0.008) < 1e-9);
     }
 
+    void aCb3ServesThreeClients_data() {
+        QTest::addColumn<int>("major");
+        QTest::addColumn<bool>("stays");
+        QTest::newRow("CB3") << 3 << false;
+        QTest::newRow("e-Series") << 5 << true;
+    }
+    void aCb3ServesThreeClients() {
+        QFETCH(int, major);
+        QFETCH(bool, stays);
+        auto options = VirtualRobot::options();
+        if (major == 3) {
+            options.model = RobotModelId::UR5;
+            options.software = {3, 15, 8, 106339};
+        }
+        VirtualRobot robot(options);
+        const RawRtde writer = robot.rtde();  // one that only writes takes no place
+        std::vector<std::unique_ptr<RawRtde>> clients;
+        for (int i = 0; i < 4; ++i) {
+            clients.push_back(std::make_unique<RawRtde>(robot.host(), robot.controller.ports().rtde));
+            QVERIFY(clients.back()->useVersion());
+            QCOMPARE(clients.back()->setupOutputs(1, "timestamp"), QByteArray("\x01") + "DOUBLE");
+            QVERIFY(clients.back()->start());
+        }
+        QCOMPARE(robot.controller.rtdeClients(), 5);
+        robot.controller.stepSeconds(0.9);
+        QCOMPARE(robot.controller.rtdeClients(), 5);
+        robot.controller.stepSeconds(0.2);
+        QCOMPARE(robot.controller.rtdeClients(), stays ? 5 : 4);
+        if (!stays) {
+            QVERIFY(clients.back()->waitClosed());
+            // The first to leave makes room.
+            clients.pop_back();
+            clients.erase(clients.begin());
+            QVERIFY(robot.stepUntil([&] { return robot.controller.rtdeClients() == 3; }, 5));
+            RawRtde next = robot.rtde();
+            QVERIFY(next.useVersion());
+            QCOMPARE(next.setupOutputs(1, "timestamp"), QByteArray("\x01") + "DOUBLE");
+            QVERIFY(next.start());
+            robot.controller.stepSeconds(2);
+            QCOMPARE(robot.controller.rtdeClients(), 4);
+        }
+    }
+
     void anUnknownFieldMakesTheRecipeInvalid() {
         VirtualRobot robot;
         RawRtde rtde = robot.rtde();
