@@ -14,6 +14,8 @@ namespace tiller::simulator {
 namespace {
 
 constexpr qint64 kLargestProgram = 16 << 20;
+/// Where a robot and the vendor's simulator keep their programs: clients name them in full.
+constexpr const char* kProgramRoots[] = {"/ursim/programs/", "/programs/"};
 
 std::optional<QByteArray> contentOf(const QString& path) {
     QFile file(path);
@@ -21,6 +23,24 @@ std::optional<QByteArray> contentOf(const QString& path) {
         return std::nullopt;
     }
     return file.readAll();
+}
+
+/// The application's part (frames, functions, threads) and the program's make one program.
+std::optional<std::string> scriptOfUrpx(const QJsonObject& root) {
+    const auto part = [&root](const char* which) {
+        return root.value(QLatin1String(which))
+            .toObject()
+            .value(QLatin1String("urscript"))
+            .toObject()
+            .value(QLatin1String("script"));
+    };
+    const QJsonValue program = part("program");
+    if (program.isString()) {
+        return "def program():\n" + part("application").toString().toStdString() + '\n' +
+               program.toString().toStdString() + "\nend\n";
+    }
+    const QJsonValue script = root.value(QLatin1String("script"));
+    return script.isString() ? std::optional(script.toString().toStdString()) : std::nullopt;
 }
 
 std::optional<std::string> scriptOf(const QString& path) {
@@ -41,17 +61,22 @@ std::optional<std::string> scriptOf(const QString& path) {
     if (urp) {
         return scriptOfUrp(*content, file.completeBaseName());
     }
-    const QJsonObject root = QJsonDocument::fromJson(*content).object();
-    const QJsonValue script = root.value(QLatin1String("script"));
-    return script.isString() ? std::optional(script.toString().toStdString()) : std::nullopt;
+    return scriptOfUrpx(QJsonDocument::fromJson(*content).object());
 }
 
 }  // namespace
 
 std::optional<QString> ProgramStore::find(const QString& name) const {
-    const bool mayLook = !folder_.isEmpty() && !name.isEmpty();
-    const QString path = QDir::isAbsolutePath(name) ? name : QDir(folder_).filePath(name);
-    return mayLook && QFileInfo(path).isFile() ? std::optional(path) : std::nullopt;
+    if (folder_.isEmpty() || name.isEmpty() || name.contains(QChar(0))) {
+        return std::nullopt;
+    }
+    QString path = QDir::isAbsolutePath(name) ? name : QDir(folder_).filePath(name);
+    for (const char* const root : kProgramRoots) {
+        if (!QFileInfo(path).isFile() && name.startsWith(QLatin1String(root))) {
+            path = QDir(folder_).filePath(name.mid(QLatin1String(root).size()));
+        }
+    }
+    return QFileInfo(path).isFile() ? std::optional(path) : std::nullopt;
 }
 
 ProgramStore::Outcome ProgramStore::load(const QString& name) {
@@ -70,7 +95,7 @@ ProgramStore::Outcome ProgramStore::load(const QString& name) {
 ProgramStore::Outcome ProgramStore::loadInstallation(const QString& name) {
     const std::optional<QString> path = find(name);
     if (!path) {
-        return Outcome::NotFound;
+        return name == QLatin1String("default.installation") ? Outcome::Done : Outcome::NotFound;
     }
     return contentOf(*path) ? Outcome::Done : Outcome::Unreadable;
 }

@@ -7,7 +7,7 @@
 // - `.urp`, as the pendant saves it (XML, gzipped): what runs is the `.script` the pendant saved beside it,
 // or
 //   else what can be told from the XML itself, see urp_file.h;
-// - `.urpx`, as PolyScope X saves it (JSON): the `.script` beside it, or the URScript in its "script" entry;
+// - `.urpx`, as PolyScope X saves it (JSON): the `.script` beside it, or the URScript within it;
 // - any other file: URScript text.
 
 #include <QString>
@@ -26,11 +26,18 @@ public:
     explicit ProgramStore(QString folder) : folder_(std::move(folder)) {}
 
     enum class Outcome { Done, NotFound, Unreadable };
-    /// name  relative to the folder, or absolute. Unchanged unless Done
+    /// name  relative to the folder, or absolute; what a robot has below /programs is looked for in the
+    /// folder too. Unchanged unless Done
     Outcome load(const QString& name);
-    /// The installation file, whose content the simulated robot has no use for.
+    /// The installation file, whose content the simulated robot has no use for. Every robot has a
+    /// default.installation.
     Outcome loadInstallation(const QString& name);
 
+    /// As a fresh controller: nothing is loaded.
+    void unload() {
+        path_.clear();
+        name_.clear();
+    }
     bool isLoaded() const { return !path_.isEmpty(); }
     QString path() const { return path_; }
     /// Bare file name.

@@ -91,7 +91,6 @@ private:
     ProgramStore& store_;
     std::deque<std::string> log_;
     std::string userRole_ = "PROGRAMMER";
-    double lastFlightReport_ = -1;  ///< [s] of the plant's time; below 0: none yet
     unsigned flightReports_ = 0;
 };
 

@@ -50,6 +50,17 @@ HttpResponse invalid(const QString& what) {
     return refuse(422, QStringLiteral("Validation error"), what);
 }
 
+/// What a program says of itself; a flat file written by hand may say it at its root.
+QJsonObject informationOf(const QJsonObject& root) {
+    const QJsonObject program = root.value(QLatin1String("program")).toObject();
+    const QString key = QStringLiteral("programInformation");
+    return (program.contains(key) ? program : root).value(key).toObject();
+}
+
+std::string_view withoutLastSlash(std::string_view path) {
+    return path.ends_with('/') ? path.substr(0, path.size() - 1) : path;
+}
+
 QJsonValue milliseconds(const QDateTime& time) {
     return time.isValid() ? QJsonValue(time.toMSecsSinceEpoch()) : QJsonValue();
 }
@@ -90,7 +101,8 @@ HttpResponse RobotApi::run(const HttpRequest& request) {
     for (const Route& route : kRoutes) {
         const bool open = route.path.back() == '*';
         const std::string_view fixed = open ? route.path.substr(0, route.path.size() - 1) : route.path;
-        const bool matches = open ? path.size() > fixed.size() && path.starts_with(fixed) : path == fixed;
+        const bool matches = open ? path.size() > fixed.size() && path.starts_with(fixed)
+                                  : withoutLastSlash(path) == withoutLastSlash(fixed);
         if (!matches || !exists(route)) {
             continue;
         }
@@ -241,6 +253,15 @@ HttpResponse RobotApi::loadProgram(const QJsonObject& body, const char* key) {
     if (name.isEmpty()) {
         return invalid(QLatin1String(key) + QStringLiteral(": a program's name"));
     }
+    const auto done = [&] {
+        plant_.programs().stopNow();
+        return json({{QString::fromLatin1(key), name},
+                     {QStringLiteral("message"), QStringLiteral("Program loaded")}});
+    };
+    if (name == kDefaultProgram && !QFileInfo::exists(store_.pathOf(name + kEnding))) {
+        store_.unload();
+        return done();
+    }
     if (store_.pathOf(name + kEnding).isEmpty() ||
         store_.load(name + kEnding) == ProgramStore::Outcome::NotFound) {
         return refuse(404, QStringLiteral("Program not found"), name);
@@ -248,9 +269,7 @@ HttpResponse RobotApi::loadProgram(const QJsonObject& body, const char* key) {
     if (loadedName() != name) {
         return refuse(500, QStringLiteral("The program cannot be read"), name);
     }
-    plant_.programs().stopNow();
-    return json(
-        {{QString::fromLatin1(key), name}, {QStringLiteral("message"), QStringLiteral("Program loaded")}});
+    return done();
 }
 
 HttpResponse RobotApi::loaded(const HttpRequest&, const std::string&) {
@@ -333,12 +352,23 @@ HttpResponse RobotApi::programs(const HttpRequest&, const std::string&) {
         const QFileInfo file(store_.pathOf(fileName));
         const QJsonValue changed = milliseconds(file.lastModified());
         const QDateTime born = file.birthTime();
-        all.append(QJsonObject{{QStringLiteral("createdDate"), born.isValid() ? milliseconds(born) : changed},
-                               {QStringLiteral("description"), QString()},
-                               {QStringLiteral("lastModifiedDate"), changed},
-                               {QStringLiteral("lastSavedDate"), changed},
-                               {QStringLiteral("name"), file.completeBaseName()},
-                               {QStringLiteral("programState"), QStringLiteral("FINAL")}});
+        QJsonObject entry{{QStringLiteral("createdDate"), born.isValid() ? milliseconds(born) : changed},
+                          {QStringLiteral("description"), QString()},
+                          {QStringLiteral("lastModifiedDate"), changed},
+                          {QStringLiteral("lastSavedDate"), changed},
+                          {QStringLiteral("name"), file.completeBaseName()},
+                          {QStringLiteral("programState"), QStringLiteral("FINAL")}};
+        QFile content(file.filePath());
+        if (content.open(QIODevice::ReadOnly)) {
+            const QJsonObject own = informationOf(QJsonDocument::fromJson(content.readAll()).object());
+            for (const char* key :
+                 {"createdDate", "description", "lastModifiedDate", "lastSavedDate", "programState"}) {
+                if (own.contains(QLatin1String(key))) {
+                    entry[QLatin1String(key)] = own.value(QLatin1String(key));
+                }
+            }
+        }
+        all.append(entry);
     }
     return json({{QStringLiteral("programs"), all}, {QStringLiteral("message"), QJsonValue()}});
 }
@@ -373,8 +403,7 @@ HttpResponse RobotApi::store(const HttpRequest& request, bool mustExist) {
     }
     // The program's own word first; the name of the file is the sender's affair.
     const QJsonObject root = document.object();
-    QString name =
-        root.value(QLatin1String("programInformation")).toObject().value(QLatin1String("name")).toString();
+    QString name = informationOf(root).value(QLatin1String("name")).toString();
     name = name.isEmpty() ? root.value(QLatin1String("name")).toString() : name;
     name = name.isEmpty() ? QFileInfo(QString::fromStdString(file->fileName)).completeBaseName() : name;
     const QString path = store_.pathOf(name + kEnding);

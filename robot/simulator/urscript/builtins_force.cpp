@@ -116,8 +116,9 @@ constexpr BuiltinRow kRows[] = {
     {"end_force_mode()", endForceMode},
     {"force_mode_set_damping(damping)", setDamping},
     {"force_mode_get_damping()", getDamping},
-    {"force_mode_set_gain_scaling(scaling)", setGain, kPlain, {0, 0, false}},
-    {"force_mode_get_gain_scaling()", getGain, kPlain, {0, 0, false}},
+    // Series 3 knows the names too: control scripts that run on both call it behind a condition.
+    {"force_mode_set_gain_scaling(scaling)", setGain},
+    {"force_mode_get_gain_scaling()", getGain},
     {"freedrive_mode(freeAxes?, feature?)", freedriveMode},
     {"freedrive_mode_no_incorrect_payload_check()", freedriveUnchecked},
     {"end_freedrive_mode()", endFreedrive},

@@ -43,6 +43,10 @@ Status deleteAllFrames(Call& c) {
     c.host.world().clear();
     return Status::Done;
 }
+Status resetWorldModel(Call& c) {
+    c.host.world().reset();
+    return Status::Done;
+}
 Status getPose(Call& c) {
     c.result = valueOf(c.host.world().poseOf(c.string(0), c.string(1), c.given(2) ? c.string(2) : c.string(1),
                                              c.host.armFrames()));
@@ -92,7 +96,7 @@ constexpr BuiltinRow kRows[] = {
     {"move_frame(name, pose, ref_name=\"base\")", moveFrame, kPlain, kPolyScopeX},
     {"delete_frame(name)", deleteFrame, kPlain, kPolyScopeX},
     {"delete_all_frames()", deleteAllFrames, kPlain, kPolyScopeX},
-    {"reset_world_model()", deleteAllFrames, kPlain, kPolyScopeX},
+    {"reset_world_model()", resetWorldModel, kPlain, kPolyScopeX},
     {"get_pose(name, rel_name, ref_name?)", getPose, kPlain, kPolyScopeX},
     {"convert_pose(pose, from_frame, to_frame)", convertPose, kPlain, kPolyScopeX},
     {"is_frame(name)", isFrame, kPlain, kPolyScopeX},

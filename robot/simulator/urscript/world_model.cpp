@@ -45,7 +45,7 @@ std::optional<Eigen::Isometry3d> WorldModel::inBase(std::string_view name, const
     if (name == "tcp") {
         return arm.tcp.transform() * T_here_frame;
     }
-    return T_here_frame;  // the base stands at the origin of the world
+    return name == "world" ? T_world_base_.inverse() * T_here_frame : T_here_frame;
 }
 
 bool WorldModel::hangsOn(std::string_view name, std::string_view ancestor) const {
@@ -92,11 +92,16 @@ Result<void> WorldModel::attach(const std::string& child, const std::string& par
 Result<void> WorldModel::move(const std::string& name, const Pose& pose, const std::string& ref,
                               const ArmFrames& arm) {
     const auto it = frames_.find(name);
-    if (it == frames_.end()) {
+    const bool isBase = name == "base";
+    if (it == frames_.end() && !isBase) {
         return noFrame(name);
     }
     if (!contains(ref)) {
         return noFrame(ref);
+    }
+    if (isBase) {
+        T_world_base_ = T_world_base_ * *inBase(ref, arm) * pose.transform();
+        return {};
     }
     it->second.T_parent_frame =
         inBase(it->second.parent, arm)->inverse() * *inBase(ref, arm) * pose.transform();

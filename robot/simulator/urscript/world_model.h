@@ -32,12 +32,19 @@ public:
     Result<void> add(const std::string& name, const Pose& pose, const std::string& ref);
     /// The child stays where it is. A loop is refused.
     Result<void> attach(const std::string& child, const std::string& parent, const ArmFrames& arm);
-    /// pose  relative to `ref`; the parent stays.
+    /// pose  relative to `ref`; the parent stays. Of those that are always there only the base can be moved,
+    /// in the world: what hangs on the world stays where it is.
     Result<void> move(const std::string& name, const Pose& pose, const std::string& ref,
                       const ArmFrames& arm);
     /// What was attached to it goes to its parent and stays where it is.
     Result<void> remove(const std::string& name, const ArmFrames& arm);
+    /// All frames but those that are always there.
     void clear() { frames_.clear(); }
+    /// The same, and the base is where the world begins.
+    void reset() {
+        clear();
+        T_world_base_ = Eigen::Isometry3d::Identity();
+    }
 
     bool contains(const std::string& name) const { return isFixed(name) || frames_.contains(name); }
     Result<std::string> parentOf(const std::string& name) const;
@@ -65,6 +72,7 @@ private:
     bool hangsOn(std::string_view name, std::string_view ancestor) const;
 
     std::map<std::string, Frame, std::less<>> frames_;
+    Eigen::Isometry3d T_world_base_ = Eigen::Isometry3d::Identity();
 };
 
 }  // namespace tiller::simulator::urscript

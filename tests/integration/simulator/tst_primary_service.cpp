@@ -324,6 +324,45 @@ private Q_SLOTS:
         QVERIFY(robot.stepUntil([&] { return mode() == RobotMode::Running; }));
     }
 
+    // A control script for both series holds what only one of them can, behind a condition.
+    void gainScalingCompilesOnACb3AndFailsOnlyWhenCalled() {
+        auto options = VirtualRobot::options();
+        options.model = RobotModelId::UR5;
+        options.software = {3, 15, 8, 106339};
+        VirtualRobot robot(options);
+        RawPrimary primary = robot.primary();
+        const Heard guarded = run(robot, primary,
+                                  "def p():\n  if get_steptime() < 0.008:\n    "
+                                  "force_mode_set_gain_scaling(0.5)\n  end\nend\n",
+                                  0.5);
+        QCOMPARE(guarded.keys, (QByteArrayList{"STARTED p", "STOPPED p"}));
+        QVERIFY(guarded.exceptions.empty());
+        const Heard called = run(robot, primary, "def q():\n  force_mode_set_gain_scaling(0.5)\nend\n", 0.5);
+        QCOMPARE(called.exceptions.size(), std::size_t(1));
+        QVERIFY(called.exceptions[0].contains("force_mode_set_gain_scaling"));
+    }
+
+    // Of the frames that are always there the base alone can be moved, in the world.
+    void theBaseCanBeMovedInTheWorld() {
+        auto options = VirtualRobot::options();
+        options.software = {10, 12, 0, 0};
+        VirtualRobot robot(options);
+        RawPrimary primary = robot.primary();
+        const Heard heard = run(
+            robot, primary,
+            "def p():\n  add_frame(\"table\", p[1,0,0,0,0,0], \"world\")\n"
+            "  add_frame(\"part\", p[0,0.5,0,0,0,0], \"base\")\n"
+            "  move_frame(\"base\", p[0.25,0,0,0,0,0], \"world\")\n"
+            "  textmsg(get_pose(\"table\", \"base\"))\n  textmsg(get_pose(\"part\", \"world\"))\n"
+            "  move_frame(\"base\", p[0,0,0.5,0,0,0], \"base\")\n  textmsg(get_pose(\"base\", \"world\"))\n"
+            "  reset_world_model()\n  textmsg(get_pose(\"base\", \"world\"))\n  move_frame(\"tcp\", "
+            "p[0,0,0,0,0,0], \"base\")\nend\n",
+            0.5);
+        QCOMPARE(heard.texts, (QByteArrayList{"p[0.75,0,0,0,0,0]", "p[0.25,0.5,0,0,0,0]",
+                                              "p[0.25,0,0.5,0,0,0]", "p[0,0,0,0,0,0]"}));
+        QCOMPARE(heard.exceptions.size(), std::size_t(1));
+    }
+
     void aProtectiveStopAskedForByAProgramIsReportedOnce() {
         VirtualRobot robot;
         RawPrimary primary = robot.primary();

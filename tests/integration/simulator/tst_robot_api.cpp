@@ -146,6 +146,59 @@ private Q_SLOTS:
         QCOMPARE(web.ask("PUT", "/program/v1/state", "not json").status, 422);
     }
 
+    // As the vendor's pendant saves it.
+    void aProgramInTheVendorsLayoutIsUnderstood() {
+        VirtualRobot robot(polyScopeX());
+        Web web(robot);
+        const auto part = [](const char* script) {
+            return QJsonObject{{"script", script}, {"nodeIDList", QJsonArray()}};
+        };
+        const QJsonObject information{{"name", "test upload"},
+                                      {"description", "waits"},
+                                      {"createdDate", 1700000000000.0},
+                                      {"lastSavedDate", 1700000001000.0},
+                                      {"lastModifiedDate", QJsonValue()},
+                                      {"programState", "DRAFT"}};
+        const QJsonObject whole{
+            {"application",
+             QJsonObject{{"urscript", part("  global corner = p[0.1,0,0,0,0,0]\n"
+                                           "  move_frame(\"base\", p[0,0,0,0,0,0], \"world\")\n"
+                                           "  def wait():\n    sleep(1)\n  end")}}},
+            {"program",
+             QJsonObject{{"id", "7"},
+                         {"programContent", QJsonObject()},
+                         {"programInformation", information},
+                         {"urscript", part("  while True:\n    $ 1 \"Wait\"\n    wait()\n  end")}}}};
+        const QByteArray program = QJsonDocument(whole).toJson(QJsonDocument::Compact);
+        QCOMPARE(web.upload("POST", program).json()["programName"].toString(), QStringLiteral("test upload"));
+        QCOMPARE(web.ask("GET", "/programs/v1/test%20upload").body, program);
+        const QJsonObject listed = web.ask("GET", "/programs/v1/").json()["programs"].toArray()[0].toObject();
+        QCOMPARE(listed["description"].toString(), QStringLiteral("waits"));
+        QCOMPARE(listed["createdDate"].toDouble(), 1700000000000.0);
+        QVERIFY(listed["lastModifiedDate"].isNull());
+        QCOMPARE(listed["programState"].toString(), QStringLiteral("DRAFT"));
+        QCOMPARE(web.ask("PUT", "/program/v1/loaded", R"({"name":"test upload"})").status, 200);
+        QCOMPARE(web.ask("PUT", "/program/v1/state", R"({"action":"play"})").status, 200);
+        robot.controller.stepSeconds(3);
+        QCOMPARE(web.ask("GET", "/program/v1/state").json()["state"].toString(), QStringLiteral("PLAYING"));
+        // The program of a fresh controller takes its place again.
+        QCOMPARE(web.ask("PUT", "/program/v1/loaded", R"({"name":"Default program"})").status, 200);
+        QCOMPARE(web.ask("GET", "/program/v1/loaded").json()["name"].toString(),
+                 QStringLiteral("Default program"));
+        QCOMPARE(web.ask("GET", "/program/v1/state").json()["state"].toString(), QStringLiteral("STOPPED"));
+    }
+
+    void aSlashAtTheEndChangesNothing() {
+        VirtualRobot robot(polyScopeX());
+        Web web(robot);
+        for (const char* path : {"/robotstate/v1/robotmode", "/program/v1/state", "/programs/v1"}) {
+            QCOMPARE(web.ask("GET", path).status, 200);
+            QCOMPARE(web.ask("GET", QByteArray(path) + "/").status, 200);
+        }
+        QCOMPARE(web.ask("PUT", "/robotstate/v1/state/", R"({"action":"POWER_OFF"})").status, 200);
+        QCOMPARE(web.ask("GET", "/robotstate/v1/robotmode//").status, 404);
+    }
+
     void localControlRefusesWhatChangesAnything() {
         auto options = polyScopeX();
         options.remoteControl = false;
