@@ -20,6 +20,7 @@ public:
 
     bool has() const { return next_ < words_.size(); }
     QString word() { return has() ? words_[next_++] : complain(QStringLiteral("a word is missing")); }
+    QString peek() const { return words_.value(next_); }
     QString rest() { return words_.mid(std::exchange(next_, words_.size())).join(' '); }
     bool choice(const char* yes, const char* no) {
         const QString given = word();
@@ -138,6 +139,57 @@ QString hand(Machine& machine, Words& words) {
     }
     if (words.good()) {
         machine.plant.arm().environment().setHandWrench(Wrench::fromVector(wrench));
+    }
+    return {};
+}
+
+constexpr double kFar = 10;  ///< [m]
+
+QString plane(Machine& machine, Words& words) {
+    arm::ContactPlane plane;
+    plane.point.z() = words.number(-kFar, kFar);
+    if (words.good() && !machine.plant.arm().environment().addPlane(plane)) {
+        words.complain(QStringLiteral("there are too many planes"));
+    }
+    return {};
+}
+
+QString box(Machine& machine, Words& words) {
+    arm::ContactBox box;
+    for (int i = 0; i < 3; ++i) {
+        box.T_base_box.position[i] = words.number(-kFar, kFar);
+    }
+    for (int i = 0; i < 3; ++i) {
+        box.size[i] = words.number(0.001, kFar);
+    }
+    if (words.good() && !machine.plant.arm().environment().addBox(box)) {
+        words.complain(QStringLiteral("there are too many boxes"));
+    }
+    return {};
+}
+
+QString load(Machine& machine, Words& words) {
+    std::optional<arm::Payload> carried;
+    if (words.peek() == QLatin1String("none")) {
+        words.word();
+    } else {
+        carried.emplace();
+        carried->mass = words.number(0, 1000);
+        for (int i = 0; i < 3; ++i) {
+            carried->centreOfGravity[i] = words.numberOr(0, -kFar, kFar);
+        }
+    }
+    if (words.good()) {
+        machine.plant.arm().environment().setLoad(carried);
+    }
+    return {};
+}
+
+QString conveyor(Machine& machine, Words& words) {
+    const int encoder = words.integer(0, 1);
+    const double speed = words.number(-1e6, 1e6);
+    if (words.good()) {
+        machine.plant.arm().environment().setConveyorSpeed(encoder, speed);
     }
     return {};
 }
@@ -306,6 +358,12 @@ const Verb kVerbs[] = {
     {"speed", "FRACTION", "the speed slider, 0 to 1",
      [](Machine& m, Words& w) { const double f = w.number(0, 1); if (w.good()) { m.plant.setSpeedSlider(f); } return QString(); }},
     {"hand", "FX FY FZ [TX TY TZ]", "a hand on the tool [N, Nm], base frame; zeros let go", &hand},
+    {"plane", "HEIGHT", "a horizontal surface at that height [m], base frame", &plane},
+    {"box", "X Y Z SX SY SZ", "a box about that point [m], base frame, with these edges", &box},
+    {"no-surfaces", "", "neither planes nor boxes",
+     [](Machine& m, Words& w) { if (w.good()) { m.plant.arm().environment().clearSurfaces(); } return QString(); }},
+    {"load", "KG [X Y Z]|none", "what the tool really carries, and its centre [m], flange frame; none: what the controller was told", &load},
+    {"conveyor", "0|1 TICKS", "what that encoder counts in a second", &conveyor},
     {"gripper-object", "POSITION|none", "something between the gripper's fingers stops them at 0 to 255",
      [](Machine& m, Words& w) {
          const QString given = w.word();

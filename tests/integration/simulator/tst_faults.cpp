@@ -94,6 +94,40 @@ private Q_SLOTS:
         QCOMPARE(primary.messages(0).back(), QByteArray("3Truethe left one0.5"));
     }
 
+    void theWorldIsBuiltWithWords() {
+        VirtualRobot robot;
+        const auto force = [&] {
+            robot.controller.step(20);
+            RawRtde rtde = robot.rtde();
+            return rtde.useVersion() && rtde.setupOutputs(500, "actual_TCP_force").size() == 9 && rtde.start()
+                       ? (robot.controller.step(), doubleAt(rtde.next().payload, 1 + 16))
+                       : qQNaN();
+        };
+        RawPrimary primary = robot.primary();
+        primary.send("sec zero():\n  zero_ftsensor()\nend\n");
+        robot.controller.drainSockets();
+        QVERIFY(std::abs(force()) < 1);
+        const Pose tool = robot.controller.truth().tcpPose;
+        inject(robot, QStringLiteral("plane %1").arg(tool.position.z() + 0.0005));
+        QVERIFY2(std::abs(force() - 10) < 1, qPrintable(QString::number(force())));  // 20 N/mm
+        inject(robot, "no-surfaces");
+        QVERIFY(std::abs(force()) < 1);
+        inject(robot, QStringLiteral("box %1 %2 %3 0.2 0.2 0.1")
+                          .arg(tool.position.x())
+                          .arg(tool.position.y())
+                          .arg(tool.position.z() - 0.0495));
+        QVERIFY2(std::abs(force() - 10) < 1, qPrintable(QString::number(force())));
+        inject(robot, "no-surfaces");
+        inject(robot, "load 2");
+        QVERIFY2(std::abs(force() + 2 * 9.82) < 1, qPrintable(QString::number(force())));
+        inject(robot, "load none");
+        QVERIFY(std::abs(force()) < 1);
+        QVERIFY(robot.controller.inject("conveyor 0 1000").ok());
+        QVERIFY(!robot.controller.inject("conveyor 2 1000").ok());
+        QVERIFY(!robot.controller.inject("box 0 0 0 0 0 0").ok());
+        QVERIFY(!robot.controller.inject("load").ok());
+    }
+
     void theFaultPortSpeaksTheSameWords() {
         VirtualRobot robot;
         RawClient console(robot.host(), robot.controller.ports().faults);
