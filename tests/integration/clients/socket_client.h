@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A client that does what Universal Robots' C++ client library 2.14 does: RTDE with its recipes and its pause
+// in between, the primary interface read package by package, a script sent behind "stop program", and three
+// servers to which that script connects. In virtual time, period by period.
+// Source: control-script-requirements.md, part B.
+
+#include <QTcpServer>
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "tests/integration/clients/socket_script.h"
+#include "tests/integration/simulator/raw_client.h"
+
+namespace tiller::test {
+
+using Six = std::array<double, 6>;
+
+/// What the primary interface told.
+struct PrimaryNews {
+    bool version = false;
+    bool configuration = false;
+    bool kinematics = false;
+    bool running = false;  ///< robot mode data: a program runs
+    bool paused = false;
+    bool protectiveStopped = false;
+    int robotMode = -1;
+    std::vector<QByteArray> texts;
+    std::vector<QByteArray> keys;        ///< title and text
+    std::vector<QByteArray> exceptions;  ///< text of runtime exceptions
+    std::vector<qint32> errorCodes;
+    std::vector<int> errorLevels;
+    std::vector<int> safetyModes;
+    QByteArray malformed;  ///< the first package that is not what the protocol says
+};
+
+class SocketClient {
+public:
+    enum Mode {
+        kStopped = -2,
+        kIdle = 0,
+        kServoJ = 1,
+        kSpeedJ,
+        kForward,
+        kSpeedL,
+        kPose,
+        kFreedrive,
+        kToolContact,
+        kTorque
+    };
+    /// One package of RTDE's, as far as the tests look.
+    struct Data {
+        double timestamp = 0;
+        Six actualQ{};
+        Six targetQ{};
+        Six actualPose{};
+        Six force{};
+        Six tcpOffset{};
+        quint32 runtime = 0;
+        double payload = 0;
+        int toolVoltage = 0;
+    };
+
+    explicit SocketClient(VirtualRobot& robot) : robot_(robot) {}
+
+    /// RTDE, primary, the three servers, the script; false, with `trouble` telling the step, where the
+    /// library would throw.
+    bool connect(const QByteArray& ending = {});
+    /// Sends a whole program on the primary socket.
+    void sendScript(const QByteArray& text);
+
+    /// Eight integers on the reverse socket: time-out [ms], six values times a million, mode.
+    bool write(const Six& values, Mode mode, int timeoutMs = 200);
+    bool writeRaw(const std::array<qint32, 6>& values, Mode mode, int timeoutMs = 200);
+    /// 21 integers on the trajectory socket.
+    struct Point {
+        Six target{};
+        Six second{};                   ///< via, velocities, near joints
+        std::array<double, 6> third{};  ///< accelerations, or velocity, acceleration, flag
+        double duration = 0;
+        double blend = 0;  ///< [m]; of a spline 1 cubic, 2 quintic
+        int type = 0;
+    };
+    bool writePoint(const Point& point);
+    /// A trajectory of these points: announces them, sends them.
+    bool startTrajectory(const std::vector<Point>& points);
+    /// The result the script sends, if it comes in time: 0 success, 1 canceled, 2 failure.
+    std::optional<int> trajectoryResult(double seconds);
+    /// 28 integers on the command socket; values are scaled unless `raw`.
+    bool writeCommand(int command, const std::vector<double>& values, bool rawFirst = false);
+    std::optional<int> commandReply(double seconds);
+    bool isReverseConnected();
+
+    void step(int ticks = 1);
+    template <class Condition>
+    bool until(Condition condition, double seconds) {
+        for (int n = static_cast<int>(seconds / robot_.controller.stepTime()); n > 0; --n) {
+            if (condition()) {
+                return true;
+            }
+            step();
+        }
+        return condition();
+    }
+    const Data& data() const { return data_; }
+    const PrimaryNews& news() const { return news_; }
+    PrimaryNews& news() { return news_; }
+
+    QByteArray trouble;
+
+private:
+    struct Server {
+        QTcpServer server;
+        std::unique_ptr<QTcpSocket> peer;
+        QByteArray received;
+        bool listen() { return server.listen(QHostAddress::LocalHost, 0); }
+        void service();
+    };
+    bool fail(const char* step) {
+        trouble = step;
+        return false;
+    }
+    bool connectRtde();
+    bool deliver(Server& server, const QByteArray& bytes);
+    std::optional<int> answer(Server& server, double seconds);
+    void readPrimary();
+    void readPackage(const QByteArray& package);
+    void readState(const QByteArray& package);
+    void readMessage(const QByteArray& package);
+
+    VirtualRobot& robot_;
+    std::unique_ptr<RawRtde> rtde_;
+    std::unique_ptr<QTcpSocket> primary_;
+    QByteArray primaryBytes_;
+    Server reverse_;
+    Server trajectory_;
+    Server command_;
+    std::vector<int> order_;  // in which the script connected
+    Data data_;
+    PrimaryNews news_;
+};
+
+}  // namespace tiller::test
