@@ -378,7 +378,8 @@ private Q_SLOTS:
         QCOMPARE(cell.dashboard.ask("programState"), QByteArray("STOPPED wait_program.urp\n"));
         // A name no file can have; a warning of Qt's would fail the test.
         QTest::failOnWarning(QRegularExpression("."));
-        QVERIFY(cell.dashboard.ask(QByteArray("load wait\0program.urp", 21)).startsWith("File not found: wait"));
+        QVERIFY(
+            cell.dashboard.ask(QByteArray("load wait\0program.urp", 21)).startsWith("File not found: wait"));
     }
 
     void remoteControlTurnedOffRefusesNothingWhereItIsNotGated() {
