@@ -4,6 +4,7 @@
 // real events, real sockets, the simulated robot in virtual time. Bounds are the jog contract's own.
 
 #include <QDialog>
+#include <QLineEdit>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -458,6 +459,27 @@ private Q_SLOTS:
         cell().clock.advanceNs(2 * kNsPerSecond);
         keyboard().checkIdle();
         QVERIFY(!keyboard().isArmed());
+    }
+
+    void aTextFieldUnderTheKeysEndsWhatTheyHeld() {
+        QLineEdit text(&window());
+        text.show();
+        keyboard().setArmed(true);
+        QTest::keyPress(&window(), Qt::Key_Right);
+        cell().advanceMs(300);
+        QVERIFY(!standsStill(cell()));
+        text.setFocus(Qt::TabFocusReason);
+        const int ms = timeToStandstill();
+        QVERIFY2(ms >= 0 && ms <= kReleaseToStandstillMs, qPrintable(QString::number(ms)));
+        cell().advanceMs(100);
+        QCOMPARE(window().session().state().lastStop.cause, control::StopCause::FocusLost);
+        QTest::keyRelease(&text, Qt::Key_Right);
+        text.clearFocus();
+        QTest::keyPress(&window(), Qt::Key_Right);
+        cell().advanceMs(300);
+        QVERIFY2(!standsStill(cell()), "a new press moves again");
+        QTest::keyRelease(&window(), Qt::Key_Right);
+        QVERIFY(timeToStandstill() >= 0);
     }
 
     void aStickHasToComeBackToTheMiddle() {

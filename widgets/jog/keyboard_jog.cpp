@@ -125,6 +125,12 @@ bool KeyboardJog::eventFilter(QObject* watched, QEvent* event) {
             }
             return false;
         }
+        case QEvent::FocusIn:
+            // From here on the keys write: what they held is let go.
+            if (!down_.isEmpty() && takesText(qobject_cast<QWidget*>(watched))) {
+                letGo(control::StopCause::FocusLost);
+            }
+            return false;
         case QEvent::Resize:
             if (watched == &window_) {
                 followWindow();
@@ -146,14 +152,16 @@ bool KeyboardJog::keyEvent(QEvent* event) {
     const auto* key = static_cast<QKeyEvent*>(event);
     const int code = plain(key->key());
     const bool press = event->type() == QEvent::KeyPress;
-    if (!isJogKey(code) || !window_.isActiveWindow() || takesText(QApplication::focusWidget())) {
+    const bool known = down_.contains(code);
+    // A key that was pressed here is let go here, wherever the focus is by then.
+    const bool elsewhere = !window_.isActiveWindow() || takesText(QApplication::focusWidget());
+    if (!isJogKey(code) || (elsewhere && !(known && !press))) {
         return false;
     }
     if (key->isAutoRepeat()) {
         return true;
     }
     lastKeyNs_ = clock_->nowNs();
-    const bool known = down_.contains(code);
     if (press) {
         down_.insert(code);
     } else {
