@@ -28,6 +28,7 @@ public:
         state.missed = report.missed;
         state.time = data.timestamp - beganAt_;
         state.period = period;
+        state.hostNs = data.hostNs;
         state.q = data.q;
         state.qd = data.qd;
         state.tcpPose = data.tcpPose;

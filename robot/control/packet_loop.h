@@ -19,6 +19,7 @@ struct CycleState {
     std::uint64_t missed = 0;  ///< packets that did not come in time since the beginning
     double time = 0;           ///< since the first cycle, by the robot's clock [s]
     double period = 0.002;     ///< [s]
+    std::int64_t hostNs = 0;   ///< when the packet came, on the controller's clock
     JointPositions q;
     JointVelocities qd;
     Pose tcpPose;

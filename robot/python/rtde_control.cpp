@@ -42,7 +42,7 @@ void definePaths(py::module_& module) {
         .def("appendMovejPath", &Path::appendMovejPath, py::arg("path"))
         .def("toScriptCode", &Path::toScriptCode);
     py::class_<AsyncOperationStatus>(module, "AsyncOperationStatus")
-        .def(py::init<>())
+        .def(py::init<int>(), py::arg("value") = 0)
         .def("value", &AsyncOperationStatus::value)
         .def("isAsyncOperationRunning", &AsyncOperationStatus::isAsyncOperationRunning)
         .def("operationId", &AsyncOperationStatus::operationId)

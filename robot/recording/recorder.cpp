@@ -19,6 +19,7 @@
 #endif
 
 #include "robot/realtime/thread_priority.h"
+#include "robot/receive/default_fields.h"
 #include "robot/recording/csv_writer.h"
 
 namespace tiller::recording {
@@ -62,45 +63,7 @@ Error fileError(const QFile& file, int systemError) {
 }  // namespace
 
 std::vector<std::string> defaultRecordedFields() {
-    return {
-        "timestamp",
-        "target_q",
-        "target_qd",
-        "target_qdd",
-        "target_current",
-        "target_moment",
-        "actual_q",
-        "actual_qd",
-        "actual_current",
-        "joint_control_output",
-        "actual_TCP_pose",
-        "actual_TCP_speed",
-        "actual_TCP_force",
-        "target_TCP_pose",
-        "target_TCP_speed",
-        "actual_digital_input_bits",
-        "actual_digital_output_bits",
-        "joint_temperatures",
-        "actual_execution_time",
-        "robot_mode",
-        "joint_mode",
-        "safety_mode",
-        "runtime_state",
-        "robot_status_bits",
-        "safety_status_bits",
-        "actual_tool_accelerometer",
-        "speed_scaling",
-        "target_speed_fraction",
-        "actual_momentum",
-        "actual_main_voltage",
-        "actual_robot_voltage",
-        "actual_robot_current",
-        "actual_joint_voltage",
-        "standard_analog_input0",
-        "standard_analog_input1",
-        "standard_analog_output0",
-        "standard_analog_output1",
-    };
+    return receive::commonFields();
 }
 
 struct Recorder::Worker {

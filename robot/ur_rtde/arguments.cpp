@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kTwoTurns = 4 * 3.14159265358979323846 + 0.01;
 constexpr double kJointRange = 2 * 3.14159265358979323846 + 0.1;
+// Of velocities given axis by axis: the fastest wrist turns with 2 pi.
+constexpr double kMaxTurn = 6.3;
+constexpr double kMaxTravel = 5.0;
 constexpr double kReach = 10.0;  // no arm reaches a third of it, a millimetre value is soon above
 constexpr const char* kDegrees = "; angles are in radians, is this one in degrees?";
 constexpr const char* kMillimetres = "; lengths are in metres, is this one in millimetres?";
@@ -80,14 +83,14 @@ void pose(const std::string& name, const List& pose) {
 }
 
 void jointSpeeds(const std::string& name, const List& qd) {
-    listWithin(name, qd, 6, kMaxJointSpeed, "rad/s", kDegrees);
+    listWithin(name, qd, 6, kMaxTurn, "rad/s", kDegrees);
 }
 
 void twist(const std::string& name, const List& xd) {
     list(name, xd, 6);
     for (std::size_t i = 0; i < 3; ++i) {
-        inRange(at(name, i), xd[i], -kMaxToolSpeed, kMaxToolSpeed, "m/s", kMillimetres);
-        inRange(at(name, i + 3), xd[i + 3], -kMaxJointSpeed, kMaxJointSpeed, "rad/s", kDegrees);
+        inRange(at(name, i), xd[i], -kMaxTravel, kMaxTravel, "m/s", kMillimetres);
+        inRange(at(name, i + 3), xd[i + 3], -kMaxTurn, kMaxTurn, "rad/s", kDegrees);
     }
 }
 

@@ -106,7 +106,7 @@ AsyncOperationStatus RTDEControlInterface::getAsyncOperationProgressEx() {
 
 int RTDEControlInterface::getAsyncOperationProgress() {
     const AsyncOperationStatus status = getAsyncOperationProgressEx();
-    return status.isAsyncOperationRunning() ? status.progress() : -1 - status.operationId();
+    return status.isAsyncOperationRunning() ? status.progress() : status.operationId() % 2 - 2;
 }
 
 // ---- streams --------------------------------------------------------------------------------------------
@@ -203,7 +203,11 @@ bool RTDEControlInterface::endFreedriveMode() {
 }
 
 int RTDEControlInterface::getFreedriveStatus() {
-    return d_->integer(CommandId::FreedriveStatus, 4);
+    const auto answer = d_->session.perform({CommandId::FreedriveStatus, 4, {}});
+    if (!answer) {
+        throw std::runtime_error("getFreedriveStatus: the robot did not answer");
+    }
+    return answer->result;
 }
 
 bool RTDEControlInterface::teachMode() {

@@ -116,6 +116,7 @@ void ControlSession::connectAndStart() {
         raise(opened.error());
     }
     std::shared_ptr<ControlLink> fresh = std::move(opened).value();
+    identify(fresh->version());
     checkRemoteControl(fresh->version());
     {
         const std::lock_guard lock(linkMutex_);
@@ -126,6 +127,26 @@ void ControlSession::connectAndStart() {
     }
     fresh->clear();
     startProgram(*fresh);
+}
+
+void ControlSession::identify(const SoftwareVersion& version) {
+    identity_.versions = {version.major, version.minor, version.bugfix, version.build};
+    try {
+        identity_.serialNumber = dashboard_->isConnected() ? dashboard_->getSerialNumber() : std::string();
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const std::exception& error) {
+        identity_.serialNumber.clear();  // old software does not tell
+        say(error.what());
+    }
+}
+
+void ControlSession::unlockProtectiveStop() {
+    const Turn turn = takeTurn();
+    if (!dashboard_ || !dashboard_->isConnected()) {
+        throw std::runtime_error("unlockProtectiveStop: no dashboard server at " + options_.host);
+    }
+    dashboard_->unlockProtectiveStop();
 }
 
 void ControlSession::checkRemoteControl(const SoftwareVersion& version) {
@@ -148,7 +169,7 @@ void ControlSession::startProgram(ControlLink& link) {
             throw std::runtime_error("The program that runs on the robot cannot be stopped");
         }
         if (!upload(link, {}) || !awaitProgram(link, kProgramStart)) {
-            throw std::runtime_error(
+            throw std::logic_error(
                 "The control program does not run within 5 s: is the robot switched on, are its brakes "
                 "released, "
                 "and may scripts be sent to it?");
@@ -156,7 +177,7 @@ void ControlSession::startProgram(ControlLink& link) {
         return;
     }
     if (!options_.has(Face::FLAG_NO_WAIT) && !awaitProgram(link, kManualStart)) {
-        throw std::runtime_error("No program was started on the robot within 60 s");
+        throw std::logic_error("No program was started on the robot within 60 s");
     }
 }
 
@@ -209,11 +230,12 @@ bool ControlSession::upload(ControlLink& link, const std::string& pathCode) {
     return scripts_->sendScriptCommand(text);
 }
 
-bool ControlSession::awaitProgram(ControlLink& link, milliseconds atMost) {
+bool ControlSession::awaitProgram(ControlLink& link, milliseconds atMost,
+                                  const std::function<bool(const LinkState&)>& giveUp) {
     const auto ready = [&](const LinkState& state) {
         return state.isPlaying() && (isForeign() || server_ || state.answer == 1);
     };
-    return link.wait(ready, never, atMost);
+    return link.wait(ready, giveUp ? giveUp : never, atMost);
 }
 
 // The polite way first; the dashboard for programs that do not listen.
@@ -240,7 +262,18 @@ bool ControlSession::reupload() {
     if (!current || !current->isAlive()) {
         return false;
     }
-    return endProgram(*current) && upload(*current, {}) && awaitProgram(*current, kProgramStart);
+    if (!endProgram(*current) || !upload(*current, {})) {
+        return false;
+    }
+    // During a stop nothing runs; handed over is all there can be. One that was just unlocked may be in the
+    // next packages still.
+    const std::uint64_t settled = current->state().sequence + 50;
+    bool stopped = false;
+    const auto isStopped = [&](const LinkState& state) {
+        stopped = state.isStopped() && state.sequence > settled;
+        return stopped;
+    };
+    return awaitProgram(*current, kProgramStart, isStopped) || stopped;
 }
 
 void ControlSession::stopProgram() {
@@ -255,7 +288,7 @@ void ControlSession::stopProgram() {
     }
 }
 
-bool ControlSession::runCustom(const std::string& text) {
+bool ControlSession::runCustom(const std::string& text, int mark) {
     const Turn turn = takeTurn();
     const auto current = link();
     if (!current || !current->isAlive() || !endProgram(*current)) {
@@ -268,8 +301,14 @@ bool ControlSession::runCustom(const std::string& text) {
     if (!scripts_->isConnected()) {
         scripts_->connect();
     }
+    // A program may be over before a package tells that it plays: then its mark tells, or what programs
+    // written for ur_rtde end with.
+    const int before = current->state().answer;
+    const auto hasBegun = [before, mark](const LinkState& state) {
+        return state.isPlaying() || (mark != 0 && state.result == mark) || (before != 2 && state.answer == 2);
+    };
     const bool sent = scripts_->sendScriptCommand(text);
-    const bool ran = sent && current->wait(isPlaying, never, kProgramStart) &&
+    const bool ran = sent && current->wait(hasBegun, never, kProgramStart) &&
                      current->wait(
                          hasEnded, [](const LinkState& s) { return s.isStopped(); }, kEver) &&
                      current->wait([](const LinkState& s) { return s.runtime == RuntimeState::Stopped; },

@@ -126,7 +126,18 @@ public:
 
     bool reupload();
     void stopProgram();
-    bool runCustom(const std::string& program);
+    /// mark  what the program writes into integer register 1 first of all, from nextMark(); 0: nothing
+    bool runCustom(const std::string& program, int mark = 0);
+    int nextMark() { return kFirstMark + marks_++; }
+    /// Throws std::runtime_error without a dashboard server.
+    void unlockProtectiveStop();
+
+    struct Identity {
+        ur_rtde::Versions versions;
+        std::string serialNumber;
+    };
+    const Identity& identity() const { return identity_; }
+    int offset() const;  ///< of the registers: 0 or 24
     void setScriptFile(const std::string& file) { scriptFile_ = file; }
 
 private:
@@ -137,15 +148,20 @@ private:
     std::optional<LinkState> performInTurn(const Command& command, bool mayBeStopped);
     bool endProgram(ControlLink& link);
     bool upload(ControlLink& link, const std::string& pathCode);
-    bool awaitProgram(ControlLink& link, std::chrono::milliseconds atMost);
+    bool awaitProgram(ControlLink& link, std::chrono::milliseconds atMost,
+                      const std::function<bool(const LinkState&)>& giveUp = {});
     void connectAndStart();
     void startProgram(ControlLink& link);
+    void identify(const SoftwareVersion& version);
     void checkRemoteControl(const SoftwareVersion& version);
     std::string program(const SoftwareVersion& version, const std::string& pathCode, bool bare) const;
     void say(const std::string& text) const;
-    int offset() const;
+
+    static constexpr int kFirstMark = 0x40000000;  // no command has such a result
 
     const SessionOptions options_;
+    Identity identity_;
+    std::atomic<int> marks_{0};
     std::string scriptFile_;
     std::timed_mutex turn_;             ///< one command after the other
     std::atomic<int> stopsWaiting_{0};  ///< threads that want to stop something

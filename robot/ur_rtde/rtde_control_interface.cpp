@@ -58,6 +58,18 @@ bool RTDEControlInterface::isConnected() {
     return d_->session.isConnected();
 }
 
+const Versions& RTDEControlInterface::versions() const {
+    return d_->session.identity().versions;
+}
+
+const std::string& RTDEControlInterface::serial_number() const {
+    return d_->session.identity().serialNumber;
+}
+
+void RTDEControlInterface::unlockProtectiveStop() {
+    d_->session.unlockProtectiveStop();
+}
+
 void RTDEControlInterface::waitPeriod(const std::chrono::steady_clock::time_point& t_cycle_start) {
     RTDEUtility::waitPeriod(t_cycle_start,
                             d_->givenPeriod > 0 ? d_->givenPeriod : d_->session.controlPeriod());
@@ -82,11 +94,14 @@ bool RTDEControlInterface::sendCustomScriptFunction(const std::string& function_
         throw std::invalid_argument("script is empty");
     }
     std::istringstream lines(script);
-    std::string text = "def " + function_name + "():\n";
+    // The first line tells of runs too short to be seen playing.
+    const int mark = d_->session.nextMark();
+    std::string text = "def " + function_name + "():\n\twrite_output_integer_register(" +
+                       std::to_string(d_->session.offset() + 1) + ", " + std::to_string(mark) + ")\n";
     for (std::string line; std::getline(lines, line);) {
         text += "\t" + line + "\n";
     }
-    return d_->session.runCustom(text + "end\n");
+    return d_->session.runCustom(text + "end\n", mark);
 }
 
 bool RTDEControlInterface::sendCustomScript(const std::string& script) {
@@ -203,6 +218,23 @@ bool RTDEControlInterface::enableExternalFtSensor(bool enable, double sensor_mas
 
 // ---- questions ------------------------------------------------------------------------------------------
 
+namespace {
+
+[[noreturn]] void throwUnanswered(const char* what) {
+    throw std::runtime_error(
+        std::string(what) +
+        ": the robot did not answer. Does the control program run, and is there no stop?");
+}
+
+List answered(const char* what, const List& answer) {
+    if (answer.empty()) {
+        throwUnanswered(what);
+    }
+    return answer;
+}
+
+}  // namespace
+
 double RTDEControlInterface::getStepTime() {
     const List answer = d_->six(CommandId::StepTime, 4);
     return answer.empty() ? 0.0 : answer.front();
@@ -241,15 +273,19 @@ bool RTDEControlInterface::getInverseKinematicsHasSolution(const List& x, const 
                                                            double max_position_error,
                                                            double max_orientation_error) {
     const List values = kinematicsQuestion(x, qnear, max_position_error, max_orientation_error);
-    return qnear.empty() ? d_->done(CommandId::HasSolution, 6, values)
-                         : d_->done(CommandId::HasSolutionNear, 10, values);
+    const auto answer = qnear.empty() ? d_->session.perform({CommandId::HasSolution, 6, values})
+                                      : d_->session.perform({CommandId::HasSolutionNear, 10, values});
+    if (!answer) {
+        throwUnanswered("getInverseKinematicsHasSolution");
+    }
+    return answer->result != 0;
 }
 
 List RTDEControlInterface::getForwardKinematics(const List& q, const List& tcp_offset) {
     if (q.empty() && tcp_offset.empty()) {
-        return d_->six(CommandId::ForwardKinematics, 4);
+        return answered("getForwardKinematics", d_->six(CommandId::ForwardKinematics, 4));
     }
-    const List joints = q.empty() ? getActualJointPositionsHistory() : q;
+    const List joints = q.empty() ? answered("getForwardKinematics", getActualJointPositionsHistory()) : q;
     check::joints("q", joints);
     if (!tcp_offset.empty()) {
         check::pose("tcp_offset", tcp_offset);
@@ -257,13 +293,13 @@ List RTDEControlInterface::getForwardKinematics(const List& q, const List& tcp_o
     // Without a TCP the active one counts, which has to be asked for: the command takes what is in the
     // registers.
     const List tcp = tcp_offset.empty() ? getTCPOffset() : tcp_offset;
-    return tcp.empty() ? List() : d_->six(CommandId::ForwardKinematicsOf, 12, joined(joints, tcp));
+    return answered("getForwardKinematics", d_->six(CommandId::ForwardKinematicsOf, 12, joined(joints, tcp)));
 }
 
 List RTDEControlInterface::poseTrans(const List& p_from, const List& p_from_to) {
     check::pose("p_from", p_from);
     check::pose("p_from_to", p_from_to);
-    return d_->six(CommandId::PoseTrans, 12, joined(p_from, p_from_to));
+    return answered("poseTrans", d_->six(CommandId::PoseTrans, 12, joined(p_from, p_from_to)));
 }
 
 bool RTDEControlInterface::isPoseWithinSafetyLimits(const List& pose) {
@@ -277,15 +313,15 @@ bool RTDEControlInterface::isJointsWithinSafetyLimits(const List& q) {
 }
 
 List RTDEControlInterface::getJointTorques() {
-    return d_->six(CommandId::JointTorques, 4);
+    return answered("getJointTorques", d_->six(CommandId::JointTorques, 4));
 }
 
 List RTDEControlInterface::getTCPOffset() {
-    return d_->six(CommandId::TcpOffset, 4);
+    return answered("getTCPOffset", d_->six(CommandId::TcpOffset, 4));
 }
 
 List RTDEControlInterface::getActualToolFlangePose() {
-    return d_->six(CommandId::ToolFlangePose, 4);
+    return answered("getActualToolFlangePose", d_->six(CommandId::ToolFlangePose, 4));
 }
 
 bool RTDEControlInterface::isSteady() {

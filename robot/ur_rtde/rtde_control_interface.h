@@ -10,7 +10,7 @@
 // value that is not a number, std::range_error for one out of range, both naming the argument. Angles that
 // look like degrees and lengths that look like millimetres are out of range.
 //
-// Beyond what ur_rtde does: motions without an end of their own (speed, servo, jog) end within 0.25 s when
+// Beyond what ur_rtde does: motions without an end of their own (speed, servo, jog) end within 0.1 s when
 // this program falls silent; stopJ, stopL, stopScript and triggerProtectiveStop overtake a motion another
 // thread is waiting for; a move after servoing needs no servoStop(); a lost connection is not taken up again
 // without reconnect().
@@ -32,6 +32,13 @@
 #include <vector>
 
 namespace ur_rtde {
+
+struct Versions {
+    std::uint32_t major = 0;
+    std::uint32_t minor = 0;
+    std::uint32_t bugfix = 0;
+    std::uint32_t build = 0;
+};
 
 /// Threads  any; commands are carried out one after the other.
 class RTDEControlInterface {
@@ -70,8 +77,9 @@ public:
     /// frequency    of the data [Hz]; -1: the controller's own
     /// ur_cap_port  where the ExternalControl URCap asks for the program
     /// rt_priority  of the thread that receives
-    /// Throws std::runtime_error when the controller cannot be reached or the program does not start within 5
-    /// s, std::logic_error when the robot is not in remote control.
+    /// Throws std::runtime_error when the controller cannot be reached, std::logic_error when the robot is
+    /// not in remote control or the program does not start: within 5 s, one that is started by hand within 60
+    /// s.
     explicit RTDEControlInterface(std::string hostname, double frequency = -1.0,
                                   uint16_t flags = FLAGS_DEFAULT, int ur_cap_port = 50002,
                                   int rt_priority = RT_PRIORITY_UNDEFINED);
@@ -83,11 +91,16 @@ public:
     void disconnect();
     bool reconnect();
     bool isConnected();
+    /// Of the controller's software; zeros before the first connection.
+    const Versions& versions() const;
+    /// Of the robot; empty where there is no dashboard server to ask.
+    const std::string& serial_number() const;
 
     void waitPeriod(const std::chrono::steady_clock::time_point& t_cycle_start);
     std::chrono::steady_clock::time_point initPeriod();
 
     // ---- the program on the robot
+    /// Returns true when it runs; during a protective or emergency stop when it was handed over.
     bool reuploadScript();
     /// Runs `script` (lines of URScript) as a function of this name, then the control program again.
     bool sendCustomScriptFunction(const std::string& function_name, const std::string& script);
@@ -120,8 +133,7 @@ public:
     bool moveUntilContact(const std::vector<double>& xd,
                           const std::vector<double>& direction = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
                           double acceleration = 0.5);
-    /// Of the last asynchronous motion: its progress while it runs, else a negative number, another one for
-    /// each.
+    /// Of the last asynchronous motion: its progress while it runs, else -1 or -2, taking turns.
     int getAsyncOperationProgress();
     AsyncOperationStatus getAsyncOperationProgressEx();
 
@@ -175,8 +187,13 @@ public:
     bool setWatchdog(double min_frequency = 10.0);
     bool kickWatchdog();
     bool triggerProtectiveStop();
+    /// Asks the dashboard server for it. Throws as DashboardClient::unlockProtectiveStop; nothing moves by
+    /// it.
+    void unlockProtectiveStop();
 
-    // ---- queries; an empty list (or 0) when the robot does not answer, or there is no solution
+    // ---- queries. When the robot does not answer: an empty list, 0 or false from those that answer with as
+    // much where there is nothing to say (step time, history, waypoint, contact, inverse kinematics, limits,
+    // steady); std::runtime_error from the others
     double getStepTime();
     std::vector<double> getActualJointPositionsHistory(int steps = 0);
     std::vector<double> getTargetWaypoint();

@@ -11,8 +11,12 @@
 
 #include <chrono>
 #include <cstdint>
+#include <fstream>
+#include <map>
 #include <memory>
 #include <string>
+#include <thread>
+#include <tuple>
 #include <vector>
 
 namespace ur_rtde {

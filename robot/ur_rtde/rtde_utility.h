@@ -3,7 +3,14 @@
 
 // Small helpers of the ur_rtde interface: splitting text, keeping time, asking for real-time priority.
 
+// Some of these are for programs, which count on their coming along.
 #include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
 #include <string>
 #include <vector>
 

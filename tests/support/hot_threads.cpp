@@ -79,6 +79,10 @@ void countHotThreads(bool on) {
     counting = on;
 }
 
+void watchThisThread() {
+    hot = true;
+}
+
 HotCounts hotCounts() {
     return {allocations.load(), locks.load()};
 }

@@ -15,6 +15,8 @@ struct HotCounts {
 
 /// From now on (or not any more) the threads named "control" and "tiller-receive" are counted.
 void countHotThreads(bool on);
+/// Counts the thread that calls this too.
+void watchThisThread();
 HotCounts hotCounts();
 /// How many threads of these names there have been: a test that counts none proves nothing.
 int hotThreads();

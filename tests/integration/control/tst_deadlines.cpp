@@ -4,15 +4,7 @@
 // How fast they end is measured by tests/benchmarks/backend_performance.
 #include <QDir>
 
-#include "robot/control/arm_queries.h"
-#include "robot/control/compliance.h"
-#include "robot/control/motions.h"
-#include "robot/control/packet_loop.h"
-#include "robot/control/programs.h"
-#include "robot/control/tool_setup.h"
-#include "robot/receive/receiver.h"
-#include "tests/integration/control/cell.h"
-#include "tests/support/raw_peer.h"
+#include "tests/integration/control/blocking_calls.h"
 
 using namespace tiller;
 using namespace tiller::control;
@@ -20,48 +12,6 @@ using namespace tiller::test;
 using std::chrono::milliseconds;
 
 namespace {
-
-struct Call {
-    const char* name;
-    std::function<Error(Controller&, const Deadline&)> run;
-};
-
-const std::vector<Call>& calls() {
-    static const std::vector<Call> all{
-        {"question", [](Controller& c, const Deadline& d) { return ArmQueries(c).jointTorques(d).error(); }},
-        {"setting", [](Controller& c, const Deadline& d) { return ToolSetup(c).zeroForceSensor(d).error(); }},
-        {"force mode",
-         [](Controller& c, const Deadline& d) {
-             ForceMode mode;
-             mode.limits = {1, 1, 1, 1, 1, 1};
-             return Compliance(c).setForceMode(mode, d).error();
-         }},
-        {"protective stop",
-         [](Controller& c, const Deadline& d) { return ToolSetup(c).triggerProtectiveStop(d).error(); }},
-        {"function",
-         [](Controller& c, const Deadline& d) {
-             return Programs(c).startFunction(QStringLiteral("f"), QStringLiteral("sync()"), d).error();
-         }},
-        {"script",
-         [](Controller& c, const Deadline& d) {
-             return Programs(c).runScript(QStringLiteral("def f():\n  sync()\nend\n"), d).error();
-         }},
-        {"end of the program",
-         [](Controller& c, const Deadline& d) { return Programs(c).endControlProgram(d).error(); }},
-        {"reupload", [](Controller& c, const Deadline& d) { return Programs(c).reupload(d).error(); }},
-        {"packet loop",
-         [](Controller& c, const Deadline& d) {
-             const auto hold = [](const CycleState& state) { return std::optional(state.q); };
-             return PacketLoop(c).servoJ(hold, {}, d).error();
-         }},
-        {"motion",
-         [](Controller& c, const Deadline& d) {
-             const auto motion = Motions(c).startSpeedJ({}, Holding::Free);
-             return motion ? motion->motion().wait(d).error() : motion.error();
-         }},
-    };
-    return all;
-}
 
 /// Counts how often it is looked at.
 class AskedClock final : public Clock {
@@ -93,37 +43,37 @@ int threads() {
 class TestDeadlines : public QObject {
     Q_OBJECT
 
+private:
+    const std::vector<BlockingCall> calls_ = blockingCalls();
+
 private Q_SLOTS:
     void everyCallEndsWithItsDeadline_data() {
         QTest::addColumn<int>("which");
-        for (std::size_t i = 0; i < calls().size(); ++i) {
-            QTest::newRow(calls()[i].name) << static_cast<int>(i);
+        for (std::size_t i = 0; i < calls_.size(); ++i) {
+            QTest::newRow(calls_[i].name) << static_cast<int>(i);
         }
     }
     void everyCallEndsWithItsDeadline() {
         QFETCH(int, which);
-        Cell cell;
-        QVERIFY(cell.takeControl().ok());
-        cell.robot.silence(true);  // from here on nobody steps, and no packet comes
-        const Error error =
-            calls()[static_cast<std::size_t>(which)].run(*cell.controller, Deadline::after(milliseconds(40)));
+        MuteWorld world;
+        QVERIFY(world.begin());
+        const BlockingCall& call = calls_[static_cast<std::size_t>(which)];
+        const Error error = call.run(world, Deadline::after(milliseconds(40)));
         QVERIFY2(error.code == ErrorCode::Timeout, qPrintable(error.toString()));
-        cell.controller.reset();
     }
 
     void everyCallEndsWithItsCancel_data() { everyCallEndsWithItsDeadline_data(); }
     void everyCallEndsWithItsCancel() {
         QFETCH(int, which);
-        Cell cell;
-        QVERIFY(cell.takeControl().ok());
-        cell.robot.silence(true);
+        MuteWorld world;
+        QVERIFY(world.begin());
         const CancelToken token;
         std::thread impatient([&] {
             std::this_thread::sleep_for(milliseconds(20));
             token.cancel();
         });
-        const Error error =
-            calls()[static_cast<std::size_t>(which)].run(*cell.controller, Deadline::never(token));
+        const BlockingCall& call = calls_[static_cast<std::size_t>(which)];
+        const Error error = call.run(world, Deadline::never(token));
         impatient.join();
         QVERIFY2(error.code == ErrorCode::Cancelled, qPrintable(error.toString()));
     }

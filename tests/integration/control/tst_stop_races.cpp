@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Stops, losses and errors that come while a call is under way.
+#include <unistd.h>
+
+#include <QFile>
 #include <array>
 #include <stdexcept>
 
@@ -18,6 +21,11 @@ namespace {
 
 Deadline patience() {
     return Deadline::after(std::chrono::seconds(60));
+}
+
+bool isAsleep(pid_t thread) {
+    QFile stat(QStringLiteral("/proc/self/task/%1/stat").arg(thread));
+    return stat.open(QIODevice::ReadOnly) && stat.readAll().contains(") S ");
 }
 
 template <class R>
@@ -44,16 +52,24 @@ private Q_SLOTS:
         Programs programs(*cell.controller);
         std::array<std::optional<Result<Motion>>, 2> functions;
         std::array<std::thread, 2> callers;
-        std::atomic<int> entered{0};
+        std::array<std::atomic<pid_t>, 2> ids{};
+        std::atomic<bool> waits{false};
+        // Who waits asks its token whether it is still wanted: then it is past the point where it looked for
+        // stops.
+        const CancelToken asked([&] {
+            waits = true;
+            return false;
+        });
         for (std::size_t i = 0; i < callers.size(); ++i) {
             callers[i] = std::thread([&, i] {
-                ++entered;
-                functions[i] = programs.startFunction(
-                    QStringLiteral("later"), QStringLiteral("set_standard_digital_out(3, True)"), patience());
+                ids[i] = gettid();
+                functions[i] = programs.startFunction(QStringLiteral("later"),
+                                                      QStringLiteral("set_standard_digital_out(3, True)"),
+                                                      Deadline::after(std::chrono::seconds(60), asked));
             });
+            // The second one asks nobody: it sleeps until its turn comes.
+            QTRY_VERIFY_WITH_TIMEOUT(ids[i] != 0 && (i == 0 ? waits.load() : isAsleep(ids[i])), 60'000);
         }
-        QTRY_COMPARE(entered.load(), 2);
-        std::this_thread::sleep_for(std::chrono::milliseconds(300));
         cell.controller->stop(StopCause::StopButton);
         cell.during([&] {
             callers[0].join();

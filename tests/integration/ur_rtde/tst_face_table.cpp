@@ -103,7 +103,7 @@ private Q_SLOTS:
             {"RobotiqGripper", "gripper\\."},
             {"Path", "path\\."},
             {"PathEntry", "\\[0\\]\\."},
-            {"AsyncOperationStatus", "(?:status|AsyncOperationStatus\\(\\))\\."},
+            {"AsyncOperationStatus", "(?:status|AsyncOperationStatus\\(\\w*\\))\\."},
         };
         const auto cppTests =
             functionsIn("tests/integration/ur_rtde", "tst_face_*.cpp",

@@ -1,53 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The receive loop allocates nothing once it runs. This program counts every allocation of every thread, so
-// its own threads are careful not to make any while it counts.
+// The receive loop allocates nothing once it runs, nor does who reads its samples.
 #include <QTest>
 #include <atomic>
-#include <cstdlib>
-#include <new>
 #include <thread>
 
 #include "robot/receive/receiver.h"
 #include "robot/rtde/big_endian.h"
 #include "robot/rtde/fields.h"
+#include "tests/support/hot_threads.h"
 #include "tests/support/scripted_peer.h"
-
-namespace {
-
-std::atomic<bool> counting{false};
-std::atomic<long> allocations{0};
-
-void* counted(std::size_t size) {
-    if (counting.load(std::memory_order_relaxed)) {
-        allocations.fetch_add(1, std::memory_order_relaxed);
-    }
-    void* memory = std::malloc(size == 0 ? 1 : size);
-    if (memory == nullptr) {
-        throw std::bad_alloc();
-    }
-    return memory;
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-    return counted(size);
-}
-void* operator new[](std::size_t size) {
-    return counted(size);
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete[](void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
 
 using namespace tiller;
 using namespace tiller::receive;
@@ -132,12 +93,12 @@ private Q_SLOTS:
 };
 
 void TestReceiveAllocations::theCounterCounts() {
-    counting = true;
-    const auto before = allocations.load();
-    auto* volatile thing = new int(1);
-    delete thing;
-    counting = false;
-    QCOMPARE(allocations.load() - before, 1L);
+    test::watchThisThread();
+    const auto before = test::hotCounts().allocations;
+    test::countHotThreads(true);
+    ::operator delete(::operator new(16));
+    test::countHotThreads(false);
+    QCOMPARE(test::hotCounts().allocations - before, 1U);
 }
 
 void TestReceiveAllocations::receivingAllocatesNothing() {
@@ -162,8 +123,9 @@ void TestReceiveAllocations::receivingAllocatesNothing() {
     }
 
     constexpr std::uint64_t kAll = 3000;
-    allocations = 0;
-    counting = true;
+    QVERIFY(test::hotThreads() >= 1);
+    const auto before = test::hotCounts().allocations;
+    test::countHotThreads(true);
     feeder.wanted = static_cast<int>(kAll);
     // The subscriber's side is under the same rule. Ended by the test's time limit if packages stay away.
     while (taken < kAll) {
@@ -174,8 +136,8 @@ void TestReceiveAllocations::receivingAllocatesNothing() {
         }
         receiver.latest(newest);
     }
-    counting = false;
-    QCOMPARE(allocations.load(), 0L);
+    test::countHotThreads(false);
+    QCOMPARE(test::hotCounts().allocations - before, 0U);
     QCOMPARE(fromRing.sequence, kAll);
     QCOMPARE(receiver.counters().lost, std::uint64_t(0));
     QCOMPARE(subscription.lost(), std::uint64_t(0));

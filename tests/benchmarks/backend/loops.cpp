@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: MIT
+// The circle with a timer and with the packet-locked loop, and the speed slider's round trip; with and
+// without real-time priority, idle and under load.
+#include <QTextStream>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <thread>
+
+#ifdef __linux__
+#include <sched.h>
+#endif
+
+#include "robot/control/packet_loop.h"
+#include "robot/io/outputs.h"
+#include "robot/realtime/periodic_timer.h"
+#include "robot/realtime/realtime_report.h"
+#include "robot/receive/receiver.h"
+#include "robot/simulator/controller.h"
+#include "tests/benchmarks/backend/report.h"
+#include "tests/support/hot_threads.h"
+
+namespace tiller::benchmark {
+
+namespace {
+
+using namespace std::chrono_literals;
+using realtime::Histogram;
+using SteadyTime = std::chrono::steady_clock;
+
+constexpr std::int64_t kCycleLimitNs = 2'500'000;      // as in the paper
+constexpr std::int64_t kRoundTripLimitNs = 4'500'000;  // as in the paper
+
+std::int64_t since(SteadyTime::time_point begin) {
+    return std::chrono::nanoseconds(SteadyTime::now() - begin).count();
+}
+
+/// As `stress` does: keeps every core busy at normal priority.
+class Load {
+public:
+    explicit Load(bool wanted) {
+        const unsigned count = wanted ? std::thread::hardware_concurrency() + 1 : 0;
+        for (unsigned i = 0; i < count; ++i) {
+            threads_.emplace_back([this] {
+                realtime::nameThread("load");
+#ifdef __linux__
+                const sched_param normal{};
+                sched_setscheduler(0, SCHED_OTHER, &normal);  // whatever who started it has
+#endif
+                volatile double x = 1;
+                while (!over_) {
+                    for (int k = 0; k < 1000; ++k) {
+                        x = std::sqrt(x + k);
+                    }
+                }
+            });
+        }
+    }
+    ~Load() {
+        over_ = true;
+        for (std::thread& thread : threads_) {
+            thread.join();
+        }
+    }
+    Load(const Load&) = delete;
+    Load& operator=(const Load&) = delete;
+
+private:
+    std::atomic<bool> over_{false};
+    std::vector<std::thread> threads_;
+};
+
+/// Equation (1) of the paper: a circle in the XY plane.
+struct Circle {
+    Pose centre;
+    double radius = 0.05;
+    double frequency = 0.25;
+    Pose at(double time) const {
+        Pose pose = centre;
+        const double phase = 6.283185307179586 * frequency * time;
+        pose.position.x() += radius * (std::cos(phase) - 1);
+        pose.position.y() += radius * std::sin(phase);
+        return pose;
+    }
+    /// How far a place is off the circle [mm].
+    double offMm(const Eigen::Vector3d& place) const {
+        const Eigen::Vector2d middle = centre.position.head<2>() - Eigen::Vector2d(radius, 0);
+        return 1000 * std::abs((place.head<2>() - middle).norm() - radius);
+    }
+};
+
+struct CircleResult {
+    Histogram cycles;
+    Histogram reaction;  ///< from the package a target was made with to the one it left with
+    double worstOffMm = 0;
+    Error error;
+};
+
+void stand(control::Controller& controller) {
+    if (const auto stop = control::Motions(controller).stopL(2.0)) {
+        (void)stop->wait(Deadline::after(2s));
+    }
+}
+
+CircleResult timerCircle(control::Controller& controller, double seconds) {
+    CircleResult result;
+    Circle circle;
+    circle.centre = Pose::fromArray(controller.status().tcpPose);
+    auto servo = control::Motions(controller).startServoL();
+    if (!servo) {
+        result.error = servo.error();
+        return result;
+    }
+    realtime::PeriodicTimer timer(2ms);
+    auto previous = SteadyTime::now();
+    double time = 0;
+    const int cycles = static_cast<int>(seconds * 500);
+    std::int64_t usedNs = 0;  // the newest package when the target was made, and when it was handed over
+    std::int64_t handedNs = 0;
+    for (int i = 0; i < cycles; ++i) {
+        usedNs = controller.status().dataTimeNs;
+        handedNs = SteadyClock::shared().nowNs();
+        if (const auto sent = servo->send(circle.at(time)); !sent) {
+            result.error = sent.error();
+            break;
+        }
+        timer.wait();
+        const auto now = SteadyTime::now();
+        result.cycles.add(std::chrono::nanoseconds(now - previous).count());
+        previous = now;
+        const auto status = controller.status();
+        // It left with the answer to the first package that came afterwards.
+        constexpr std::int64_t kPeriodNs = 2 * kNsPerMs;
+        std::int64_t leftNs = status.dataTimeNs;
+        while (leftNs - kPeriodNs > handedNs) {
+            leftNs -= kPeriodNs;
+        }
+        result.reaction.add(std::max(leftNs, handedNs) - usedNs);
+        result.worstOffMm =
+            std::max(result.worstOffMm, circle.offMm(Pose::fromArray(status.tcpPose).position));
+        time += 0.002 * status.speedFraction * status.speedScaling;
+    }
+    stand(controller);
+    return result;
+}
+
+CircleResult packetCircle(control::Controller& controller, double seconds) {
+    CircleResult result;
+    Circle circle;
+    circle.centre = Pose::fromArray(controller.status().tcpPose);
+    control::CycleReport report;
+    const auto follow = [&](const control::CycleState& state) -> std::optional<Pose> {
+        result.worstOffMm = std::max(result.worstOffMm, circle.offMm(state.tcpPose.position));
+        result.reaction.add(SteadyClock::shared().nowNs() - state.hostNs);
+        return state.time < seconds ? std::optional(circle.at(state.time)) : std::nullopt;
+    };
+    const auto ended =
+        control::PacketLoop(controller)
+            .servoL(follow, {}, Deadline::after(std::chrono::milliseconds(int(seconds * 2000) + 10000)),
+                    &report);
+    result.cycles = report.intervals;
+    result.error = ended.error();
+    stand(controller);
+    return result;
+}
+
+Histogram roundTrips(const receive::Receiver& receiver, const QString& host, int count) {
+    Histogram trips;
+    io::Outputs outputs({host}, {[] { return io::Report(); }});
+    receive::Sample sample(receiver.layout());
+    if (!outputs.connect(Deadline::after(5s))) {
+        return trips;
+    }
+    for (int i = 0; i < count; ++i) {
+        const double wanted = i % 2 == 0 ? 0.5 : 1.0;
+        const auto begin = SteadyTime::now();
+        // Sent without waiting for the outputs' own confirmation: what is measured is the way out and back.
+        (void)outputs.setSpeedSlider(wanted, Deadline::after(0ms));
+        bool seen = false;
+        while (!seen && since(begin) < 1'000'000'000) {
+            receiver.latest(sample);
+            seen = std::abs(sample.field("target_speed_fraction")[0] - wanted) < 1e-6;
+            if (!seen) {
+                std::this_thread::sleep_for(20us);
+            }
+        }
+        trips.add(since(begin));
+    }
+    return trips;
+}
+
+struct Condition {
+    const char* name;
+    bool realtime;
+    bool load;
+};
+
+void measure(Report& report, const Wishes& wishes, const Condition& condition, const QString& address) {
+    report.begin(QString::fromLatin1(condition.name));
+    QTextStream(stderr) << condition.name << "...\n";
+    simulator::ControllerOptions options;
+    options.listenAddress = address;
+    options.poweredOn = true;
+    options.priority = 95;
+    simulator::Controller robot(options);
+    if (const auto started = robot.start(); !started) {
+        report.cannot(QStringLiteral("the simulated controller"), started.error().toString());
+        return;
+    }
+    receive::ReceiverOptions following;
+    following.host = address;
+    following.priority = condition.realtime ? 90 : 0;
+    receive::Receiver receiver(following);
+    receiver.start();
+    control::ControllerOptions wanted;
+    wanted.host = address;
+    wanted.priority = condition.realtime ? 85 : 0;
+    control::Controller controller(wanted);
+    if (const auto taken = controller.takeControl(Deadline::after(10s)); !taken) {
+        report.cannot(QStringLiteral("control"), taken.error().toString());
+        return;
+    }
+    const bool required = condition.realtime && condition.load;
+    std::thread worker([&] {  // of its own, so that its priority ends with it
+        if (condition.realtime) {
+            const auto granted = realtime::requestRealtime(80, {}, true);
+            report.add(QStringLiteral("real-time priority refused"), granted.priority.granted ? 0 : 1,
+                       QString(), 0.0);
+            for (const QString& advice : granted.advice) {
+                QTextStream(stderr) << advice << '\n';
+            }
+        }
+        const Load load(condition.load);
+        std::this_thread::sleep_for(500ms);
+        (void)timerCircle(controller, 0.5);  // warm-up
+        const std::vector<double> lengths =
+            wishes.seconds > 3 ? std::vector<double>{3, wishes.seconds} : std::vector<double>{wishes.seconds};
+        for (const double seconds : lengths) {
+            const bool longest = seconds == lengths.back();
+            const QString name = QStringLiteral("%1 s circle, ").arg(seconds);
+            const test::HotCounts before = test::hotCounts();
+            const std::uint64_t packets = receiver.counters().packets;
+            test::countHotThreads(true);
+            const CircleResult timer = timerCircle(controller, seconds);
+            const CircleResult packet = packetCircle(controller, seconds);
+            test::countHotThreads(false);
+            const test::HotCounts after = test::hotCounts();
+            for (const auto& [loop, circle] : {std::pair("timer loop", &timer), {"packet loop", &packet}}) {
+                const QString what = name + QLatin1String(loop);
+                if (circle->error.code != ErrorCode::None) {
+                    report.cannot(what, circle->error.toString());
+                    continue;
+                }
+                report.add(what, circle->cycles, kCycleLimitNs, required && longest);
+                report.add(what + QStringLiteral(": furthest off the circle"), circle->worstOffMm,
+                           QStringLiteral("mm"));
+            }
+            if (!longest) {
+                continue;
+            }
+            const auto ratio = [](const Histogram& locked, const Histogram& timed) {
+                return static_cast<double>(locked.percentileNs(99.9)) /
+                       std::max(static_cast<double>(timed.percentileNs(99.9)), 1.0);
+            };
+            // A timer on an idle core is as even as it gets, but tells nothing of when the robot gets its
+            // targets: what counts is how old the data are that a target was made from when it leaves.
+            report.add(QStringLiteral("p99.9 of cycles, packet loop by timer loop"),
+                       ratio(packet.cycles, timer.cycles), QString());
+            report.add(QStringLiteral("timer loop, package in to target out: p99.9"),
+                       static_cast<double>(timer.reaction.percentileNs(99.9)) / 1e6, QStringLiteral("ms"));
+            report.add(QStringLiteral("packet loop, package in to target out: p99.9"),
+                       static_cast<double>(packet.reaction.percentileNs(99.9)) / 1e6, QStringLiteral("ms"));
+            report.add(QStringLiteral("p99.9 of package in to target out, packet by timer"),
+                       ratio(packet.reaction, timer.reaction), QString(),
+                       required ? std::optional(1.0) : std::nullopt);
+            report.add(QStringLiteral("packages during both circles"),
+                       static_cast<double>(receiver.counters().packets - packets), QString());
+            report.add(QStringLiteral("allocations in both threads"),
+                       static_cast<double>(after.allocations - before.allocations), QString(), 0.0);
+            report.add(QStringLiteral("locks in both threads"),
+                       static_cast<double>(after.locks - before.locks), QString(), 0.0);
+            report.add(QStringLiteral("threads watched are missing"), test::hotThreads() >= 2 ? 0 : 1,
+                       QString(), 0.0);
+        }
+        const Histogram trips = roundTrips(receiver, address, wishes.roundTrips);
+        report.add(QStringLiteral("slider round trip"), trips, kRoundTripLimitNs, required);
+    });
+    worker.join();
+    controller.release();
+    receiver.stop();
+    robot.stop();
+}
+
+}  // namespace
+
+void measureLoops(Report& report, const Wishes& wishes) {
+    const Condition conditions[] = {
+        {"normal priority, idle", false, false},
+        {"normal priority, under load", false, true},
+        {"real-time priority, idle", true, false},
+        {"real-time priority, under load", true, true},
+    };
+    int number = 0;
+    for (const Condition& condition : conditions) {
+        measure(report, wishes, condition, QStringLiteral("127.0.8.%1").arg(++number));
+    }
+}
+
+}  // namespace tiller::benchmark

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// What programs written for ur_rtde 1.5.8 count on beyond names and types: what it throws, what it answers
+// when nothing runs, what it does during a stop.
+#include <ur_rtde/rtde_control_interface.h>
+
+#include <QTest>
+
+#include "tests/integration/ur_rtde/face_cell.h"
+
+using namespace tiller;
+using ur_rtde::AsyncOperationStatus;
+using ur_rtde::RTDEControlInterface;
+using List = std::vector<double>;
+
+class TestFaceCompatibility : public QObject {
+    Q_OBJECT
+
+private:
+    std::unique_ptr<test::FaceCell> cell_;
+    std::unique_ptr<RTDEControlInterface> control_;
+
+    bool until(const std::function<bool()>& condition) {
+        return cell_->until([&](const simulator::Truth&) { return condition(); });
+    }
+
+private Q_SLOTS:
+    void init() {
+        cell_ = std::make_unique<test::FaceCell>();
+        control_ = std::make_unique<RTDEControlInterface>(cell_->host());
+    }
+    void cleanup() {
+        control_.reset();
+        cell_.reset();
+    }
+
+    void itKnowsWhomItTalksTo() {
+        const auto& options = cell_->robot.options();
+        QCOMPARE(control_->versions().major, options.software.major);
+        QCOMPARE(control_->versions().minor, options.software.minor);
+        QVERIFY(!control_->serial_number().empty());
+    }
+
+    void aNumberIsAStatus() {
+        const AsyncOperationStatus none;
+        QCOMPARE(none.value(), 0U);
+        QCOMPARE(none.progress(), -1);
+        AsyncOperationStatus status = 0x05018003;
+        QVERIFY(status.isAsyncOperationRunning());
+        QCOMPARE(status.operationId(), 5);
+        QCOMPARE(status.changeCount(), 1);
+        QCOMPARE(status.progress(), 3);
+        status = 0x05020003;
+        QVERIFY(!status.isAsyncOperationRunning());
+        QCOMPARE(status.progress(), -1);
+    }
+
+    void finishedOperationsTakeTurnsInTheirNumbers() {
+        std::vector<int> ended;
+        for (const double turn : {0.05, -0.05, 0.05}) {
+            auto q = cell_->robot.truth().q.array();
+            q[5] += turn;
+            QVERIFY(control_->moveJ(List(q.begin(), q.end()), 1.0, 1.0, true));
+            QVERIFY(until([&] { return control_->getAsyncOperationProgress() >= 0; }));
+            QVERIFY(until([&] { return control_->getAsyncOperationProgress() < 0; }));
+            QCOMPARE(control_->getAsyncOperationProgressEx().progress(), -1);
+            ended.push_back(control_->getAsyncOperationProgress());
+        }
+        QVERIFY(ended[0] == -1 || ended[0] == -2);
+        QCOMPARE(ended[1], -3 - ended[0]);
+        QCOMPARE(ended[2], ended[0]);
+    }
+
+    void questionsNobodyAnswersThrow() {
+        control_->stopScript();
+        QVERIFY(until([&] { return !control_->isProgramRunning(); }));
+        const List pose{-0.1, -0.4, 0.2, 0, 3.1, 0};
+        QVERIFY_EXCEPTION_THROWN(control_->poseTrans(pose, pose), std::runtime_error);
+        QVERIFY_EXCEPTION_THROWN(control_->getJointTorques(), std::runtime_error);
+        QVERIFY_EXCEPTION_THROWN(control_->getTCPOffset(), std::runtime_error);
+        QVERIFY_EXCEPTION_THROWN(control_->getForwardKinematics(), std::runtime_error);
+        QVERIFY_EXCEPTION_THROWN(control_->getFreedriveStatus(), std::runtime_error);
+        QVERIFY_EXCEPTION_THROWN(control_->getActualToolFlangePose(), std::runtime_error);
+        QVERIFY_EXCEPTION_THROWN(control_->getInverseKinematicsHasSolution(pose), std::runtime_error);
+        QVERIFY(control_->getInverseKinematics(pose).empty());
+        QVERIFY(control_->getTargetWaypoint().empty());
+        QVERIFY(control_->getActualJointPositionsHistory().empty());
+        QCOMPARE(control_->getStepTime(), 0.0);
+        QCOMPARE(control_->toolContact(List(6, 0.0)), 0);
+        QVERIFY(!control_->isSteady());
+    }
+
+    void aProgramThatDoesNotStartIsALogicError() {
+        control_->stopScript();
+        control_.reset();
+        cell_->robot.emergencyStop(true);
+        QVERIFY(until([&] { return cell_->robot.truth().safetyMode != SafetyMode::Normal; }));
+        QVERIFY_EXCEPTION_THROWN(RTDEControlInterface{cell_->host()}, std::logic_error);
+    }
+
+    void duringAProtectiveStopTheProgramIsHandedOver() {
+        QVERIFY(control_->triggerProtectiveStop());
+        QVERIFY(control_->reuploadScript());
+        QVERIFY_EXCEPTION_THROWN(control_->unlockProtectiveStop(), std::logic_error);  // not for 5 s
+        QVERIFY(cell_->pass(6));
+        control_->unlockProtectiveStop();
+        QVERIFY(until([&] { return cell_->robot.truth().safetyMode == SafetyMode::Normal; }));
+        QVERIFY(control_->reuploadScript());
+        auto q = cell_->robot.truth().q.array();
+        q[5] += 0.1;
+        QVERIFY(control_->moveJ(List(q.begin(), q.end())));
+    }
+
+    // Over before a package could tell that they play.
+    void theShortestScriptsAreNotMissed() {
+        for (int i = 0; i < 5; ++i) {
+            QVERIFY(control_->sendCustomScriptFunction("blink", "set_standard_digital_out(1, True)"));
+            QVERIFY(
+                control_->sendCustomScript("def two():\n  write_output_integer_register(0, 1)\n"
+                                           "  write_output_integer_register(0, 2)\nend\n"));
+        }
+        QVERIFY((cell_->robot.truth().digitalOutputs & 2U) != 0);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestFaceCompatibility)
+#include "tst_face_compatibility.moc"

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: MIT
+"""The Python example of the README, as it stands there, against the controller that tiller-cli simulates."""
+import os
+import re
+import subprocess
+import sys
+import unittest
+
+
+class TestReadme(unittest.TestCase):
+    def setUp(self):
+        pid = os.getpid()
+        self.host = f"127.{10 + pid % 200}.{pid // 200 % 250}.7"
+        self.simulator = subprocess.Popen([os.environ["TILLER_CLI"], "simulate", "--headless", "--listen", self.host],
+                                          stdout=subprocess.PIPE, text=True)
+        self.assertTrue(self.simulator.stdout.readline().startswith("ready "))
+
+    def tearDown(self):
+        self.simulator.terminate()
+        self.simulator.wait()
+        self.simulator.stdout.close()
+
+    def test_the_example_runs(self):
+        with open(os.environ["TILLER_README"], encoding="utf-8") as file:
+            examples = re.findall(r"```python\n(.*?)```", file.read(), re.DOTALL)
+        self.assertEqual(len(examples), 1)
+        # Another address, because the standard one may be in use here; the modules come from PYTHONPATH.
+        example = examples[0].replace('"127.0.0.1"', repr(self.host)).replace('"build/release/python"', '"."')
+        self.assertIn(self.host, example)
+        ran = subprocess.run([sys.executable, "-c", example], capture_output=True, text=True)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        pose = [float(number) for number in ran.stdout.strip().strip("[]").split(",")]
+        self.assertEqual(len(pose), 6)
+        self.assertLess(sum(x * x for x in pose[:3]), 1.5 ** 2)  # [m], within the arm's reach
+
+
+if __name__ == "__main__":
+    unittest.main()
