@@ -73,7 +73,8 @@ struct ArmState {
         Eigen::Vector3d::Zero();  ///< actual_tool_accelerometer, tool frame [m/s2]
     Eigen::Vector3d elbowPosition = Eigen::Vector3d::Zero();  ///< elbow_position [m]
     Eigen::Vector3d elbowVelocity = Eigen::Vector3d::Zero();  ///< elbow_velocity [m/s]
-    double momentum{};                                        ///< actual_momentum [kg m/s]
+    Wrench targetBaseWrench;  ///< target_base_wrench: what holds and moves the arm at its base, base axes
+    double momentum{};        ///< actual_momentum [kg m/s]
 
     // supply
     double mainVoltage{};      ///< actual_main_voltage [V]

@@ -107,11 +107,23 @@ Vector6 Dynamics::gravityTorques(const Vector6& q) {
     return torques(q, Vector6::Zero(), Vector6::Zero());
 }
 
-Eigen::Vector3d Dynamics::momentum(const std::array<Eigen::Isometry3d, 7>& frames, const Vector6& qd) const {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+Dynamics::Momentum Dynamics::momentum(const std::array<Eigen::Isometry3d, 7>& frames,
+                                      const Vector6& qd) const {
+    Momentum sum;
     Eigen::Vector3d omega = Eigen::Vector3d::Zero();
     Eigen::Vector3d origin = frames[0].translation();
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+    const auto add = [&](const Eigen::Isometry3d& T, double mass, const Eigen::Vector3d& centreInFrame,
+                         const Eigen::Matrix3d& inertiaInFrame) {
+        const Eigen::Vector3d offset = T.linear() * centreInFrame;
+        const Eigen::Vector3d centre = T.translation() + offset;
+        const Eigen::Vector3d linear = mass * (velocity + omega.cross(offset));
+        sum.linear += linear;
+        sum.angular +=
+            centre.cross(linear) + T.linear() * (inertiaInFrame * (T.linear().transpose() * omega));
+        sum.mass += mass;
+        sum.firstMoment += mass * centre;
+    };
     for (int i = 0; i < kJointCount; ++i) {
         const auto k = static_cast<std::size_t>(i);
         omega += frames[k].linear().col(2) * qd[i];
@@ -119,12 +131,17 @@ Eigen::Vector3d Dynamics::momentum(const std::array<Eigen::Isometry3d, 7>& frame
         velocity += omega.cross(T.translation() - origin);
         origin = T.translation();
         const LinkInertia& link = chain_->model.links[k];
-        const Eigen::Vector3d centre =
-            T.linear() * Eigen::Map<const Eigen::Vector3d>(link.centreOfMass.data());
-        sum += link.mass * (velocity + omega.cross(centre));
+        const auto& m = link.inertia;
+        Eigen::Matrix3d inertia;
+        inertia << m[0], m[1], m[2], m[1], m[3], m[4], m[2], m[4], m[5];
+        add(T, link.mass, Eigen::Map<const Eigen::Vector3d>(link.centreOfMass.data()), inertia);
     }
-    const Eigen::Vector3d load = frames[6].linear() * chain_->payload.centreOfGravity;
-    return sum + chain_->payload.mass * (velocity + omega.cross(load));
+    const Payload& load = chain_->payload;
+    const Vector6& m = load.inertia;
+    Eigen::Matrix3d inertia;
+    inertia << m[0], m[3], m[4], m[3], m[1], m[5], m[4], m[5], m[2];
+    add(frames[6], load.mass, load.centreOfGravity, inertia);
+    return sum;
 }
 
 }  // namespace tiller::simulator::arm

@@ -30,8 +30,14 @@ public:
     Vector6 coriolis(const Vector6& q, const Vector6& qd);
     Vector6 gravityTorques(const Vector6& q);
 
-    /// Sum of mass times velocity of all links and the payload, base frame [kg m/s].
-    Eigen::Vector3d momentum(const std::array<Eigen::Isometry3d, 7>& frames, const Vector6& qd) const;
+    /// Of all links and the payload, base frame.
+    struct Momentum {
+        Eigen::Vector3d linear = Eigen::Vector3d::Zero();       ///< [kg m/s]
+        Eigen::Vector3d angular = Eigen::Vector3d::Zero();      ///< about the base's origin [kg m2/s]
+        double mass = 0;                                        ///< [kg]
+        Eigen::Vector3d firstMoment = Eigen::Vector3d::Zero();  ///< mass times centre [kg m]
+    };
+    Momentum momentum(const std::array<Eigen::Isometry3d, 7>& frames, const Vector6& qd) const;
 
 private:
     struct Chain;

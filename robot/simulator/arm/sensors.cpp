@@ -149,7 +149,19 @@ void Sensors::updateKinematics(const JointTarget& target, ArmState& state) {
     state.elbowPosition = elbow;
     state.elbowVelocity = z1.cross(elbow - actual_.frames[0].translation()) * state.actualQd[0] +
                           z2.cross(elbow - actual_.frames[1].translation()) * state.actualQd[1];
-    state.momentum = real_.momentum(actual_.frames, state.actualQd.values).norm();
+    state.momentum = real_.momentum(actual_.frames, state.actualQd.values).linear.norm();
+    updateBase(target, state);
+}
+
+// What the base has to bear: the weight, and what changes the momentum.
+void Sensors::updateBase(const JointTarget& target, ArmState& state) {
+    const Dynamics::Momentum now = model_.momentum(target_.frames, target.qd);
+    const Eigen::Vector3d force = first_ ? Eigen::Vector3d::Zero() : Eigen::Vector3d(now.linear - linear_);
+    const Eigen::Vector3d torque = first_ ? Eigen::Vector3d::Zero() : Eigen::Vector3d(now.angular - angular_);
+    state.targetBaseWrench = {now.mass * gravity_ + force / period_,
+                              now.firstMoment.cross(gravity_) + torque / period_};
+    linear_ = now.linear;
+    angular_ = now.angular;
 }
 
 // Of a point fixed to the flange, from the target motion: the real one differs by the lag only, and has no

@@ -53,6 +53,7 @@ public:
 
 private:
     void updateKinematics(const JointTarget& target, ArmState& state);
+    void updateBase(const JointTarget& target, ArmState& state);
     void updateForces(const Environment& environment, DriveState drive, ArmState& state);
     void updateDrives(DriveState drive, ArmState& state);
     void updateSupply(DriveState drive, ArmState& state);
@@ -77,6 +78,8 @@ private:
     Posture actual_;
     Twist targetTwist_;
     Twist actualTwist_;
+    Eigen::Vector3d linear_ = Eigen::Vector3d::Zero();  // momentum of the target motion
+    Eigen::Vector3d angular_ = Eigen::Vector3d::Zero();
     Eigen::Vector3d tcpAcceleration_ = Eigen::Vector3d::Zero();  // TCP acceleration of the target motion
     Eigen::Vector3d tcpTurning_ = Eigen::Vector3d::Zero();
     Wrench atFlange_;     // external and load, flange frame

@@ -94,7 +94,7 @@ const std::unordered_map<std::string_view, Read>& namedSources() {
         TILLER_FIELD(script_control_line, t.scriptLine),
         TILLER_FIELD(target_gravity, t.gravity),
         TILLER_FIELD(target_base_acceleration, (Vector6() << t.gravity, Eigen::Vector3d::Zero()).finished()),
-        TILLER_FIELD(target_base_wrench, Vector6::Zero().eval()),
+        TILLER_FIELD(target_base_wrench, a.targetBaseWrench),
         TILLER_FIELD(control_step, t.tick),
         TILLER_FIELD(robot_mode, t.robotMode),
         TILLER_FIELD(joint_mode, Vector6::Constant(static_cast<double>(t.jointMode)).eval()),

@@ -35,6 +35,7 @@ private Q_SLOTS:
     void supplyFollowsThePower();
     void tcpOffsetShowsAtOnceWithoutMotion();
     void momentumOfOneTurningJoint();
+    void theBaseBearsTheArmAndItsMotion();
     void historyGoesBackStepByStep();
     void contactIsFoundWithItsBeginning();
     void everyModelCarriesItself();
@@ -270,6 +271,35 @@ void TestArmSensors::momentumOfOneTurningJoint() {
     arm.finish(arm->motion().stopJ(4));
     arm.step();
     QVERIFY(arm.state().momentum < 1e-9);
+}
+
+// The first joint turns about the base's z axis: what the base bears about it is that joint's torque, which
+// recursive Newton-Euler tells independently.
+void TestArmSensors::theBaseBearsTheArmAndItsMotion() {
+    WatchedArm arm;
+    Payload payload;
+    payload.mass = 3;
+    payload.centreOfGravity = {0.02, -0.01, 0.08};
+    payload.inertia << 0.01, 0.02, 0.03, 0.001, 0.002, -0.001;
+    arm->setPayload(payload);
+    arm.run(0.1);
+    double mass = payload.mass;
+    for (const LinkInertia& link : arm->model().links) {
+        mass += link.mass;
+    }
+    const Wrench resting = arm.state().targetBaseWrench;
+    QVERIFY((resting.force - Eigen::Vector3d(0, 0, mass * 9.82)).norm() < 1e-6);
+    QVERIFY(std::abs(resting.torque.z()) < 1e-9 && resting.torque.head<2>().norm() > 1);
+    arm->motion().moveJ(JointPositions(-0.6, -1.2, -1.5, -1.2, 1.0, 0.8), {.a = 2, .v = 1});
+    double worst = 0;
+    double most = 0;
+    for (int n = 0; n < 600; ++n) {
+        arm.step();
+        worst =
+            std::max(worst, std::abs(arm.state().targetBaseWrench.torque.z() - arm.state().targetMoment[0]));
+        most = std::max(most, std::abs(arm.state().targetMoment[0]));
+    }
+    QVERIFY2(most > 3 && worst < 0.02 * most, qPrintable(QString("%1 of %2").arg(worst).arg(most)));
 }
 
 void TestArmSensors::historyGoesBackStepByStep() {
