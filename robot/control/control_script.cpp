@@ -4,6 +4,7 @@
 #include <QRegularExpression>
 #include <QSet>
 #include <QStringList>
+#include <algorithm>
 
 #include "robot/control/registers.h"
 
@@ -87,7 +88,18 @@ QString ControlScript::place(int line, int column) const {
         return QStringLiteral("line %1").arg(inSection);
     }
     const int added = line > sectionLine ? sectionLines - 1 : 0;
-    return QStringLiteral("control.script line %1, column %2").arg(line - added + firstLine - 1).arg(column);
+    // Each part but the first says in its second line which it is.
+    int inPart = line - added + firstLine - 1;
+    QString part = QStringLiteral("control.script");
+    const QStringList lines = QString::fromUtf8(controlScriptTemplate()).split(QLatin1Char('\n'));
+    for (qsizetype at = std::min<qsizetype>(inPart, lines.size()) - 1; at >= 0; --at) {
+        if (lines[at].startsWith(QLatin1String("# PART "))) {
+            part = lines[at].section(QLatin1Char(' '), 2, 2).chopped(1);
+            inPart -= static_cast<int>(at) - 1;
+            break;
+        }
+    }
+    return QStringLiteral("%1 line %2, column %3").arg(part).arg(inPart).arg(column);
 }
 
 ControlScript controlScript(const SoftwareVersion& version, RegisterRange range, std::int32_t session,

@@ -12,7 +12,7 @@
 
 namespace tiller::control {
 
-/// control.script as it stands in the source tree.
+/// control.script, control_requests.script and control_cycle.script, one after the other.
 const char* controlScriptTemplate();
 
 struct ControlScript {
@@ -21,7 +21,7 @@ struct ControlScript {
     int sectionLine = 0;   ///< of the section in `text`, counted from 1
     int sectionLines = 1;  ///< how many it takes
 
-    /// What a line of `text`, counted from 1, is called: "control.script line 13", or "line 2" of the
+    /// What a line of `text`, counted from 1, is called: "control_cycle.script line 13", or "line 2" of the
     /// section.
     QString place(int line, int column) const;
 };

@@ -193,7 +193,7 @@ Error Controller::Private::complaint(const QString& context) {
         if (message.kind == script::MessageKind::RuntimeException) {
             const QString place = message.line > 0 ? program.place(message.line, message.column) + ": " : "";
             const QString name = sectionName.isEmpty() ? QString() : sectionName + QLatin1Char(' ');
-            const bool ours = place.startsWith(QLatin1String("control.script"));
+            const bool ours = place.contains(QLatin1String(".script line "));
             return {ErrorCode::ScriptError, context, (ours ? QString() : name) + place + message.text};
         }
         if (message.kind == script::MessageKind::ErrorCode && message.code == kReadOnlySocket) {

@@ -141,7 +141,9 @@ public:
     bool speedJ(const std::vector<double>& qd, double acceleration = 0.5, double time = 0.0);
     bool speedL(const std::vector<double>& xd, double acceleration = 0.25, double time = 0.0);
     bool speedStop(double a = 10.0);
-    /// speed, acceleration  not used by current software. lookahead_time 0.03 ... 0.2 s, gain 100 ... 2000
+    /// A target far from the arm is handed on as it is, as ur_rtde does: what happens then is up to the
+    /// controller, which follows as fast as it may or stops protectively. control::Motions refuses it. speed,
+    /// acceleration  not used by current software. lookahead_time 0.03 ... 0.2 s, gain 100 ... 2000
     bool servoJ(const std::vector<double>& q, double speed, double acceleration, double time,
                 double lookahead_time, double gain);
     bool servoL(const std::vector<double>& pose, double speed, double acceleration, double time,

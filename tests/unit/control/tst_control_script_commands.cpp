@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What control.script can do: streams, sections, braking as asked, and requests.
+#include <QFile>
 #include <QTest>
 
 #include "tests/unit/control/script_bench.h"
@@ -167,6 +168,23 @@ private Q_SLOTS:
         QCOMPARE(script.place(script.sectionLine + 1, 5), QStringLiteral("line 2"));
         QCOMPARE(script.place(script.sectionLine + 5, 5), plain.place(plain.sectionLine + 3, 5));
         QVERIFY(script.place(3, 1).startsWith(QLatin1String("control.script line ")));
+        // Whatever the part, the line is the one of its file.
+        const QStringList sent = script.text.split(QLatin1Char('\n'));
+        for (const char* sought : {"thread tiller_move_line()", "def tiller_serve()", "def tiller_obey()"}) {
+            const auto at = std::find_if(sent.begin(), sent.end(), [&](const QString& line) {
+                return line.contains(QLatin1String(sought));
+            });
+            QVERIFY(at != sent.end());
+            const QStringList place =
+                script.place(static_cast<int>(at - sent.begin()) + 1, 1).split(QLatin1Char(' '));
+            QFile file(qEnvironmentVariable("TILLER_TEST_DATA") + QStringLiteral("/../../robot/control/") +
+                       place[0]);
+            QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(file.fileName()));
+            const QStringList lines = QString::fromUtf8(file.readAll()).split(QLatin1Char('\n'));
+            const QString line = lines.value(place[2].chopped(1).toInt() - 1);
+            QVERIFY2(line.contains(QString::fromLatin1(sought).remove(QStringLiteral("tiller_"))),
+                     qPrintable(line));
+        }
     }
 
     void contactEndsTheMoveAndGoesBackToWhereItBegan() {
