@@ -52,6 +52,14 @@ void IoChannel::setStale(bool stale) {
     }
 }
 
+void IoChannel::setObstacle(const QString& why) {
+    if (why != obstacle_) {
+        obstacle_ = why;
+        describe();
+        update();
+    }
+}
+
 QString IoChannel::stateWord() const {
     switch (state_) {
         case State::Unknown:
@@ -73,16 +81,17 @@ void IoChannel::describe() {
                                                                 : stateWord());
     QString tip = QStringLiteral("%1: %2").arg(accessibleName(), accessibleDescription());
     if (output_) {
-        tip += stale_ ? tr("\nCannot be switched while no data come from the robot.")
-                      : tr("\nClick to switch it %1. Right click to rename.")
-                            .arg(state_ == State::On ? tr("off") : tr("on"));
+        tip += stale_                 ? tr("\nCannot be switched while no data come from the robot.")
+               : !obstacle_.isEmpty() ? QLatin1Char('\n') + obstacle_
+                                      : tr("\nClick to switch it %1. P: pulse. Right click: pulse, rename.")
+                                            .arg(state_ == State::On ? tr("off") : tr("on"));
     }
     setToolTip(tip);
 }
 
 bool IoChannel::hitButton(const QPoint& position) const {
     // Not disabled while data are old: it can still be renamed.
-    return output_ && !stale_ && QAbstractButton::hitButton(position);
+    return output_ && !stale_ && obstacle_.isEmpty() && QAbstractButton::hitButton(position);
 }
 
 QRect IoChannel::nameRect() const {
@@ -106,10 +115,10 @@ void IoChannel::paintEvent(QPaintEvent*) {
     if (output_) {
         const QRectF key = QRectF(rect()).adjusted(0.5, 1.5, -0.5, -1.5);
         painter.setPen(QPen(hasFocus() ? theme.moving : theme.border, 1));
-        painter.setBrush(stale_         ? theme.panel
-                         : isDown()     ? theme.movingTint
-                         : underMouse() ? theme.hover
-                                        : theme.raised);
+        painter.setBrush(stale_ || !obstacle_.isEmpty() ? theme.panel
+                         : isDown()                     ? theme.movingTint
+                         : underMouse()                 ? theme.hover
+                                                        : theme.raised);
         painter.drawRoundedRect(key, 5, 5);
     } else {
         painter.setPen(theme.border);
@@ -122,8 +131,10 @@ void IoChannel::paintEvent(QPaintEvent*) {
     painter.setFont(textFont(14));
     painter.setPen(live ? theme.text : theme.disabledText);
     const QRect nameBox = nameRect();
+    const QString shown =
+        obstacle_.isEmpty() ? name_ : (name_ + QLatin1Char(' ') + tr("(held by another)")).trimmed();
     painter.drawText(nameBox, Qt::AlignVCenter | Qt::AlignLeft,
-                     painter.fontMetrics().elidedText(name_, Qt::ElideRight, nameBox.width()));
+                     painter.fontMetrics().elidedText(shown, Qt::ElideRight, nameBox.width()));
 
     // A filled lamp, a ring, or half of it while the robot has not confirmed: told apart without colour.
     const QRectF lamp(width() - kStateWidth, (height() - kLamp) / 2.0, kLamp, kLamp);
@@ -149,8 +160,12 @@ void IoChannel::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_F2) {
         rename();
     } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
-        if (!event->isAutoRepeat() && output_ && !stale_) {
+        if (!event->isAutoRepeat() && output_ && !stale_ && obstacle_.isEmpty()) {
             click();
+        }
+    } else if (event->key() == Qt::Key_P && output_ && !stale_ && obstacle_.isEmpty()) {
+        if (!event->isAutoRepeat()) {
+            Q_EMIT pulseRequested();
         }
     } else {
         event->ignore();  // Space stops the arm everywhere: it must not press a key
@@ -159,10 +174,12 @@ void IoChannel::keyPressEvent(QKeyEvent* event) {
 
 void IoChannel::contextMenuEvent(QContextMenuEvent* event) {
     QMenu menu(this);
-    QAction* renameAction = menu.addAction(tr("Rename…"));
-    if (menu.exec(event->globalPos()) == renameAction) {
-        rename();
+    if (output_) {
+        QAction* pulse = menu.addAction(tr("Pulse"), this, &IoChannel::pulseRequested);
+        pulse->setEnabled(!stale_ && obstacle_.isEmpty());
     }
+    menu.addAction(tr("Rename…"), this, &IoChannel::rename);
+    menu.exec(event->globalPos());
 }
 
 void IoChannel::rename() {

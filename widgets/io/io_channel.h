@@ -28,6 +28,9 @@ public:
     /// Old data: the last state is shown, greyed.
     void setStale(bool stale);
     bool isStale() const { return stale_; }
+    /// Why the output cannot be switched by us: somebody else holds it. Empty when it can.
+    void setObstacle(const QString& why);
+    QString obstacle() const { return obstacle_; }
     /// "on", "off", "pending…", "no data"
     QString stateWord() const;
     /// Opens the editor for the name.
@@ -40,6 +43,8 @@ public:
 
 Q_SIGNALS:
     void nameChanged();
+    /// On for a moment, then off again.
+    void pulseRequested();
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -54,6 +59,7 @@ private:
 
     QString terminal_;
     QString name_;
+    QString obstacle_;
     bool output_;
     bool stale_ = true;
     State state_ = State::Unknown;

@@ -3,10 +3,13 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "widgets/io/analog_row.h"
 #include "widgets/io/io_channel.h"
+#include "widgets/io/register_panel.h"
 
 namespace tiller {
 namespace {
@@ -30,7 +33,11 @@ QString IoTab::terminal(bool output, int channel) {
 }
 
 IoTab::IoTab(RobotSession& session, QWidget* parent)
-    : QWidget(parent), session_(session), state_(session.state()), notice_(new QLabel) {
+    : QWidget(parent)
+    , session_(session)
+    , state_(session.state())
+    , search_(new QLineEdit)
+    , notice_(new QLabel) {
     setObjectName(QStringLiteral("io"));
     setAccessibleName(tr("Inputs and outputs"));
     setOutput_ = [this](int output, bool on) { session_.setDigitalOutput(output, on); };
@@ -43,11 +50,16 @@ IoTab::IoTab(RobotSession& session, QWidget* parent)
 
     auto* page = new QWidget;
     page->setObjectName(QStringLiteral("io.page"));
-    auto* columns = new QHBoxLayout(page);
-    columns->setContentsMargins(12, 4, 12, 12);
+    auto* lines = new QVBoxLayout(page);
+    lines->setContentsMargins(12, 4, 12, 12);
+    lines->setSpacing(0);
+    auto* columns = new QHBoxLayout;
     columns->setSpacing(16);
     columns->addWidget(buildColumn(false), 1);
     columns->addWidget(buildColumn(true), 1);
+    lines->addLayout(columns);
+    buildAnalog(lines);
+    lines->addStretch();
 
     auto* scroll = new QScrollArea;
     scroll->setObjectName(QStringLiteral("io.scroll"));
@@ -62,6 +74,15 @@ IoTab::IoTab(RobotSession& session, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
+    search_->setObjectName(QStringLiteral("io.search"));
+    search_->setAccessibleName(tr("Search inputs and outputs"));
+    search_->setPlaceholderText(tr("Search by terminal or name"));
+    search_->setClearButtonEnabled(true);
+    connect(search_, &QLineEdit::textChanged, this, &IoTab::search);
+    auto* top = new QHBoxLayout;
+    top->setContentsMargins(12, 10, 12, 2);
+    top->addWidget(search_);
+    layout->addLayout(top);
     layout->addWidget(notice_);
     layout->addWidget(scroll, 1);
 
@@ -91,6 +112,7 @@ QWidget* IoTab::buildColumn(bool output) {
             heading->setProperty("role", "caption");
             heading->setContentsMargins(0, 10, 0, 4);
             layout->addWidget(heading);
+            headings_.append(heading);
         }
         const QString name = terminal(output, channel);
         auto* row = new IoChannel(name, output);
@@ -100,6 +122,7 @@ QWidget* IoTab::buildColumn(bool output) {
         connect(row, &IoChannel::nameChanged, this, &IoTab::namesChanged);
         if (output) {
             connect(row, &QAbstractButton::clicked, this, [this, channel] { toggle(channel); });
+            connect(row, &IoChannel::pulseRequested, this, [this, channel] { pulse(channel); });
         }
     }
     layout->addStretch();
@@ -113,10 +136,53 @@ void IoTab::toggle(int output) {
     // Against what is asked already, so that a second click takes the first back.
     const auto asked = pending_.constFind(output);
     const bool now = asked != pending_.constEnd() ? asked->wanted : bit(state_.digitalOutputs, output);
-    pending_[output] = {!now, clock_->nowNs()};
+    ask(output, !now);
+}
+
+void IoTab::ask(int output, bool on) {
+    pending_[output] = {on, clock_->nowNs()};
     notice_->hide();
-    setOutput_(output, !now);
+    setOutput_(output, on);
     refresh();
+}
+
+void IoTab::pulse(int output) {
+    if (state_.link != LinkState::Live) {
+        return;
+    }
+    ask(output, true);
+    QTimer::singleShot(kPulseMs, this, [this, output] { ask(output, false); });
+}
+
+void IoTab::search(const QString& text) {
+    const QString wanted = text.trimmed();
+    const auto matches = [&wanted](const QString& terminal, const QString& name) {
+        return wanted.isEmpty() || terminal.contains(wanted, Qt::CaseInsensitive) ||
+               name.contains(wanted, Qt::CaseInsensitive);
+    };
+    int heading = 0;
+    for (const auto* rows : {&inputs_, &outputs_}) {
+        for (int group = 0; group < 3; ++group, ++heading) {
+            bool any = false;
+            for (int channel = 8 * group; channel < std::min(8 * (group + 1), kChannels); ++channel) {
+                IoChannel* row = rows->at(channel);
+                row->setVisible(matches(row->terminal(), row->name()));
+                any = any || matches(row->terminal(), row->name());
+            }
+            headings_[heading]->setVisible(any);
+        }
+    }
+    bool any = false;
+    for (const auto* rows : {&analogInputs_, &analogOutputs_}) {
+        for (AnalogRow* row : *rows) {
+            row->setVisible(matches(row->terminal(), row->name()));
+            any = any || matches(row->terminal(), row->name());
+        }
+    }
+    analogHeading_->setVisible(any);
+    const bool registers = registers_->filter(wanted);
+    registers_->setVisible(registers);
+    registerHeading_->setVisible(registers);
 }
 
 void IoTab::refresh() {
@@ -144,11 +210,13 @@ void IoTab::refresh() {
             notice_->show();
         }
         out->setStale(stale);
+        out->setObstacle(stale ? QString() : session_.outputHolders().digital(channel));
         out->setState(!known    ? State::Unknown
                       : pending ? (on ? State::PendingOff : State::PendingOn)
                       : on      ? State::On
                                 : State::Off);
     }
+    refreshAnalog(known, stale);
 }
 
 QMap<QString, QString> IoTab::names() const {
@@ -160,6 +228,16 @@ QMap<QString, QString> IoTab::names() const {
             }
         }
     }
+    for (const auto* rows : {&analogInputs_, &analogOutputs_}) {
+        for (const AnalogRow* row : *rows) {
+            if (!row->name().isEmpty()) {
+                result[row->terminal()] = row->name();
+            }
+            if (row->scale().isSet()) {
+                result[row->terminal() + QStringLiteral(" scale")] = row->scale().toText();
+            }
+        }
+    }
     return result;
 }
 
@@ -167,6 +245,12 @@ void IoTab::setNames(const QMap<QString, QString>& names) {
     for (const auto* rows : {&inputs_, &outputs_}) {
         for (IoChannel* row : *rows) {
             row->setName(names.value(row->terminal()));
+        }
+    }
+    for (const auto* rows : {&analogInputs_, &analogOutputs_}) {
+        for (AnalogRow* row : *rows) {
+            row->setName(names.value(row->terminal()));
+            row->setScale(AnalogScale::fromText(names.value(row->terminal() + QStringLiteral(" scale"))));
         }
     }
 }

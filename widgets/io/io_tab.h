@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The tab "I/O": every digital input and output of the controller and the tool by number and name. A click
-// switches an output; it says "pending" until the robot itself reports the new state.
+// The tab "I/O": every digital and analog input and output of the controller and the tool by number and name,
+// and the general purpose registers. A click switches an output; it says "pending" until the robot itself
+// reports the new state. Setting an output goes past the programs on the robot: none of them stops for it.
 
 #include <QMap>
 #include <QTimer>
@@ -14,10 +15,14 @@
 #include "widgets/session/robot_session.h"
 
 class QLabel;
+class QLineEdit;
+class QVBoxLayout;
 
 namespace tiller {
 
+class AnalogRow;
 class IoChannel;
+class RegisterPanel;
 
 class IoTab : public QWidget {
     Q_OBJECT
@@ -33,6 +38,13 @@ public:
 
     IoChannel* input(int channel) const { return inputs_[channel]; }
     IoChannel* output(int channel) const { return outputs_[channel]; }
+    /// 0, 1 standard, 2, 3 tool
+    AnalogRow* analogInput(int channel) const { return analogInputs_[channel]; }
+    AnalogRow* analogOutput(int channel) const { return analogOutputs_[channel]; }
+    RegisterPanel* registers() const { return registers_; }
+    /// Shows only what has this in its terminal or name.
+    void search(const QString& text);
+    static constexpr int kPulseMs = 500;
 
     /// The operator's own names, by "DI 0", "CI 3", "TO 1" and so on.
     QMap<QString, QString> names() const;
@@ -47,6 +59,11 @@ private:
     QWidget* buildColumn(bool output);
     void refresh();
     void toggle(int output);
+    void pulse(int output);
+    void ask(int output, bool on);
+    // io_tab_analog.cpp
+    void buildAnalog(QVBoxLayout* layout);
+    void refreshAnalog(bool known, bool stale);
 
     RobotSession& session_;
     std::function<void(int, bool)> setOutput_;
@@ -55,6 +72,13 @@ private:
     QTimer refreshTimer_;
     QVector<IoChannel*> inputs_;
     QVector<IoChannel*> outputs_;
+    QVector<AnalogRow*> analogInputs_;
+    QVector<AnalogRow*> analogOutputs_;
+    QLabel* analogHeading_ = nullptr;
+    QLabel* registerHeading_ = nullptr;
+    RegisterPanel* registers_ = nullptr;
+    QVector<QLabel*> headings_;  ///< of the digital groups, by column and group
+    QLineEdit* search_;
     QLabel* notice_;
 
     struct Pending {

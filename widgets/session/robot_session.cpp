@@ -12,7 +12,6 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds kConnectTime{3000};
 constexpr milliseconds kTakeControlTime{5000};
 constexpr milliseconds kConfirmTime{2000};
 constexpr milliseconds kDashboardTime{3000};
@@ -118,6 +117,7 @@ void RobotSession::disconnectFromRobot() {
     d_->link.reset();
     d_->takingControl = false;
     d_->refusal.clear();
+    d_->outputHolders = {};
     d_->remoteControl.reset();
     d_->remoteAsked = false;
     d_->sampleConnection = 0;
@@ -254,28 +254,6 @@ void RobotSession::setSpeedSlider(double fraction) {
     });
 }
 
-void RobotSession::setDigitalOutput(int output, bool on) {
-    if (!d_->link) {
-        return;
-    }
-    const std::uint64_t generation = d_->generation;
-    d_->worker.post(this, [this, generation, output, on,
-                           outputs = d_->link->outputs](const CancelToken& token) {
-        const Result<void> result =
-            outputs->setDigitalOutput(output, on, Deadline::after(kConfirmTime, token));
-        return std::function<void()>([this, generation, output, on, result] {
-            if (generation != d_->generation) {
-                return;
-            }
-            if (result) {
-                Q_EMIT message(Severity::Info, tr("Output %1 %2").arg(output).arg(on ? tr("on") : tr("off")));
-            } else {
-                Q_EMIT message(Severity::Error, texts::errorText(result.error()));
-            }
-        });
-    });
-}
-
 // ---- motion
 // --------------------------------------------------------------------------------------------------------
 
@@ -405,23 +383,6 @@ void RobotSession::refresh() {
         askRemoteControl();
     }
     Q_EMIT stateChanged(d_->state);
-}
-
-void RobotSession::keepOutputsConnected() {
-    const std::uint64_t connection = d_->sample.connection;
-    if (d_->sample.isEmpty() || connection == d_->sampleConnection) {
-        return;
-    }
-    // The first data of a connection: the robot is there, so the outputs can be connected (again).
-    d_->sampleConnection = connection;
-    d_->worker.post(this, [this, outputs = d_->link->outputs](const CancelToken& token) {
-        const Result<void> result = outputs->connect(Deadline::after(kConnectTime, token));
-        return std::function<void()>([this, result] {
-            if (!result && result.error().code != ErrorCode::Cancelled) {
-                Q_EMIT message(Severity::Warning, texts::errorText(result.error()));
-            }
-        });
-    });
 }
 
 void RobotSession::askRemoteControl() {

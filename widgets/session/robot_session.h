@@ -12,6 +12,7 @@
 
 #include "robot/core/clock.h"
 #include "robot/core/result.h"
+#include "widgets/session/io_commands.h"
 #include "widgets/session/session_state.h"
 
 namespace tiller {
@@ -73,6 +74,10 @@ public:
     void setSpeedSlider(double fraction);
     /// output  0-7 standard, 8-15 configurable, 16-17 tool
     void setDigitalOutput(int output, bool on);
+    /// output  0 or 1; level  0 ... 1 of 4 to 20 mA or 0 to 10 V
+    void setAnalogOutput(int output, io::AnalogDomain domain, double level);
+    void setRegister(const RegisterValue& value);
+    const OutputHolders& outputHolders() const;
 
     // Motion. A motion is begun by a press and needs hold() at least every 100 ms until it is ended; whoever
     // begins it keeps the number it was given, and a number that has been stopped never moves the arm again.
@@ -109,7 +114,9 @@ Q_SIGNALS:
     void message(tiller::Severity severity, const QString& text);
 
 private:
+    // robot_session_io.cpp
     void keepOutputsConnected();
+    void report(std::uint64_t generation, const QString& done, const Result<void>& result);
     void askRemoteControl();
     void reportChanges();
     void reportControllerMessages();

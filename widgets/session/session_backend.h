@@ -54,6 +54,7 @@ struct RobotSession::Backend {
     RobotSession::MotionId jogMotion = 0;
     std::uint64_t stopsSeen = 0;
 
+    OutputHolders outputHolders;
     std::optional<double> sliderWanted;  ///< newest wish while one is being carried out
     bool sliderBusy = false;
 

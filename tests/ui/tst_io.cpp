@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The I/O tab in the real window, over real sockets, against the simulated robot in virtual time.
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSpinBox>
+#include <QTcpSocket>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/main_window.h"
+#include "resources/resources.h"
+#include "tests/ui/jog_fixture.h"
+#include "widgets/io/analog_row.h"
+#include "widgets/io/io_channel.h"
+#include "widgets/io/io_tab.h"
+#include "widgets/io/register_panel.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+class TestIo : public QObject {
+    Q_OBJECT
+
+private:
+    struct Bench {
+        QTemporaryDir folder;
+        VirtualClock clock;
+        app::MainWindow window{app::Settings(folder.filePath("settings.ini")), clock};
+        VirtualCell cell{clock, window.session()};
+    };
+    std::unique_ptr<Bench> bench_;
+
+    VirtualCell& cell() { return bench_->cell; }
+    IoTab& tab() { return *bench_->window.findChild<IoTab*>(); }
+    template <class Widget>
+    Widget& find(const char* name) {
+        auto* found = bench_->window.findChild<Widget*>(QString::fromLatin1(name));
+        Q_ASSERT(found != nullptr);
+        return *found;
+    }
+    /// Real time passes too: what is set is set by a worker.
+    bool until(const std::function<bool()>& condition) {
+        for (int i = 0; i < 2000; ++i) {
+            if (condition()) {
+                return true;
+            }
+            cell().advanceMs(4);
+            QTest::qWait(1);
+        }
+        return condition();
+    }
+    bool output(int number) { return (cell().truth().digitalOutputs >> number & 1) != 0; }
+
+private Q_SLOTS:
+    void initTestCase() { initResources(); }
+    void init() {
+        bench_ = std::make_unique<Bench>();
+        bench_->window.setTheme("light");
+        bench_->window.show();
+        bench_->window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&bench_->window));
+        QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
+        driveKeys(cell(), bench_->window.jogColumn().holdKeys());
+        bench_->window.showTab("io");
+        QVERIFY(until([this] { return !tab().output(0)->isStale(); }));
+    }
+    void cleanup() { bench_.reset(); }
+
+    void settingAnOutputStopsNoProgramAndNoMove() {
+        // Home takes a while; the arm is on its way with our own program.
+        press(find<HoldButton>("homeKey"));
+        cell().advanceMs(300);
+        QVERIFY(!standsStill(cell()));
+        bench_->window.session().setDigitalOutput(2, true);
+        QVERIFY(until([this] { return output(2); }));
+        QVERIFY2(!standsStill(cell()), "the arm goes on");
+        QVERIFY(find<HoldButton>("homeKey").isHolding());
+        QCOMPARE(cell().truth().runtimeState, RuntimeState::Playing);
+        release(find<HoldButton>("homeKey"));
+        cell().advanceMs(400);
+        // The same by hand, while the program stands by: it stays in control.
+        tab().output(3)->click();
+        QVERIFY(until([this] { return output(3); }));
+        QVERIFY(until([this] { return tab().output(3)->state() == IoChannel::State::On; }));
+        QCOMPARE(cell().truth().runtimeState, RuntimeState::Playing);
+        QCOMPARE(bench_->window.session().state().control, ControlState::InControl);
+    }
+
+    void settingAnOutputDoesNotStopSomebodyElsesProgram() {
+        bench_->window.session().releaseControl();
+        QVERIFY(
+            until([this] { return bench_->window.session().state().control != ControlState::InControl; }));
+        QTcpSocket client;
+        client.connectToHost(cell().robot.listenAddress(), cell().robot.ports().secondary);
+        QVERIFY(client.waitForConnected(5000));
+        client.write("def theirs():\n  while True:\n    sync()\n  end\nend\n");
+        client.flush();
+        QVERIFY(until([this] { return cell().truth().runtimeState == RuntimeState::Playing; }));
+        tab().output(9)->click();
+        QVERIFY(until([this] { return output(9); }));
+        cell().advanceMs(200);
+        QCOMPARE(cell().truth().runtimeState, RuntimeState::Playing);
+    }
+
+    void aPulseIsOnForAMomentAndOffAgain() {
+        IoChannel* channel = tab().output(4);
+        channel->setFocus();
+        QTest::keyClick(channel, Qt::Key_P);
+        QVERIFY(until([this] { return output(4); }));
+        QVERIFY(until([this] { return !output(4); }));
+    }
+
+    void analogValuesAreShownWithDomainAndScale() {
+        cell().robot.setAnalogInput(0, 5.0);
+        AnalogRow* row = tab().analogInput(0);
+        QVERIFY(until([row] { return row->valueText().startsWith("5.00 V"); }));
+        row->setScale({0, 10, "bar"});
+        QVERIFY(until([row] { return row->valueText() == "5.00 V · 5.00 bar"; }));
+        QVERIFY(AnalogScale::fromText(row->scale().toText()).at(0.25) == 2.5);
+        QVERIFY(!AnalogScale::fromText("nonsense|1|bar").isSet());
+        QVERIFY2(tab().names().value("AI 0 scale").contains("bar"), "it is remembered with the names");
+    }
+
+    void anAnalogOutputIsSetWithItsDomain() {
+        find<QComboBox>("io.AO1.domain").setCurrentIndex(1);
+        find<QDoubleSpinBox>("io.AO1.wanted").setValue(7.5);
+        find<QPushButton>("io.AO1.set").click();
+        AnalogRow* row = tab().analogOutput(1);
+        QVERIFY(until([row] { return row->valueText() == "7.50 V"; }));
+        find<QComboBox>("io.AO1.domain").setCurrentIndex(0);
+        find<QDoubleSpinBox>("io.AO1.wanted").setValue(12);
+        find<QPushButton>("io.AO1.set").click();
+        QVERIFY(until([row] { return row->valueText() == "12.00 mA"; }));
+    }
+
+    void aRegisterReachesAProgramAndComesBack() {
+        bench_->window.session().releaseControl();
+        QVERIFY(
+            until([this] { return bench_->window.session().state().control != ControlState::InControl; }));
+        QTcpSocket client;
+        client.connectToHost(cell().robot.listenAddress(), cell().robot.ports().secondary);
+        QVERIFY(client.waitForConnected(5000));
+        client.write(
+            "def mirror():\n  while True:\n    write_output_integer_register(40, "
+            "read_input_integer_register(36))\n    sync()\n  end\nend\n");
+        client.flush();
+        QVERIFY(until([this] { return cell().truth().runtimeState == RuntimeState::Playing; }));
+        find<QComboBox>("io.register.kind").setCurrentIndex(0);
+        find<QSpinBox>("io.register.number").setValue(36);
+        find<QDoubleSpinBox>("io.register.value").setValue(4711);
+        find<QPushButton>("io.register.write").click();
+        QVERIFY(until([this] { return tab().registers()->valueText("Int 40") == "4711"; }));
+    }
+
+    void nothingIsCutOffAtTheSmallestSize_data() {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("1280x720") << QSize(1280, 720);
+        QTest::newRow("1920x1080") << QSize(1920, 1080);
+    }
+    void nothingIsCutOffAtTheSmallestSize() {
+        QFETCH(QSize, size);
+        tab().setNames(
+            {{"DO 0", "Gripper"}, {"DI 3", "Part there"}, {"AI 0", "Pressure"}, {"AI 0 scale", "0|10|bar"}});
+        bench_->window.resize(size);
+        cell().advanceMs(100);
+        auto* scroll = tab().findChild<QScrollArea*>("io.scroll");
+        QVERIFY2(scroll->widget()->width() <= scroll->viewport()->width(),
+                 qPrintable(QString::number(scroll->widget()->width() - scroll->viewport()->width())));
+        for (const char* name : {"io.AO0.set", "io.register.write", "io.AO1.wanted"}) {
+            auto& control = find<QWidget>(name);
+            const QRect at(control.mapTo(scroll->widget(), QPoint(0, 0)), control.size());
+            QVERIFY2(scroll->widget()->rect().contains(at), name);
+            QVERIFY2(control.width() >= control.minimumSizeHint().width(), name);
+        }
+        const QString folder = qEnvironmentVariable("TILLER_SCREENSHOTS");
+        if (!folder.isEmpty()) {
+            for (const int part : {0, 1}) {
+                scroll->verticalScrollBar()->setValue(part * 10'000);
+                QCoreApplication::processEvents();
+                bench_->window.grab().save(
+                    QStringLiteral("%1/io-%2-%3.png").arg(folder).arg(size.width()).arg(part));
+            }
+        }
+    }
+
+    void searchLeavesWhatMatches() {
+        tab().setNames({{"DO 1", "Gripper open"}, {"DI 7", "Part there"}});
+        tab().search("gripper");
+        QVERIFY(tab().output(1)->isVisible());
+        QVERIFY(!tab().output(0)->isVisible() && !tab().input(7)->isVisible());
+        QVERIFY(!tab().registers()->isVisible());
+        tab().search("DI 7");
+        QVERIFY(tab().input(7)->isVisible() && !tab().output(1)->isVisible());
+        tab().search({});
+        QVERIFY(tab().output(0)->isVisible() && tab().analogInput(0)->isVisible());
+    }
+
+    void anOutputThatAnotherClientHoldsSaysSo() {
+        bench_.reset();
+        bench_ = std::make_unique<Bench>();
+        bench_->window.show();
+        io::OutputsOptions options;
+        QVERIFY(cell().robot.start().ok());
+        options.host = cell().robot.listenAddress();
+        io::Outputs other(options, io::Feedback{[] { return io::Report(); }});
+        std::thread connecting([&] { (void)other.connect(Deadline::after(std::chrono::seconds(10))); });
+        for (int i = 0; i < 2000 && !other.isConnected(); ++i) {
+            cell().robot.step();
+            QTest::qWait(1);
+        }
+        connecting.join();
+        QVERIFY(other.isConnected());
+        QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
+        bench_->window.showTab("io");
+        QVERIFY(until([this] { return !tab().output(0)->obstacle().isEmpty(); }));
+        QVERIFY2(tab().output(0)->obstacle().contains("another RTDE client"),
+                 qPrintable(tab().output(0)->obstacle()));
+        QTest::mouseClick(tab().output(0), Qt::LeftButton);
+        cell().advanceMs(100);
+        QVERIFY(!output(0));
+    }
+};
+
+QTEST_MAIN(TestIo)
+#include "tst_io.moc"

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The session's inputs, outputs and registers. Whatever waits for the robot does so on the worker.
+
+#include "robot/io/input_registers.h"
+#include "widgets/session/session_backend.h"
+#include "widgets/session/texts.h"
+
+namespace tiller {
+
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds kConfirmTime{2000};
+constexpr milliseconds kConnectTime{3000};
+
+QString holderOf(const Result<void>& can) {
+    // Not connected is no holder: setting tries to connect by itself.
+    return can || can.error().code == ErrorCode::NotConnected ? QString() : can.error().context;
+}
+
+}  // namespace
+
+const OutputHolders& RobotSession::outputHolders() const {
+    return d_->outputHolders;
+}
+
+void RobotSession::keepOutputsConnected() {
+    const std::uint64_t connection = d_->sample.connection;
+    if (d_->sample.isEmpty() || connection == d_->sampleConnection) {
+        return;
+    }
+    // The first data of a connection: the robot is there, so the outputs can be connected (again).
+    d_->sampleConnection = connection;
+    const std::uint64_t generation = d_->generation;
+    d_->worker.post(this, [this, generation, outputs = d_->link->outputs](const CancelToken& token) {
+        const Result<void> result = outputs->connect(Deadline::after(kConnectTime, token));
+        const OutputHolders holders{holderOf(outputs->canSetDigitalOutput(0)),
+                                    holderOf(outputs->canSetDigitalOutput(io::kFirstConfigurable)),
+                                    holderOf(outputs->canSetDigitalOutput(io::kFirstTool)),
+                                    holderOf(outputs->canSetAnalogOutput())};
+        return std::function<void()>([this, generation, result, holders] {
+            if (generation != d_->generation) {
+                return;
+            }
+            d_->outputHolders = holders;
+            if (!result && result.error().code != ErrorCode::Cancelled) {
+                Q_EMIT message(Severity::Warning, texts::errorText(result.error()));
+            }
+        });
+    });
+}
+
+void RobotSession::setDigitalOutput(int output, bool on) {
+    if (!d_->link) {
+        return;
+    }
+    const QString done = tr("Output %1 %2").arg(output).arg(on ? tr("on") : tr("off"));
+    const std::uint64_t generation = d_->generation;
+    d_->worker.post(this, [this, generation, output, on, done,
+                           outputs = d_->link->outputs](const CancelToken& token) {
+        const Result<void> result =
+            outputs->setDigitalOutput(output, on, Deadline::after(kConfirmTime, token));
+        return std::function<void()>([this, generation, done, result] { report(generation, done, result); });
+    });
+}
+
+void RobotSession::setAnalogOutput(int output, io::AnalogDomain domain, double level) {
+    if (!d_->link) {
+        return;
+    }
+    const bool current = domain == io::AnalogDomain::Current;
+    const QString done = tr("Analog output %1: %2 %3")
+                             .arg(output)
+                             .arg(current ? 4 + 16 * level : 10 * level, 0, 'f', 2)
+                             .arg(current ? QStringLiteral("mA") : QStringLiteral("V"));
+    const std::uint64_t generation = d_->generation;
+    d_->worker.post(this, [this, generation, output, domain, level, done,
+                           outputs = d_->link->outputs](const CancelToken& token) {
+        const Result<void> result =
+            outputs->setAnalogOutput(output, domain, level, Deadline::after(kConfirmTime, token));
+        return std::function<void()>([this, generation, done, result] { report(generation, done, result); });
+    });
+}
+
+void RobotSession::setRegister(const RegisterValue& value) {
+    using Kind = RegisterValue::Kind;
+    if (!d_->link) {
+        return;
+    }
+    // A connection of its own, only as long as it takes: nobody else shall be kept from the register.
+    io::InputRegistersOptions options;
+    options.host = d_->address.host;
+    options.port = static_cast<std::uint16_t>(rtde::kPort + d_->address.portOffset);
+    (value.kind == Kind::Int      ? options.ints
+     : value.kind == Kind::Double ? options.doubles
+                                  : options.bits) = {value.number};
+    const QString done = tr("Input register %1: %2").arg(value.number).arg(value.value);
+    const std::uint64_t generation = d_->generation;
+    d_->worker.post(this, [this, generation, value, options, done](const CancelToken& token) {
+        io::InputRegisters registers(options);
+        const Deadline deadline = Deadline::after(kConnectTime, token);
+        Result<void> result = registers.connect(deadline);
+        if (result) {
+            result = value.kind == Kind::Int
+                         ? registers.setInt(value.number, static_cast<std::int32_t>(value.value), deadline)
+                     : value.kind == Kind::Double
+                         ? registers.setDouble(value.number, value.value, deadline)
+                         : registers.setBit(value.number, value.value != 0, deadline);
+        }
+        registers.disconnect();
+        return std::function<void()>([this, generation, done, result] { report(generation, done, result); });
+    });
+}
+
+void RobotSession::report(std::uint64_t generation, const QString& done, const Result<void>& result) {
+    if (generation != d_->generation) {
+        return;
+    }
+    if (result) {
+        Q_EMIT message(Severity::Info, done);
+    } else {
+        Q_EMIT message(Severity::Error, texts::errorText(result.error()));
+    }
+}
+
+}  // namespace tiller
