@@ -97,7 +97,8 @@ bool RTDEControlInterface::moveUntilContact(const List& xd, const List& directio
     check::twist("xd", xd);
     check::list("direction", direction, 6);
     check::number("acceleration", acceleration, 0.01, check::kMaxToolAcceleration, "m/s2");
-    return d_->done(CommandId::MoveUntilContact, 16, joined(joined(xd, direction), {acceleration}));
+    return d_->feelsContact() &&
+           d_->done(CommandId::MoveUntilContact, 16, joined(joined(xd, direction), {acceleration}));
 }
 
 AsyncOperationStatus RTDEControlInterface::getAsyncOperationProgressEx() {
@@ -225,7 +226,7 @@ int RTDEControlInterface::toolContact(const List& direction) {
 
 bool RTDEControlInterface::startContactDetection(const List& direction) {
     check::list("direction", direction, 6);
-    return d_->done(CommandId::StartContactDetection, 6, direction);
+    return d_->feelsContact() && d_->done(CommandId::StartContactDetection, 6, direction);
 }
 
 bool RTDEControlInterface::readContactDetection() {

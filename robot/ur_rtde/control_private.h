@@ -15,6 +15,11 @@ struct ur_rtde::RTDEControlInterface::Private {
     using CommandId = tiller::urrtde::CommandId;
     using List = std::vector<double>;
 
+    /// Since 5.4; what the program does elsewhere is nothing.
+    bool feelsContact() const {
+        const auto& version = session.identity().versions;
+        return version.major > 5 || (version.major == 5 && version.minor >= 4);
+    }
     bool done(CommandId id, int recipe, const List& values = {}) {
         const auto answer = session.perform({id, recipe, values});
         return answer && (answer->result != 0 || !answersResult(id));

@@ -242,6 +242,9 @@ double RTDEControlInterface::getStepTime() {
 
 List RTDEControlInterface::getActualJointPositionsHistory(int steps) {
     check::integer("steps", steps, 0, 100000);
+    if (steps > 0 && !d_->feelsContact()) {
+        return {};  // software that keeps no history has none of contacts either
+    }
     return d_->six(CommandId::JointPositionsHistory, 9, {static_cast<double>(steps)});
 }
 

@@ -128,8 +128,9 @@ public:
     bool moveL_FK(const std::vector<double>& q, double speed = 0.25, double acceleration = 1.2,
                   bool asynchronous = false);
     bool movePath(const Path& path, bool asynchronous = false);
-    /// Moves with speed xd until the tool touches something, then back to where it did.
-    /// direction  which contacts count, in the base frame; zeros: all
+    /// Moves with speed xd until the tool touches something, then back to where it did; not at all when it
+    /// does already. Returns false, without moving, on software before 5.4, which feels no contact. direction
+    /// which contacts count, in the base frame; zeros: all
     bool moveUntilContact(const std::vector<double>& xd,
                           const std::vector<double>& direction = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
                           double acceleration = 0.5);
@@ -178,6 +179,7 @@ public:
     bool endTeachMode();
     /// Number of controller steps back to the contact, 0 for none.
     int toolContact(const std::vector<double>& direction);
+    /// Looks for contact from when there is none. Returns false on software before 5.4.
     bool startContactDetection(const std::vector<double>& direction = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
     bool readContactDetection();
     bool stopContactDetection();

@@ -110,6 +110,39 @@ private Q_SLOTS:
         QVERIFY(control_->moveJ(List(q.begin(), q.end())));
     }
 
+    void aContactAtTheStartIsTheOneSought() {
+        cell_->robot.pressHand(Wrench::fromVector((Vector6() << 0, 0, 150, 0, 0, 0).finished()));
+        QVERIFY(until([&] { return control_->toolContact(List(6, 0.0)) > 0; }));
+        const double z = cell_->robot.truth().tcpPose.position.z();
+        QVERIFY(control_->moveUntilContact({0, 0, -0.05, 0, 0, 0}));
+        QVERIFY(std::abs(cell_->robot.truth().tcpPose.position.z() - z) < 0.005);
+    }
+
+    void withoutASenseOfTouchNothingMoves() {
+        control_.reset();
+        cell_.reset();
+        cell_ = std::make_unique<test::FaceCell>([](simulator::ControllerOptions& options) {
+            options.model = RobotModelId::UR5;
+            options.software = {3, 15, 8, 0};
+        });
+        control_ = std::make_unique<RTDEControlInterface>(cell_->host());
+        const auto before = cell_->robot.truth();
+        QVERIFY(!control_->moveUntilContact({0, 0, -0.05, 0, 0, 0}));
+        QVERIFY(!control_->startContactDetection());
+        QVERIFY(control_->setTcp({0, 0, 0.123, 0, 0, 0}));
+        QCOMPARE(control_->getTCPOffset()[2], 0.123);  // and that is what lies in the registers
+        QCOMPARE(control_->toolContact(List(6, 0.0)), 0);
+        const List q = control_->getActualJointPositionsHistory();
+        QCOMPARE(q.size(), std::size_t(6));
+        QVERIFY(std::abs(q[1] - before.q[1]) < 1e-3);
+        QVERIFY(control_->getActualJointPositionsHistory(5).empty());
+        const List waypoint = control_->getTargetWaypoint();
+        QCOMPARE(waypoint.size(), std::size_t(6));
+        QVERIFY(waypoint != control_->getTCPOffset());
+        QVERIFY(cell_->pass(0.3));
+        QVERIFY((cell_->robot.truth().q.values - before.q.values).norm() < 1e-3);
+    }
+
     // Over before a package could tell that they play.
     void theShortestScriptsAreNotMissed() {
         for (int i = 0; i < 5; ++i) {
