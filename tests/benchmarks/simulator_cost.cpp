@@ -2,8 +2,9 @@
 //
 // What a simulated controller costs and how regularly it ticks, in real time over real sockets: three RTDE
 // clients with the receiver's whole recipe at full rate, a primary client and a running 500 Hz script, first
-// one controller, then several side by side. Prints tables and, with --json, one JSON object; asserts
-// nothing.
+// one controller, then several side by side. Beside them a thread of the same priority does nothing but wake
+// up every 2 ms: what it finds is the machine's own doing. Prints tables and, with --json, one JSON object;
+// asserts nothing.
 //
 //   simulator_cost [--seconds 20] [--controllers 8] [--priority 95] [--json]
 
@@ -21,6 +22,9 @@
 #include <thread>
 #include <vector>
 
+#include "robot/realtime/histogram.h"
+#include "robot/realtime/periodic_timer.h"
+#include "robot/realtime/thread_priority.h"
 #include "robot/receive/receiver.h"
 #include "robot/script/primary_client.h"
 #include "robot/simulator/controller.h"
@@ -116,6 +120,43 @@ QJsonObject report(QTextStream& out, const char* name, const simulator::TickTimi
             {"realtime_granted", t.priorityGranted}};
 }
 
+/// How late the machine wakes a thread of that priority that has nothing to do.
+class BareTimer {
+public:
+    explicit BareTimer(int priority) : thread_([this, priority] { run(priority); }) {}
+    ~BareTimer() { stop(); }
+    const realtime::Histogram& stop() {
+        stopping_ = true;
+        if (thread_.joinable()) {
+            thread_.join();
+        }
+        return lateness_;
+    }
+
+private:
+    void run(int priority) {
+        (void)realtime::requestThreadPriority(priority);
+        realtime::PeriodicTimer timer(2ms);
+        while (!stopping_) {
+            timer.wait();
+            lateness_.add(timer.latenessNs());
+        }
+    }
+    realtime::Histogram lateness_;
+    std::atomic<bool> stopping_ = false;
+    std::thread thread_;
+};
+
+QJsonObject report(QTextStream& out, const realtime::Histogram& bare) {
+    out << "a timer alone at that priority:\n  lateness us   p50 " << us(bare.percentileNs(50)) << "  p99 "
+        << us(bare.percentileNs(99)) << "  p99.9 " << us(bare.percentileNs(99.9)) << "  max "
+        << us(bare.maxNs()) << "\n";
+    return {{"lateness_us_p50", us(bare.percentileNs(50))},
+            {"lateness_us_p99", us(bare.percentileNs(99))},
+            {"lateness_us_p99_9", us(bare.percentileNs(99.9))},
+            {"lateness_us_max", us(bare.maxNs())}};
+}
+
 QString load() {
     std::ifstream file("/proc/loadavg");
     std::string text;
@@ -123,7 +164,7 @@ QString load() {
     return text.empty() ? QStringLiteral("unknown") : QString::fromStdString(text);
 }
 
-/// Runs so many controllers for a while; what each of them found.
+/// Runs so many controllers for a while; what each of them found, and last what a bare timer did.
 std::optional<QJsonArray> measure(QTextStream& out, int controllers, int clients, int priority, int seconds) {
     std::vector<std::unique_ptr<Cell>> cells;
     for (int i = 1; i <= controllers; ++i) {
@@ -137,6 +178,7 @@ std::optional<QJsonArray> measure(QTextStream& out, int controllers, int clients
     for (const auto& cell : cells) {
         cell->robot->resetTiming();
     }
+    BareTimer bare(priority);
     std::this_thread::sleep_for(std::chrono::seconds(seconds));
     QJsonArray all;
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -145,6 +187,7 @@ std::optional<QJsonArray> measure(QTextStream& out, int controllers, int clients
         const QByteArray name = "controller " + QByteArray::number(static_cast<int>(i) + 1);
         all.append(report(out, name.constData(), timing, playing));
     }
+    all.append(report(out, bare.stop()));
     return all;
 }
 
@@ -190,6 +233,7 @@ int main(int argc, char* argv[]) {
     QTextStream console(stdout);
     if (parser.isSet("json")) {
         console << QJsonDocument(QJsonObject{{"one", (*one)[0]},
+                                             {"bare_timer", (*one)[1]},
                                              {"side_by_side", side},
                                              {"load_before", before},
                                              {"load_after", after}})
