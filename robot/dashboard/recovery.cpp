@@ -29,13 +29,26 @@ void pause(const Deadline& deadline, milliseconds time) {
     }
 }
 
+bool isTooEarly(const DashboardClient&, const Error& error) {
+    return error.controllerMessage.contains(QLatin1String("until 5s"));
+}
+bool isTooEarly(const RobotApiClient&, const Error& error) {
+    return error.controllerMessage.startsWith(QLatin1String("409"));  // "not possible now"
+}
+
+void closePopup(DashboardClient& client, const Deadline& deadline) {
+    (void)client.closeSafetyPopup(deadline);
+}
+void closePopup(RobotApiClient&, const Deadline&) {}  // it shows none
+
 /// Unlocks as soon as the controller lets it.
-Result<void> unlock(DashboardClient& client, const Deadline& deadline, const RecoveryProgress& progress) {
+template <class Client>
+Result<void> unlock(Client& client, const Deadline& deadline, const RecoveryProgress& progress) {
     bool waiting = false;
     while (true) {
         const auto unlocked = client.unlockProtectiveStop(deadline);
-        const bool early = !unlocked && unlocked.error().code == ErrorCode::Rejected &&
-                           unlocked.error().controllerMessage.contains(QLatin1String("until 5s"));
+        const bool early =
+            !unlocked && unlocked.error().code == ErrorCode::Rejected && isTooEarly(client, unlocked.error());
         if (!early) {
             return unlocked;
         }
@@ -50,10 +63,9 @@ Result<void> unlock(DashboardClient& client, const Deadline& deadline, const Rec
     }
 }
 
-}  // namespace
-
-Result<void> recover(DashboardClient& client, const RecoveryConsent& consent, const Deadline& deadline,
-                     const RecoveryProgress& progress) {
+template <class Client>
+Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const Deadline& deadline,
+                         const RecoveryProgress& progress) {
     const auto tell = [&](RecoveryStep step) {
         if (progress) {
             progress(step);
@@ -96,7 +108,7 @@ Result<void> recover(DashboardClient& client, const RecoveryConsent& consent, co
                         return missing("protective stop: it is only unlocked once its cause was inspected");
                     }
                     tell(RecoveryStep::CloseSafetyPopup);
-                    (void)client.closeSafetyPopup(deadline);
+                    closePopup(client, deadline);
                     tell(next);
                     done = unlock(client, deadline, progress);
                     break;
@@ -130,6 +142,18 @@ Result<void> recover(DashboardClient& client, const RecoveryConsent& consent, co
         pause(deadline, milliseconds(50));
     }
     return overdue(deadline, QStringLiteral("the robot has not come to RUNNING"));
+}
+
+}  // namespace
+
+Result<void> recover(DashboardClient& client, const RecoveryConsent& consent, const Deadline& deadline,
+                     const RecoveryProgress& progress) {
+    return recoverWith(client, consent, deadline, progress);
+}
+
+Result<void> recover(RobotApiClient& client, const RecoveryConsent& consent, const Deadline& deadline,
+                     const RecoveryProgress& progress) {
+    return recoverWith(client, consent, deadline, progress);
 }
 
 }  // namespace tiller::dashboard

@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "robot/dashboard/dashboard_client.h"
+#include "robot/dashboard/robot_api_client.h"
 
 namespace tiller::dashboard {
 
@@ -40,6 +41,9 @@ using RecoveryProgress = std::function<void(RecoveryStep)>;
 ///          the steps told
 /// Threads  the one that connected the client. Blocks: until the deadline
 Result<void> recover(DashboardClient& client, const RecoveryConsent& consent, const Deadline& deadline,
+                     const RecoveryProgress& progress = {});
+/// The same on PolyScope X.
+Result<void> recover(RobotApiClient& client, const RecoveryConsent& consent, const Deadline& deadline,
                      const RecoveryProgress& progress = {});
 
 }  // namespace tiller::dashboard
