@@ -33,6 +33,7 @@ private Q_SLOTS:
     void actualFollowsWithALittleLag();
     void temperaturesRiseSlowly();
     void supplyFollowsThePower();
+    void brakingTurnsMotionIntoHeat();
     void tcpOffsetShowsAtOnceWithoutMotion();
     void momentumOfOneTurningJoint();
     void theBaseBearsTheArmAndItsMotion();
@@ -248,6 +249,20 @@ void TestArmSensors::supplyFollowsThePower() {
     QCOMPARE(arm.state().robotVoltage, 0.0);
     QCOMPARE(arm.state().robotCurrent, 0.0);
     QCOMPARE(arm.state().mainVoltage, 48.0);
+}
+
+void TestArmSensors::brakingTurnsMotionIntoHeat() {
+    WatchedArm arm;
+    arm.run(0.1);
+    const double before = arm.state().energyBraked;
+    // About a vertical axis no weight is lifted or lowered: what braking takes is what moving gave.
+    arm.finish(arm->motion().speedJ(JointVelocities(1, 0, 0, 0, 0, 0), 4));
+    QVERIFY(arm.state().energyBraked - before < 0.05);
+    arm.finish(arm->motion().stopJ(4));
+    const double inertia = arm->massMatrix(arm.state().targetQ)(0, 0);
+    const double braked = arm.state().energyBraked - before;
+    QVERIFY2(std::abs(braked - 0.5 * inertia) < 0.1 * inertia, qPrintable(QString::number(braked)));
+    QVERIFY(arm.state().energyConsumed > braked);
 }
 
 void TestArmSensors::tcpOffsetShowsAtOnceWithoutMotion() {
