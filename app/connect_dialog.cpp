@@ -28,7 +28,7 @@ QString hostProblem(const QString& host) {
     return {};
 }
 
-ConnectDialog::ConnectDialog(const QStringList& rememberedHosts, QWidget* parent) : QDialog(parent) {
+ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* parent) : QDialog(parent) {
     setObjectName("connectDialog");
     setWindowTitle(tr("Connect"));
     setMinimumWidth(520);
@@ -57,11 +57,12 @@ ConnectDialog::ConnectDialog(const QStringList& rememberedHosts, QWidget* parent
     robotTitle->setProperty("role", "strong");
     layout->addWidget(robotTitle);
     auto* form = new QFormLayout;
-    host_ = new QLineEdit(rememberedHosts.value(0));
+    host_ = new QLineEdit(remembered.isEmpty() ? QString() : remembered.first().host);
     host_->setObjectName("robotHost");
     host_->setAccessibleName(tr("Address or host name of the robot"));
     host_->setPlaceholderText(QStringLiteral("192.168.0.10"));
-    name_ = new QLineEdit;
+    name_ = new QLineEdit(remembered.isEmpty() ? QString() : remembered.first().name);
+    portOffset_ = remembered.isEmpty() ? 0 : remembered.first().portOffset;
     name_->setObjectName("robotName");
     name_->setAccessibleName(tr("Name shown for the robot"));
     name_->setPlaceholderText(tr("Lab UR5e"));
@@ -69,15 +70,24 @@ ConnectDialog::ConnectDialog(const QStringList& rememberedHosts, QWidget* parent
     form->addRow(tr("Name"), name_);
     layout->addLayout(form);
 
-    if (!rememberedHosts.isEmpty()) {
-        auto* remembered = new QListWidget;
-        remembered->setObjectName("rememberedRobots");
-        remembered->setAccessibleName(tr("Robots connected to before"));
-        remembered->addItems(rememberedHosts);
-        remembered->setMaximumHeight(120);
-        connect(remembered, &QListWidget::itemClicked, this,
-                [this](const QListWidgetItem* item) { host_->setText(item->text()); });
-        layout->addWidget(remembered);
+    if (!remembered.isEmpty()) {
+        auto* list = new QListWidget;
+        list->setObjectName("rememberedRobots");
+        list->setAccessibleName(tr("Robots connected to before"));
+        for (const RobotAddress& robot : remembered) {
+            list->addItem(robot.name == robot.host ? robot.host
+                                                   : QStringLiteral("%1 · %2").arg(robot.name, robot.host));
+        }
+        list->setMaximumHeight(120);
+        connect(list, &QListWidget::currentRowChanged, this, [this, remembered](int row) {
+            if (row >= 0) {
+                host_->setText(remembered[row].host);
+                name_->setText(remembered[row].name);
+                portOffset_ = remembered[row].portOffset;
+            }
+        });
+        connect(list, &QListWidget::itemActivated, this, [this] { connect_->click(); });
+        layout->addWidget(list);
     }
 
     hint_ = new QLabel;
@@ -100,20 +110,29 @@ ConnectDialog::ConnectDialog(const QStringList& rememberedHosts, QWidget* parent
     connect_ = new QPushButton(tr("Connect"));
     connect_->setObjectName("connectRobot");
     connect_->setAutoDefault(false);
+    auto* session = new QPushButton(tr("Open a session…"));
+    session->setObjectName("openSession");
+    session->setToolTip(tr("Waypoints from a file, without a robot: everything but moving works."));
+    session->setAutoDefault(false);
+    buttons->addWidget(session);
     buttons->addStretch();
     buttons->addWidget(cancel);
     buttons->addWidget(connect_);
     layout->addLayout(buttons);
 
-    connect(simulatorButton, &QPushButton::clicked, this, [this] {
-        simulator_ = true;
-        accept();
-    });
-    connect(connect_, &QPushButton::clicked, this, &QDialog::accept);
+    connect(simulatorButton, &QPushButton::clicked, this, [this] { choose(Choice::Simulator); });
+    connect(session, &QPushButton::clicked, this, [this] { choose(Choice::Session); });
+    connect(connect_, &QPushButton::clicked, this, [this] { choose(Choice::Robot); });
+    connect(host_, &QLineEdit::textEdited, this, [this] { portOffset_ = 0; });
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
     connect(host_, &QLineEdit::textChanged, this, &ConnectDialog::updateButtons);
     connect(host_, &QLineEdit::returnPressed, connect_, &QPushButton::click);
     updateButtons();
+}
+
+void ConnectDialog::choose(Choice choice) {
+    choice_ = choice;
+    accept();
 }
 
 void ConnectDialog::updateButtons() {
@@ -125,7 +144,7 @@ void ConnectDialog::updateButtons() {
 RobotAddress ConnectDialog::address() const {
     const QString host = host_->text().trimmed();
     const QString name = name_->text().trimmed();
-    return {name.isEmpty() ? host : name, host, 0, false};
+    return {name.isEmpty() ? host : name, host, portOffset_, false};
 }
 
 }  // namespace tiller::app

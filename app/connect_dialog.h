@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Which robot: the simulated one, or one at an address. The first thing a newcomer sees, and what the robot
-// selector of the header opens.
+// The first thing a newcomer sees: try the simulator, connect a robot, or open a session.
 
 #include <QDialog>
 
@@ -19,20 +18,25 @@ class ConnectDialog : public QDialog {
     Q_OBJECT
 
 public:
-    explicit ConnectDialog(const QStringList& rememberedHosts, QWidget* parent = nullptr);
+    enum class Choice { Simulator, Robot, Session };
 
-    bool wantsSimulator() const { return simulator_; }
+    explicit ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* parent = nullptr);
+
+    /// What was chosen, once accepted.
+    Choice choice() const { return choice_; }
     /// Name and host as entered; the port offset of "host:+100" understood.
     RobotAddress address() const;
 
 private:
     void updateButtons();
+    void choose(Choice choice);
 
     QLineEdit* host_;
     QLineEdit* name_;
     QPushButton* connect_;
     QLabel* hint_;
-    bool simulator_ = false;
+    int portOffset_ = 0;  ///< of the remembered robot, if its address was not changed
+    Choice choice_ = Choice::Robot;
 };
 
 /// Whether this could be a host name or an address; the reason why not otherwise, empty when it could.

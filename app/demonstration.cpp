@@ -65,22 +65,18 @@ void Demonstration::addSteps() {
     steps_.push_back({tr("connect"), [this] { window_.connectSimulator(); },
                       [=] { return state().link == LinkState::Live; }});
     steps_.push_back(
-        {tr("power on"), [this] { window_.session().powerOn(); },
+        {tr("power on"), [this] { window_.session().perform(RobotCommand::PowerOn); },
          [=] { return state().robotMode == RobotMode::Idle || state().robotMode == RobotMode::Running; },
          30'000});
-    steps_.push_back({tr("release the brakes"), [this] { window_.session().releaseBrakes(); },
+    steps_.push_back({tr("release the brakes"),
+                      [this] { window_.session().perform(RobotCommand::ReleaseBrakes); },
                       [=] { return state().robotMode == RobotMode::Running; }, 30'000});
     steps_.push_back(
         {tr("take control"), [this] { window_.session().takeControl(); }, [=] { return state().canMove(); }});
-    steps_.push_back({tr("start recording"),
-                      [this] {
-                          const QString path = folder_.filePath(QStringLiteral("recording.csv"));
-                          const Result<void> started = window_.session().startRecording(path);
-                          if (!started) {
-                              fail(texts::errorText(started.error()));
-                          }
-                      },
-                      [=] { return state().recording.active && state().recording.rows > 0; }});
+    steps_.push_back(
+        {tr("start recording"),
+         [this] { window_.session().startRecording(folder_.filePath(QStringLiteral("recording.csv"))); },
+         [=] { return state().recording.active && state().recording.rows > 0; }});
     steps_.push_back({tr("teach the first waypoint"), [this] { click(QStringLiteral("waypoint.teach")); },
                       [this] { return window_.waypointCount() == 1; }});
     steps_.push_back({tr("jog X+ in Base for 50 mm"),

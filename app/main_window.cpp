@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
 
-#include <QAction>
-#include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
@@ -14,6 +12,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "app/action_table.h"
 #include "app/connect_dialog.h"
 #include "app/sleep_watch.h"
 #include "widgets/common/icons.h"
@@ -32,8 +31,10 @@
 #include "widgets/plots/plot_dock.h"
 #include "widgets/scene/scene_dock.h"
 #include "widgets/scene/scene_view.h"
+#include "widgets/session/stop_record.h"
 #include "widgets/session/texts.h"
 #include "widgets/status/header_bar.h"
+#include "widgets/status/preflight_page.h"
 #include "widgets/status/status_line.h"
 #include "widgets/waypoints/session_store.h"
 #include "widgets/waypoints/waypoint_model.h"
@@ -107,6 +108,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
                                        : tr("Keyboard jogging disarmed"));
     });
     connectDevices();
+    stops_ = new StopRecorder(*session_, this);
     connect(new SleepWatch(this), &SleepWatch::operatorLeaves, this,
             [this] { stopMotion(control::StopCause::Sleep); });
 
@@ -125,6 +127,8 @@ MainWindow::~MainWindow() {
     session_->shutDown();
     delete keyboard_;
     delete devices_;
+    // What is not saved yet is saved while the store goes: nothing of it is shown any more.
+    disconnect(&waypoints_->store(), nullptr, this, nullptr);
     delete takeCentralWidget();
     const QList<QDockWidget*> docks = findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly);
     qDeleteAll(docks);
@@ -192,56 +196,6 @@ void MainWindow::buildTabs() {
     });
     tabsDock_ = dockFor(withMargins(panel, {0, kGap, kGap, 0}), "tabsDock", tr("Waypoints, I/O, Log"), this);
     addDockWidget(Qt::RightDockWidgetArea, tabsDock_);
-}
-
-void MainWindow::buildActions() {
-    auto* menu = new QMenu(this);
-    menu->setObjectName("mainMenu");
-
-    QAction* connectAction = menu->addAction(tr("Connect…"), this, &MainWindow::askForRobot);
-    connectAction->setShortcut(QKeySequence(tr("Ctrl+K, Ctrl+C")));
-    menu->addAction(tr("Simulated robot"), this, &MainWindow::connectSimulator);
-    menu->addAction(tr("Disconnect"), this, [this] { session_->disconnectFromRobot(); });
-    menu->addSeparator();
-    menu->addAction(tr("Power off the arm"), this, [this] { session_->powerOff(); });
-    menu->addAction(tr("Give control back"), this, [this] { session_->releaseControl(); });
-    QAction* keyboard = menu->addAction(tr("Arm or disarm the keyboard"), this,
-                                        [this] { keyboard_->setArmed(!keyboard_->isArmed()); });
-    keyboard->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_J));
-    addAction(keyboard);
-    menu->addAction(tr("Gamepad and SpaceMouse…"), this, &MainWindow::showTrainer);
-    menu->addSeparator();
-
-    QMenu* view = menu->addMenu(tr("View"));
-    const QList<QDockWidget*> docks = findChildren<QDockWidget*>();
-    for (QDockWidget* dock : docks) {
-        if (dock->features().testFlag(QDockWidget::DockWidgetFloatable)) {
-            view->addAction(dock->toggleViewAction());
-            view->addAction(tr("Float %1").arg(dock->windowTitle()), dock,
-                            [dock] { dock->setFloating(!dock->isFloating()); });
-        }
-    }
-    const QByteArray defaultLayout = saveState();
-    view->addAction(tr("Reset layout"), this, [this, defaultLayout] {
-        restoreState(defaultLayout);
-        layoutRemembered_ = false;
-        proportion();
-    });
-    QMenu* theme = menu->addMenu(tr("Colours"));
-    for (const auto& [name, title] :
-         {std::pair<QString, QString>{"light", tr("Light")}, {"dark", tr("Dark")}}) {
-        theme->addAction(title, this, [this, name = name] {
-            setTheme(name);
-            settings_.setTheme(name);
-        });
-    }
-    menu->addSeparator();
-    menu->addAction(tr("Quit"), QKeySequence::Quit, this, &QWidget::close);
-    connect(header_, &HeaderBar::connectRequested, this, [this, menu] {
-        stopMotion(control::StopCause::DialogOpened);
-        menu->popup(header_->robotChip()->mapToGlobal(QPoint(0, header_->robotChip()->height())));
-    });
-    addAction(connectAction);
 }
 
 void MainWindow::connectParts() {
@@ -360,22 +314,56 @@ void MainWindow::connectSimulator() {
 }
 
 void MainWindow::connectRobot(const RobotAddress& address) {
-    settings_.rememberHost(address.host);
+    settings_.rememberRobot(address);
+    listRobots();
     session_->connectTo(address);
 }
 
 void MainWindow::askForRobot() {
     stopMotion(control::StopCause::DialogOpened);
-    auto* dialog = new ConnectDialog(settings_.rememberedHosts(), this);
+    auto* dialog = new ConnectDialog(settings_.rememberedRobots(), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog] {
-        if (dialog->wantsSimulator()) {
-            connectSimulator();
-        } else {
-            connectRobot(dialog->address());
+        switch (dialog->choice()) {
+            case ConnectDialog::Choice::Simulator:
+                connectSimulator();
+                break;
+            case ConnectDialog::Choice::Robot:
+                showPreflight(dialog->address());
+                break;
+            case ConnectDialog::Choice::Session:
+                actions_->find("waypoint.action.open")->trigger();
+                break;
         }
     });
     dialog->open();
+}
+
+void MainWindow::showPreflight(const RobotAddress& robot) {
+    stopMotion(control::StopCause::DialogOpened);
+    auto* page = new PreflightPage(doctor::patientAt(robot.host, robot.portOffset), this);
+    connect(page, &PreflightPage::connectRequested, this, [this, robot] { connectRobot(robot); });
+    page->show();
+}
+
+void MainWindow::listRobots() {
+    QMenu* menu = menus_.value("robot");
+    for (QAction* action : std::exchange(robotActions_, {})) {
+        menu->removeAction(action);
+        action->deleteLater();
+    }
+    QAction* before = menu->actions().value(0);
+    for (const RobotAddress& robot : settings_.rememberedRobots()) {
+        auto* action = new QAction(
+            robot.name == robot.host ? robot.host : tr("%1 · %2").arg(robot.name, robot.host), menu);
+        action->setObjectName("robot.remembered." + robot.host);
+        connect(action, &QAction::triggered, this, [this, robot] {
+            stopMotion(control::StopCause::DialogOpened);
+            connectRobot(robot);
+        });
+        robotActions_.append(action);
+    }
+    menu->insertActions(before, robotActions_);
 }
 
 void MainWindow::setTheme(const QString& theme) {

@@ -5,6 +5,7 @@
 // the session and to each other, and stops the arm whenever it loses the operator's attention.
 
 #include <QMainWindow>
+#include <QMap>
 #include <memory>
 
 #include "app/local_simulator.h"
@@ -13,6 +14,7 @@
 
 class QDockWidget;
 class QTabBar;
+class QMenu;
 class QStackedWidget;
 
 namespace tiller {
@@ -28,9 +30,12 @@ class PlotDock;
 class SceneDock;
 class StatusLine;
 class StopKeys;
+class StopRecorder;
 class WaypointsTab;
 
 namespace app {
+
+class ActionTable;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -51,8 +56,12 @@ public:
     /// Starts the simulated robot in this process, unless it runs, and connects to it.
     void connectSimulator();
     void connectRobot(const RobotAddress& address);
-    /// Asks which robot, in the connect dialog.
+    /// Asks what to begin with: simulator, robot or session.
     void askForRobot();
+    /// Looks at everything between here and the robot, then connects if the operator wants to.
+    void showPreflight(const RobotAddress& robot);
+    /// Everything the window can do.
+    const ActionTable& actions() const { return *actions_; }
     /// "light" or "dark"; remembered when the operator chose it.
     void setTheme(const QString& theme);
     void openSession(const QString& path);
@@ -70,12 +79,20 @@ protected:
 private:
     void buildDocks();
     void buildTabs();
+    // main_window_actions.cpp
     void buildActions();
+    void addRobotActions();
+    void addControlActions();
+    void addViewActions();
+    void showRecovery();
+    void askForProgram();
+    void showHelp();
     void proportion();
     void connectParts();
     void followJog();
     void connectDevices();
     void showTrainer();
+    void listRobots();
     void updateScene();
     void stopMotion(control::StopCause cause);
 
@@ -94,6 +111,10 @@ private:
     StopKeys* stopKeys_ = nullptr;
     KeyboardJog* keyboard_ = nullptr;
     DeviceJog* devices_ = nullptr;
+    StopRecorder* stops_ = nullptr;
+    ActionTable* actions_ = nullptr;
+    QMap<QString, QMenu*> menus_;
+    QList<QAction*> robotActions_;  ///< the remembered robots, in the robot menu
     QDockWidget* plotsDock_ = nullptr;
     QDockWidget* tabsDock_ = nullptr;
     bool layoutRemembered_ = false;  ///< the operator's own layout is kept as it is

@@ -2,11 +2,12 @@
 #include "app/settings.h"
 
 #include <QSettings>
+#include <algorithm>
 
 namespace tiller::app {
 namespace {
 
-constexpr int kHostsRemembered = 8;
+constexpr int kRobotsRemembered = 8;
 /// Raised when the docks change so much that an old layout would not fit.
 constexpr int kLayoutVersion = 1;
 
@@ -19,15 +20,45 @@ QSettings open(const QString& file) {
 
 Settings::Settings(QString file) : file_(std::move(file)) {}
 
-QStringList Settings::rememberedHosts() const {
-    return open(file_).value("robots/hosts").toStringList();
+QVector<RobotAddress> Settings::rememberedRobots() const {
+    QVector<RobotAddress> robots;
+    QSettings settings = open(file_);
+    const int count = std::min(settings.beginReadArray("robots"), kRobotsRemembered);
+    for (int i = 0; i < count; ++i) {
+        settings.setArrayIndex(i);
+        const QString host = settings.value("host").toString();
+        if (!host.isEmpty()) {
+            const QString name = settings.value("name").toString();
+            robots.append({name.isEmpty() ? host : name, host, settings.value("portOffset").toInt(), false});
+        }
+    }
+    return robots;
 }
 
-void Settings::rememberHost(const QString& host) {
-    QStringList hosts = rememberedHosts();
-    hosts.removeAll(host);
-    hosts.prepend(host);
-    open(file_).setValue("robots/hosts", QStringList(hosts.mid(0, kHostsRemembered)));
+void Settings::rememberRobot(const RobotAddress& robot) {
+    QVector<RobotAddress> robots = rememberedRobots();
+    robots.removeIf([&robot](const RobotAddress& other) { return other.host == robot.host; });
+    robots.prepend(robot);
+    writeRobots(robots.mid(0, kRobotsRemembered));
+}
+
+void Settings::forgetRobot(const QString& host) {
+    QVector<RobotAddress> robots = rememberedRobots();
+    robots.removeIf([&host](const RobotAddress& robot) { return robot.host == host; });
+    writeRobots(robots);
+}
+
+void Settings::writeRobots(const QVector<RobotAddress>& robots) {
+    QSettings settings = open(file_);
+    settings.remove("robots");
+    settings.beginWriteArray("robots", static_cast<int>(robots.size()));
+    for (int i = 0; i < robots.size(); ++i) {
+        settings.setArrayIndex(i);
+        settings.setValue("name", robots[i].name);
+        settings.setValue("host", robots[i].host);
+        settings.setValue("portOffset", robots[i].portOffset);
+    }
+    settings.endArray();
 }
 
 QString Settings::theme() const {

@@ -7,6 +7,9 @@
 #include <QMap>
 #include <QString>
 #include <QStringList>
+#include <QVector>
+
+#include "widgets/session/robot_session.h"
 
 namespace tiller::app {
 
@@ -15,8 +18,10 @@ public:
     /// file  where they are kept; empty: the place the system has for them
     explicit Settings(QString file = {});
 
-    QStringList rememberedHosts() const;
-    void rememberHost(const QString& host);
+    /// Newest first. The simulated robot is none of them.
+    QVector<RobotAddress> rememberedRobots() const;
+    void rememberRobot(const RobotAddress& robot);
+    void forgetRobot(const QString& host);
     QString theme() const;  ///< "light" or "dark"; empty when never chosen
     void setTheme(const QString& theme);
     QByteArray windowState() const;
@@ -29,6 +34,8 @@ public:
     void setSessionFile(const QString& path);
 
 private:
+    void writeRobots(const QVector<RobotAddress>& robots);
+
     QString file_;
 };
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "widgets/common/theme.h"
+
 namespace tiller {
 
 namespace {
@@ -58,7 +60,7 @@ void drawHand(QPainter& painter, const QRectF& box, const QColor& ink) {
 }  // namespace
 
 void drawShape(QPainter& painter, StateChip::Shape shape, const QRectF& box, const QColor& ink,
-               const QColor& ground) {
+               const QColor& ground, const QString& mark) {
     using Shape = StateChip::Shape;
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
@@ -118,7 +120,13 @@ void drawShape(QPainter& painter, StateChip::Shape shape, const QRectF& box, con
         }
         case Shape::Octagon:
             painter.drawPolygon(octagon(box));
-            drawExclamation(painter, box, ground, 0.25);
+            if (mark.isEmpty()) {
+                drawExclamation(painter, box, ground, 0.25);
+            } else {
+                painter.setFont(textFont(mark.size() > 1 ? 8 : 10, QFont::Bold));
+                painter.setPen(ground);
+                painter.drawText(box.adjusted(-2, -1, 2, 1), Qt::AlignCenter, mark);
+            }
             break;
         case Shape::Hand:
             drawHand(painter, box, ink);
@@ -144,6 +152,15 @@ void drawShape(QPainter& painter, StateChip::Shape shape, const QRectF& box, con
             painter.drawLine(box.topLeft() + QPointF(2.5, 2.5), box.bottomRight() - QPointF(2.5, 2.5));
             painter.drawLine(box.bottomLeft() + QPointF(2.5, -2.5), box.topRight() + QPointF(-2.5, 2.5));
             break;
+        case Shape::Pause:
+            painter.drawRect(QRectF(box.left() + 2.5, box.top() + 1.5, 3.2, box.height() - 3));
+            painter.drawRect(QRectF(box.right() - 5.7, box.top() + 1.5, 3.2, box.height() - 3));
+            break;
+    }
+    if (!mark.isEmpty() && shape != Shape::Octagon) {
+        painter.setFont(textFont(10, QFont::Bold));
+        painter.setPen(ink);
+        painter.drawText(QRectF(box.right() + 1, box.top() - 1, 12, box.height() + 2), Qt::AlignCenter, mark);
     }
     painter.restore();
 }

@@ -13,7 +13,8 @@ namespace tiller {
 
 /// ink     colour of the shape
 /// ground  colour behind it, for marks cut out of a filled shape
+/// mark    up to two letters: inside an octagon in place of its exclamation mark, else at its right
 void drawShape(QPainter& painter, StateChip::Shape shape, const QRectF& box, const QColor& ink,
-               const QColor& ground);
+               const QColor& ground, const QString& mark = {});
 
 }  // namespace tiller

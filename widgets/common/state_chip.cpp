@@ -15,6 +15,7 @@ namespace {
 constexpr int kPadding = 12;
 constexpr int kShapeRoom = 18;
 constexpr int kArrowRoom = 16;
+constexpr int kMarkRoom = 12;
 
 QFont captionFont(bool strong) {
     QFont font = textFont(11, strong ? QFont::Bold : QFont::Normal);
@@ -68,6 +69,19 @@ void StateChip::setState(const QString& text, Shape shape, Emphasis emphasis, co
     update();
 }
 
+void StateChip::setMark(const QString& mark) {
+    if (mark != mark_) {
+        mark_ = mark;
+        updateGeometry();
+        update();
+    }
+}
+
+int StateChip::shapeRoom() const {
+    const bool beside = !mark_.isEmpty() && shape_ != Shape::Octagon;
+    return shape_ == Shape::None ? 0 : kShapeRoom + (beside ? kMarkRoom : 0);
+}
+
 void StateChip::setFigures(bool figures) {
     figures_ = figures;
     updateGeometry();
@@ -94,8 +108,8 @@ QFont StateChip::valueFont() const {
 
 int StateChip::widthFor(const QString& value) const {
     const int captionWidth = QFontMetrics(captionFont(true)).horizontalAdvance(caption_);
-    const int valueWidth = QFontMetrics(valueFont()).horizontalAdvance(value) +
-                           (shape_ == Shape::None ? 0 : kShapeRoom) + (menuArrow_ ? kArrowRoom : 0);
+    const int valueWidth =
+        QFontMetrics(valueFont()).horizontalAdvance(value) + shapeRoom() + (menuArrow_ ? kArrowRoom : 0);
     return std::max(captionWidth, valueWidth) + 2 * kPadding + 2;
 }
 
@@ -114,7 +128,9 @@ void StateChip::paintEvent(QPaintEvent*) {
     const Colours colours = coloursOf(emphasis_, theme);
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(hasFocus() ? QPen(theme.moving, 2) : QPen(colours.border, 1));
+    // A ring only for those who walk by keyboard.
+    const bool ring = hasFocus() && window()->testAttribute(Qt::WA_KeyboardFocusChange);
+    painter.setPen(ring ? QPen(theme.moving, 2) : QPen(colours.border, 1));
     painter.setBrush(colours.fill);
     painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), kCornerRadius, kCornerRadius);
 
@@ -128,8 +144,9 @@ void StateChip::paintEvent(QPaintEvent*) {
     constexpr int kValueTop = 23;
     constexpr int kValueHeight = 22;
     if (shape_ != Shape::None) {
-        drawShape(painter, shape_, QRectF(x, kValueTop + 4, 14, 14), colours.shape, colours.fill);
-        x += kShapeRoom;
+        const QRectF box(x, kValueTop + 4, 14, 14);
+        drawShape(painter, shape_, box, colours.shape, colours.fill, mark_);
+        x += shapeRoom();
     }
     painter.setFont(valueFont());
     painter.setPen(colours.value);

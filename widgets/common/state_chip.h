@@ -30,7 +30,8 @@ public:
         Bars,
         Cross,
         DownArrow,
-        DoubleArrow
+        DoubleArrow,
+        Pause
     };
     Q_ENUM(Shape)
 
@@ -42,6 +43,9 @@ public:
     Shape shape() const { return shape_; }
     /// advice  what it means and what to do, as the tooltip
     void setState(const QString& text, Shape shape, Emphasis emphasis, const QString& advice = {});
+    /// Up to two letters in (octagon) or beside the shape, which tell apart states that share it.
+    void setMark(const QString& mark);
+    QString mark() const { return mark_; }
     /// Numbers in the fixed-width face.
     void setFigures(bool figures);
     /// Never narrower than the caption and this many characters of the value; the rest is elided.
@@ -65,9 +69,11 @@ protected:
 private:
     QFont valueFont() const;
     int widthFor(const QString& value) const;
+    int shapeRoom() const;
 
     QString caption_;
     QString text_;
+    QString mark_;
     Shape shape_ = Shape::None;
     Emphasis emphasis_ = Emphasis::Normal;
     bool figures_ = false;

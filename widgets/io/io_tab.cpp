@@ -63,6 +63,7 @@ IoTab::IoTab(RobotSession& session, QWidget* parent)
 
     auto* scroll = new QScrollArea;
     scroll->setObjectName(QStringLiteral("io.scroll"));
+    scroll->setAccessibleName(tr("Inputs and outputs"));
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -81,11 +81,7 @@ void PlotDock::toggleRecording() {
     QDir().mkpath(folder);
     const QString name =
         QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HH-mm-ss")) + QStringLiteral(".csv");
-    const Result<void> started = session_.startRecording(QDir(folder).filePath(name));
-    // The session tells of everything else itself.
-    if (started.error().code == ErrorCode::NotConnected) {
-        Q_EMIT session_.message(Severity::Warning, tr("Nothing is recorded: connect to a robot first."));
-    }
+    session_.startRecording(QDir(folder).filePath(name));
 }
 
 }  // namespace tiller

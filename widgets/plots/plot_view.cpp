@@ -302,6 +302,11 @@ void PlotView::changeEvent(QEvent* event) {
 }
 
 void PlotView::drawForeground(QPainter* painter, const QRectF&) {
+    if (hasFocus() && QWidget::window()->testAttribute(Qt::WA_KeyboardFocusChange)) {
+        painter->setPen(QPen(Theme::current().moving, 2));
+        painter->setBrush(Qt::NoBrush);
+        painter->drawRoundedRect(QRectF(viewport()->rect()).adjusted(1, 1, -1, -1), 4, 4);
+    }
     if (!history_.isEmpty()) {
         return;
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "robot/control/compliance.h"
+#include "widgets/session/controller_codes.h"
 #include "widgets/session/session_backend.h"
 #include "widgets/session/texts.h"
 
@@ -14,8 +15,6 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kTakeControlTime{5000};
 constexpr milliseconds kConfirmTime{2000};
-constexpr milliseconds kDashboardTime{3000};
-constexpr std::int64_t kAskRemoteEveryNs = kNsPerSecond;
 constexpr int kRefreshMs = 16;
 
 QString stopSentence(const control::StopMeasurement& stop) {
@@ -23,6 +22,17 @@ QString stopSentence(const control::StopMeasurement& stop) {
         .arg(texts::stopCauseText(stop.cause))
         .arg(stop.durationMs, 0, 'f', 0)
         .arg(stop.distanceMm, 0, 'f', 1);
+}
+
+/// "C157A1 Collision noticed by a joint. A joint needed ... Remove the obstacle ..."
+QString codeSentence(const script::ControllerMessage& message) {
+    const CodeWords words = controllerCode(message.code);
+    QString text = message.codeName() + QLatin1Char(' ');
+    if (!message.text.isEmpty() && !words.known) {
+        return text + message.text + QStringLiteral(". ") + words.action;
+    }
+    text += words.title + QStringLiteral(". ") + words.meaning + QLatin1Char(' ') + words.action;
+    return message.text.isEmpty() ? text : text + QStringLiteral(" (") + message.text + QLatin1Char(')');
 }
 
 }  // namespace
@@ -118,8 +128,8 @@ void RobotSession::disconnectFromRobot() {
     d_->takingControl = false;
     d_->refusal.clear();
     d_->outputHolders = {};
-    d_->remoteControl.reset();
-    d_->remoteAsked = false;
+    d_->dashboardPicture = {};
+    d_->dashboardAsked = false;
     d_->sampleConnection = 0;
     d_->sliderBusy = false;
     d_->sliderWanted.reset();
@@ -134,57 +144,8 @@ void RobotSession::shutDown() {
     disconnectFromRobot();
 }
 
-// ---- power and recovery
-// --------------------------------------------------------------------------------------------
-
-namespace {
-
-/// Sends one dashboard command and reports a refusal.
-template <class Call>
-void sendDashboard(RobotSession& session, dashboard::DashboardWorker* dashboard, const QString& done,
-                   Call call) {
-    if (dashboard == nullptr) {
-        Q_EMIT session.message(Severity::Error, texts::errorText({ErrorCode::NotConnected, done, {}}));
-        return;
-    }
-    dashboard->post(
-        std::move(call), &session,
-        [&session, done](const Result<void>& result) {
-            if (result) {
-                Q_EMIT session.message(Severity::Info, done);
-            } else {
-                Q_EMIT session.message(Severity::Error, texts::errorText(result.error()));
-            }
-        },
-        kDashboardTime);
-}
-
-dashboard::DashboardWorker* dashboardOf(const std::unique_ptr<RobotLink>& link) {
-    return link ? link->dashboard.get() : nullptr;
-}
-
-}  // namespace
-
-void RobotSession::powerOn() {
-    sendDashboard(*this, dashboardOf(d_->link), tr("Power on"),
-                  [](dashboard::DashboardClient& c, const Deadline& d) { return c.powerOn(d); });
-}
-
-void RobotSession::releaseBrakes() {
-    sendDashboard(*this, dashboardOf(d_->link), tr("Brake release"),
-                  [](dashboard::DashboardClient& c, const Deadline& d) { return c.brakeRelease(d); });
-}
-
-void RobotSession::powerOff() {
-    stop(control::StopCause::ControlLost);
-    sendDashboard(*this, dashboardOf(d_->link), tr("Power off"),
-                  [](dashboard::DashboardClient& c, const Deadline& d) { return c.powerOff(d); });
-}
-
-void RobotSession::unlockProtectiveStop() {
-    sendDashboard(*this, dashboardOf(d_->link), tr("Protective stop unlocked by the operator"),
-                  [](dashboard::DashboardClient& c, const Deadline& d) { return c.unlockProtectiveStop(d); });
-}
+// ---- control
+// -------------------------------------------------------------------------------------------------------
 
 void RobotSession::takeControl() {
     if (!d_->link || d_->takingControl) {
@@ -323,6 +284,14 @@ void RobotSession::endMotion(MotionId motion, control::StopCause cause) {
     }
 }
 
+bool RobotSession::hasArrived(MotionId motion) const {
+    if (!d_->link || motion == control::kNoMotion) {
+        return false;
+    }
+    const control::MotionState ended = d_->link->controller->motionState(motion);
+    return ended.phase == control::MotionPhase::Ended && ended.cause == control::StopCause::Completed;
+}
+
 void RobotSession::stop(control::StopCause cause) {
     if (!d_->link) {
         return;
@@ -333,43 +302,53 @@ void RobotSession::stop(control::StopCause cause) {
         (d_->state.runtimeState == RuntimeState::Playing || d_->state.runtimeState == RuntimeState::Resuming);
     if (cause == control::StopCause::StopButton && foreignProgram) {
         // Somebody else's program moves the arm: the operator who presses STOP means that too.
-        sendDashboard(*this, d_->link->dashboard.get(), tr("Program stopped"),
-                      [](dashboard::DashboardClient& c, const Deadline& d) { return c.stop(d); });
+        stopForeignProgram();
     }
 }
 
 // ---- recording
 // -----------------------------------------------------------------------------------------------------
 
-Result<void> RobotSession::startRecording(const QString& path) {
+void RobotSession::startRecording(const QString& path) {
     if (!d_->link) {
-        return Error{ErrorCode::NotConnected, tr("record to %1").arg(path), {}};
+        Q_EMIT message(Severity::Warning, tr("Nothing is recorded: connect to a robot first."));
+        return;
     }
-    recording::RecorderOptions options;
-    options.path = path;
-    Result<void> result = d_->recorder.start(options, *d_->link->receiver);
-    if (result) {
-        d_->wasRecording = true;
-        Q_EMIT message(Severity::Info, tr("Recording to %1").arg(path));
-    } else {
-        Q_EMIT message(Severity::Error, texts::errorText(result.error()));
-    }
-    refresh();
-    return result;
+    // A file system may take its time: the file is opened and closed by the worker for files.
+    const receive::Receiver& receiver = *d_->link->receiver;
+    d_->files.post(
+        this, [this, path, stream = receiver.subscribe(), layout = receiver.layout()](const CancelToken&) {
+            recording::RecorderOptions options;
+            options.path = path;
+            const Result<void> result = d_->recorder.start(options, stream, layout);
+            return std::function<void()>([this, path, result] {
+                if (result) {
+                    d_->wasRecording = true;
+                    Q_EMIT message(Severity::Info, tr("Recording to %1").arg(path));
+                } else {
+                    Q_EMIT message(Severity::Error, texts::errorText(result.error()));
+                }
+                refresh();
+            });
+        });
 }
 
 void RobotSession::stopRecording() {
-    if (!d_->wasRecording) {
-        return;
-    }
     d_->wasRecording = false;
-    d_->recorder.stop();
-    const recording::RecorderProgress progress = d_->recorder.progress();
-    if (progress.state == recording::RecorderState::Finished) {
-        Q_EMIT message(Severity::Info,
-                       tr("Recorded %1 rows to %2").arg(progress.rows).arg(d_->recorder.path()));
-    }
-    refresh();
+    d_->files.post(this, [this](const CancelToken&) {
+        if (d_->recorder.progress().state != recording::RecorderState::Recording) {
+            return std::function<void()>();
+        }
+        d_->recorder.stop();
+        return std::function<void()>([this] {
+            const recording::RecorderProgress progress = d_->recorder.progress();
+            if (progress.state == recording::RecorderState::Finished) {
+                Q_EMIT message(Severity::Info,
+                               tr("Recorded %1 rows to %2").arg(progress.rows).arg(d_->recorder.path()));
+            }
+            refresh();
+        });
+    });
 }
 
 // ---- the frame
@@ -380,29 +359,9 @@ void RobotSession::refresh() {
     reportChanges();
     if (d_->link) {
         keepOutputsConnected();
-        askRemoteControl();
+        askDashboard();
     }
     Q_EMIT stateChanged(d_->state);
-}
-
-void RobotSession::askRemoteControl() {
-    const std::int64_t now = d_->clock->nowNs();
-    if (d_->state.link != LinkState::Live || d_->remoteAsked || now - d_->remoteAskedNs < kAskRemoteEveryNs) {
-        return;
-    }
-    d_->remoteAsked = true;
-    d_->remoteAskedNs = now;
-    const std::uint64_t generation = d_->generation;
-    d_->link->dashboard->post(
-        [](dashboard::DashboardClient& c, const Deadline& d) { return c.isInRemoteControl(d); }, this,
-        [this, generation](const Result<bool>& result) {
-            if (generation != d_->generation) {
-                return;
-            }
-            d_->remoteAsked = false;
-            d_->remoteControl = result ? std::optional<bool>(*result) : std::nullopt;
-        },
-        kDashboardTime);
 }
 
 void RobotSession::reportChanges() {
@@ -420,9 +379,9 @@ void RobotSession::reportChanges() {
         }
         d_->linkSeen = state.link;
     }
-    if (state.hasData() && state.safetyMode != d_->safetySeen) {
-        d_->safetySeen = state.safetyMode;
-        const QString obstacle = texts::safetyModeObstacle(state.safetyMode);
+    if (state.hasData() && state.safety() != d_->safetySeen) {
+        d_->safetySeen = state.safety();
+        const QString obstacle = texts::safetyModeObstacle(state.safety());
         Q_EMIT message(obstacle.isEmpty() ? Severity::Info : Severity::Error,
                        obstacle.isEmpty() ? tr("Safety is normal again") : obstacle);
     }
@@ -438,6 +397,7 @@ void RobotSession::reportChanges() {
 void RobotSession::reportControllerMessages() {
     using script::MessageKind;
     for (const script::ControllerMessage& m : d_->link->primary->takeMessages()) {
+        Q_EMIT controllerMessage(m);
         const Severity severity = m.severity >= script::MessageSeverity::Violation ? Severity::Error
                                   : m.severity == script::MessageSeverity::Warning ? Severity::Warning
                                                                                    : Severity::Info;
@@ -446,7 +406,7 @@ void RobotSession::reportControllerMessages() {
                 Q_EMIT message(severity, tr("Program: %1").arg(m.text));
                 break;
             case MessageKind::ErrorCode:
-                Q_EMIT message(severity, tr("Controller: %1 %2").arg(m.codeName(), m.text).trimmed());
+                Q_EMIT message(severity, codeSentence(m));
                 break;
             case MessageKind::RuntimeException:
                 Q_EMIT message(

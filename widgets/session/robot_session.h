@@ -13,6 +13,8 @@
 #include "robot/core/clock.h"
 #include "robot/core/result.h"
 #include "widgets/session/io_commands.h"
+#include "robot/script/controller_message.h"
+#include "widgets/session/robot_command.h"
 #include "widgets/session/session_state.h"
 
 namespace tiller {
@@ -59,12 +61,12 @@ public:
     void connectTo(const RobotAddress& address);
     void disconnectFromRobot();
 
-    // Power and recovery.
-    void powerOn();
-    void releaseBrakes();
-    void powerOff();
+    // Power, recovery, programs. The outcome comes through stateChanged and message.
+    void perform(RobotCommand command);
     /// Only ever on the operator's explicit word.
-    void unlockProtectiveStop();
+    void unlockProtectiveStop(const UnlockConsent& consent);
+    /// name  as the controller's programs folder has it
+    void loadProgram(const QString& name);
     /// Uploads the control script; needs RUNNING, and Remote control where the controller has it.
     void takeControl();
     /// Ends the control program; the robot is free for others.
@@ -91,12 +93,15 @@ public:
     bool hold(MotionId motion);
     bool hold(MotionId motion, const control::JogTarget& target);
     void endMotion(MotionId motion, control::StopCause cause);
+    /// True when this motion ended because it reached its target.
+    bool hasArrived(MotionId motion) const;
     /// Stops whatever moves, whoever began it. Safe to call at any time.
     void stop(control::StopCause cause);
     const control::MotionLimits& limits() const;
 
     // Recording: one CSV row per packet.
-    Result<void> startRecording(const QString& path);
+    /// Both return at once; what became of it shows in SessionState::recording and as a message.
+    void startRecording(const QString& path);
     void stopRecording();
 
     /// Makes a new SessionState from the newest sample and tells everybody. Called by a 60 Hz timer that the
@@ -112,12 +117,15 @@ Q_SIGNALS:
     void motionStopped(const tiller::control::StopMeasurement& measurement);
     /// Something the operator should be able to read again later.
     void message(tiller::Severity severity, const QString& text);
+    /// What the controller itself said, whole; it comes as message too.
+    void controllerMessage(const tiller::script::ControllerMessage& message);
 
 private:
     // robot_session_io.cpp
     void keepOutputsConnected();
     void report(std::uint64_t generation, const QString& done, const Result<void>& result);
-    void askRemoteControl();
+    void askDashboard();
+    void stopForeignProgram();
     void reportChanges();
     void reportControllerMessages();
 

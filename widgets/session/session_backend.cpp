@@ -83,6 +83,8 @@ void RobotSession::Backend::readSample() {
     state.robotTime = robot.timestamp();
     state.robotMode = robot.robotMode();
     state.safetyMode = robot.safetyMode();
+    state.safetyStatus = static_cast<SafetyStatus>(static_cast<std::int32_t>(
+        robot.number("safety_status", 0, static_cast<double>(SafetyMode::Undefined))));
     state.runtimeState = robot.runtimeState();
     state.q = robot.q();
     state.qd = robot.qd();
@@ -97,7 +99,9 @@ void RobotSession::Backend::readSample() {
     state.speedScaling = robot.speedScaling();
     state.digitalInputs = robot.digitalInputs();
     state.digitalOutputs = robot.digitalOutputs();
-    state.remoteControl = state.version.isCb3() || remoteControl.value_or(false);
+    state.remoteControl = state.version.isCb3() || dashboardPicture.remoteControl.value_or(false);
+    state.operationalMode = dashboardPicture.operationalMode;
+    state.loadedProgram = dashboardPicture.program;
 }
 
 void RobotSession::Backend::readControl() {
@@ -147,7 +151,7 @@ QString RobotSession::Backend::obstacle() const {
         case LinkState::Live:
             break;
     }
-    if (const QString safety = texts::safetyModeObstacle(state.safetyMode); !safety.isEmpty()) {
+    if (const QString safety = texts::safetyModeObstacle(state.safety()); !safety.isEmpty()) {
         return safety;
     }
     if (const QString mode = texts::robotModeObstacle(state.robotMode); !mode.isEmpty()) {

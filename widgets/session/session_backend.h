@@ -30,6 +30,13 @@ struct RobotLink {
     std::unique_ptr<script::PrimaryClient> primary;
 };
 
+/// What only the dashboard tells, asked about once a second.
+struct DashboardPicture {
+    std::optional<bool> remoteControl;  ///< nothing until the controller has answered
+    QString operationalMode;            ///< "MANUAL", "AUTOMATIC"; empty: none set
+    QString program;                    ///< loaded on the robot; empty: none
+};
+
 struct RobotSession::Backend {
     explicit Backend(const Clock& c) : clock(&c) {}
 
@@ -43,9 +50,9 @@ struct RobotSession::Backend {
 
     receive::Sample sample;
     std::uint64_t sampleConnection = 0;  ///< the receiver's connection the outputs were connected for
-    std::optional<bool> remoteControl;   ///< nothing until the controller has answered
-    std::int64_t remoteAskedNs = 0;
-    bool remoteAsked = false;
+    DashboardPicture dashboardPicture;
+    std::int64_t dashboardAskedNs = 0;
+    bool dashboardAsked = false;
     bool takingControl = false;
     QString refusal;  ///< why taking control failed last
     QString linkReason;
@@ -63,7 +70,8 @@ struct RobotSession::Backend {
     LinkState linkSeen = LinkState::Disconnected;
     control::ControlLoss lossSeen = control::ControlLoss::NotTaken;
 
-    // Last: its jobs use what stands above.
+    // Last: their jobs use what stands above.
+    SessionWorker files;
     SessionWorker worker;
 
     /// Fills `state` from the newest sample and the controller's status.

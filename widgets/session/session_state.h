@@ -14,6 +14,7 @@
 #include "robot/core/robot_model.h"
 #include "robot/core/spatial.h"
 #include "robot/core/version.h"
+#include "widgets/session/mode_words.h"
 
 namespace tiller {
 
@@ -64,8 +65,11 @@ struct SessionState {
     // modes
     RobotMode robotMode = RobotMode::Disconnected;
     SafetyMode safetyMode = SafetyMode::Undefined;
+    SafetyStatus safetyStatus = SafetyMode::Undefined;  ///< Undefined where the software has none
     RuntimeState runtimeState = RuntimeState::Stopped;
     bool remoteControl = false;
+    QString operationalMode;  ///< "MANUAL", "AUTOMATIC"; empty: none set, or not known
+    QString loadedProgram;    ///< on the robot; empty: none
     ControlState control = ControlState::None;
     QString controlReason;  ///< why the arm cannot be moved now, as a sentence; empty when it can
 
@@ -99,6 +103,8 @@ struct SessionState {
 
     /// True when a press on a jog key would move the arm.
     bool canMove() const { return control == ControlState::InControl && controlReason.isEmpty(); }
+    /// The safety value to show and to act on, of the two the controller sends.
+    SafetyStatus safety() const { return shownSafety(safetyMode, safetyStatus); }
     bool hasData() const {
         return sequence != 0 && link != LinkState::Lost && link != LinkState::Disconnected;
     }

@@ -3,6 +3,8 @@
 
 #include <QCoreApplication>
 
+#include "widgets/session/mode_words.h"
+
 namespace tiller::texts {
 namespace {
 
@@ -212,70 +214,15 @@ QString stopCauseText(control::StopCause cause) {
 }
 
 QString robotModeObstacle(RobotMode mode) {
-    switch (mode) {
-        case RobotMode::Running:
-            return {};
-        case RobotMode::NoController:
-        case RobotMode::Disconnected:
-            return tr("The controller has no connection to the arm. See the teach pendant.");
-        case RobotMode::ConfirmSafety:
-            return tr("Confirm the safety configuration on the teach pendant.");
-        case RobotMode::Booting:
-            return tr("The arm is starting.");
-        case RobotMode::PowerOff:
-            return tr("The arm is off. Power it on.");
-        case RobotMode::PowerOn:
-            return tr("The arm is starting.");
-        case RobotMode::Idle:
-            return tr("The brakes are on. Release them.");
-        case RobotMode::Backdrive:
-            return tr("The arm is in backdrive. Let go of the Freedrive button.");
-        case RobotMode::UpdatingFirmware:
-            return tr("The joints' firmware is being updated. Wait until it is done.");
-    }
-    return tr("Unknown robot mode %1. See the teach pendant.").arg(static_cast<int>(mode));
+    return mode == RobotMode::Running ? QString() : robotModeWords(mode).advice;
 }
 
 QString safetyModeObstacle(SafetyMode mode) {
-    switch (mode) {
-        case SafetyMode::Normal:
-        case SafetyMode::Reduced:
-            return {};
-        case SafetyMode::ProtectiveStop:
-            return tr("Protective stop. Find out what stopped the arm, then unlock (after 5 s).");
-        case SafetyMode::Recovery:
-            return tr("Recovery mode. Move the arm back within its limits on the teach pendant.");
-        case SafetyMode::SafeguardStop:
-            return tr("Safeguard stop. Close the safeguard.");
-        case SafetyMode::SystemEmergencyStop:
-            return tr("Emergency stop of the system. Release it, then power on and release the brakes.");
-        case SafetyMode::RobotEmergencyStop:
-            return tr("Emergency stop. Pull the button out, then power on and release the brakes.");
-        case SafetyMode::Violation:
-            return tr("Safety violation. Check the cause, then restart the safety system.");
-        case SafetyMode::Fault:
-            return tr("Safety fault. Check the robot's log, then restart the safety system.");
-        case SafetyMode::ValidateJointId:
-            return tr("Joints must be validated on the teach pendant.");
-        case SafetyMode::Undefined:
-            return tr("The safety mode is not known.");
-        case SafetyMode::AutomaticModeSafeguardStop:
-            return tr("Safeguard stop of automatic mode. Close the safeguard, or change to manual mode.");
-        case SafetyMode::SystemThreePositionEnablingStop:
-        case SafetyMode::TpThreePositionEnablingStop:
-            return tr("Enabling device not held. Hold it in its middle position.");
-        case SafetyMode::ImmiEmergencyStop:
-        case SafetyMode::ProfisafeEmergencyStop:
-            return tr("Emergency stop of the machine. Release it, then power on and release the brakes.");
-        case SafetyMode::ImmiSafeguardStop:
-        case SafetyMode::ProfisafeAutomaticModeSafeguardStop:
-        case SafetyMode::ProfisafeSafeguardStop:
-        case SafetyMode::SafetyApiSafeguardStop:
-            return tr("Safeguard stop of the machine. Close its safeguard.");
-        case SafetyMode::ProfisafeWaitingForParameters:
-            return tr("Waiting for the PROFIsafe controller. Check the fieldbus.");
+    if (allowsMotion(mode)) {
+        return {};
     }
-    return tr("Unknown safety mode %1. See the teach pendant.").arg(static_cast<int>(mode));
+    const ModeWords words = safetyWords(mode);
+    return words.text + QStringLiteral(". ") + words.advice;
 }
 
 QString controlLossText(control::ControlLoss loss) {

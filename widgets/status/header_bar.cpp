@@ -29,6 +29,7 @@ StateChip* chip(const QString& caption, const char* name, QWidget* parent) {
 
 void showOn(StateChip& chip, const ModeLook& look) {
     chip.setState(look.text, look.shape, look.emphasis, look.advice);
+    chip.setMark(look.mark);
 }
 
 }  // namespace
@@ -54,12 +55,15 @@ HeaderBar::HeaderBar(HeaderPort port, QWidget* parent)
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 
     name_->setFont(textFont(20, QFont::Bold));
-    robot_->setMenuArrow(true);
+    for (StateChip* withMenu : {robot_, mode_, control_}) {
+        withMenu->setMenuArrow(true);
+    }
     link_->setFigures(true);
     lastStop_->setFigures(true);
     // The bar arranges itself by its width; see arrange().
     layout_->setSizeConstraint(QLayout::SetNoConstraint);
     stepButton_->setObjectName(QStringLiteral("nextStepButton"));
+    stepButton_->setAccessibleName(tr("Next step"));
     stepButton_->setProperty("primary", true);
     stepButton_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
 
@@ -73,7 +77,14 @@ HeaderBar::HeaderBar(HeaderPort port, QWidget* parent)
     layout_->addStretch(1);
     layout_->addWidget(stop_, 0, Qt::AlignVCenter);
 
-    connect(robot_, &StateChip::clicked, this, &HeaderBar::connectRequested);
+    connect(robot_, &StateChip::clicked, this, [this] { Q_EMIT menuRequested(Menu::Robot); });
+    connect(mode_, &StateChip::clicked, this, [this] { Q_EMIT menuRequested(Menu::Power); });
+    connect(control_, &StateChip::clicked, this, [this] { Q_EMIT menuRequested(Menu::Control); });
+    connect(safety_, &StateChip::clicked, this, [this] {
+        if (state_.hasData() && !allowsMotion(state_.safety())) {
+            Q_EMIT recoveryRequested();
+        }
+    });
     connect(stepButton_, &QPushButton::clicked, this, &HeaderBar::takeStep);
     connect(stop_, &StopButton::stopRequested, this, [this] { port_.stop(control::StopCause::StopButton); });
     connect(speed_, &SpeedChip::fractionChosen, this,
@@ -87,9 +98,7 @@ HeaderBar::HeaderBar(HeaderPort port, QWidget* parent)
 
 HeaderBar::HeaderBar(RobotSession& session, QWidget* parent)
     : HeaderBar(HeaderPort{
-                    .powerOn = [&session] { session.powerOn(); },
-                    .releaseBrakes = [&session] { session.releaseBrakes(); },
-                    .unlockProtectiveStop = [&session] { session.unlockProtectiveStop(); },
+                    .perform = [&session](RobotCommand command) { session.perform(command); },
                     .takeControl = [&session] { session.takeControl(); },
                     .setSpeedSlider = [&session](double fraction) { session.setSpeedSlider(fraction); },
                     .stop = [&session](control::StopCause cause) { session.stop(cause); },
@@ -99,8 +108,8 @@ HeaderBar::HeaderBar(RobotSession& session, QWidget* parent)
     connect(&session, &RobotSession::stateChanged, this, &HeaderBar::applyState);
 }
 
-QWidget* HeaderBar::robotChip() const {
-    return robot_;
+QWidget* HeaderBar::menuChip(Menu menu) const {
+    return menu == Menu::Robot ? robot_ : menu == Menu::Power ? mode_ : control_;
 }
 
 void HeaderBar::applyState(const SessionState& state) {
@@ -118,11 +127,12 @@ void HeaderBar::applyState(const SessionState& state) {
     simulation_->setVisible(connected && state.simulated);
     if (hasData) {
         showOn(*mode_, robotModeLook(state.robotMode, state.moving));
-        showOn(*safety_, safetyModeLook(state.safetyMode));
+        showOn(*safety_, safetyModeLook(state.safety()));
     } else {
         const QString text = connected ? tr("NO DATA") : QStringLiteral("–");
-        mode_->setState(text, StateChip::Shape::None, StateChip::Emphasis::Muted, state.linkReason);
-        safety_->setState(text, StateChip::Shape::None, StateChip::Emphasis::Muted, state.linkReason);
+        const ModeLook none{text, StateChip::Shape::None, StateChip::Emphasis::Muted, state.linkReason};
+        showOn(*mode_, none);
+        showOn(*safety_, none);
     }
     showOn(*control_, controlLook(state));
     speed_->setReported(state.speedFraction, hasData);
@@ -130,7 +140,7 @@ void HeaderBar::applyState(const SessionState& state) {
     step_ = nextStep(state);
     stepButton_->setVisible(step_ != NextStep::None);
     stepButton_->setText(nextStepText(step_));
-    stepButton_->setAccessibleName(nextStepText(step_));
+    stepButton_->setAccessibleName(step_ == NextStep::None ? tr("Next step") : nextStepText(step_));
     stepButton_->setToolTip(nextStepAdvice(step_));
 
     const control::StopMeasurement& last = state.lastStop;
@@ -163,13 +173,13 @@ void HeaderBar::takeStep() {
             Q_EMIT connectRequested();
             break;
         case NextStep::PowerOn:
-            port_.powerOn();
+            port_.perform(RobotCommand::PowerOn);
             break;
         case NextStep::ReleaseBrakes:
-            port_.releaseBrakes();
+            port_.perform(RobotCommand::ReleaseBrakes);
             break;
-        case NextStep::UnlockProtectiveStop:
-            port_.unlockProtectiveStop();
+        case NextStep::Recover:
+            Q_EMIT recoveryRequested();
             break;
         case NextStep::TakeControl:
             port_.takeControl();
@@ -193,12 +203,12 @@ void HeaderBar::arrange() {
     // What gives way when words are long: figures first, then names, a state's words last.
     simulation_->setFixedWidth(tight ? 112 : 145);
     robot_->setMaximumWidth(tight ? 124 : narrow ? 170 : 250);
-    robot_->setLeastCharacters(tight ? 5 : 8);
-    mode_->setLeastCharacters(tight ? 14 : 20);
-    safety_->setLeastCharacters(tight ? 16 : 26);
-    control_->setLeastCharacters(tight ? 14 : 20);
-    link_->setLeastCharacters(tight ? 6 : 15);
-    lastStop_->setLeastCharacters(tight ? 6 : 14);
+    robot_->setLeastCharacters(tight ? 4 : 8);
+    mode_->setLeastCharacters(tight ? 11 : narrow ? 15 : 20);
+    safety_->setLeastCharacters(tight ? 12 : narrow ? 20 : 26);
+    control_->setLeastCharacters(tight ? 7 : narrow ? 11 : 20);
+    link_->setLeastCharacters(tight ? 6 : narrow ? 12 : 15);
+    lastStop_->setLeastCharacters(tight ? 6 : narrow ? 12 : 14);
 }
 
 void HeaderBar::paintEvent(QPaintEvent*) {

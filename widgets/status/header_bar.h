@@ -24,9 +24,7 @@ class StopButton;
 
 /// What the header asks a session to do.
 struct HeaderPort {
-    std::function<void()> powerOn;
-    std::function<void()> releaseBrakes;
-    std::function<void()> unlockProtectiveStop;
+    std::function<void(RobotCommand)> perform;
     std::function<void()> takeControl;
     std::function<void(double fraction)> setSpeedSlider;
     std::function<void(control::StopCause)> stop;
@@ -40,8 +38,9 @@ public:
     /// Follows this session and asks it.
     explicit HeaderBar(RobotSession& session, QWidget* parent = nullptr);
 
-    /// The chip a robot menu opens below.
-    QWidget* robotChip() const;
+    /// The chip a menu opens below.
+    enum class Menu { Robot, Power, Control };
+    QWidget* menuChip(Menu menu) const;
     NextStep shownStep() const { return step_; }
 
     static constexpr int kHeight = 76;
@@ -52,8 +51,12 @@ public Q_SLOTS:
     void applyState(const tiller::SessionState& state);
 
 Q_SIGNALS:
-    /// The robot selector was clicked, or "Connect…".
+    /// "Connect…" was clicked.
     void connectRequested();
+    /// A chip with an arrow was clicked.
+    void menuRequested(tiller::HeaderBar::Menu menu);
+    /// "Recover…", or the safety chip.
+    void recoveryRequested();
 
 protected:
     void paintEvent(QPaintEvent* event) override;

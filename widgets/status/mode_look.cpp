@@ -2,6 +2,8 @@
 #include "widgets/status/mode_look.h"
 
 #include <QCoreApplication>
+#include <algorithm>
+#include <array>
 
 #include "widgets/common/format.h"
 #include "widgets/session/texts.h"
@@ -17,98 +19,104 @@ QString tr(const char* text) {
     return QCoreApplication::translate("ModeLook", text);
 }
 
-ModeLook stopLook(const char* text, SafetyMode mode) {
-    return {tr(text), Shape::Octagon, Emphasis::Alarm, texts::safetyModeObstacle(mode)};
-}
+/// The words are those of widgets/session/mode_words.h; this adds what the eye gets.
+template <class Mode>
+struct Row {
+    Mode mode;
+    Shape shape;
+    Emphasis emphasis;
+    const char* mark = "";
+};
 
-ModeLook operatorLook(const char* text, SafetyMode mode) {
-    return {tr(text), Shape::Hand, Emphasis::OperatorNeeded, texts::safetyModeObstacle(mode)};
+constexpr auto kRobotModes = std::to_array<Row<RobotMode>>({
+    {RobotMode::NoController, Shape::WarningTriangle, Emphasis::Warning},
+    {RobotMode::Disconnected, Shape::Cross, Emphasis::Warning},
+    {RobotMode::ConfirmSafety, Shape::Hand, Emphasis::OperatorNeeded},
+    {RobotMode::Booting, Shape::Bars, Emphasis::Normal},
+    {RobotMode::PowerOff, Shape::Power, Emphasis::Normal},
+    {RobotMode::PowerOn, Shape::Bolt, Emphasis::Normal},
+    {RobotMode::Idle, Shape::Square, Emphasis::Normal},
+    {RobotMode::Backdrive, Shape::DoubleArrow, Emphasis::OperatorNeeded},
+    {RobotMode::Running, Shape::Dot, Emphasis::Normal},
+    {RobotMode::UpdatingFirmware, Shape::DownArrow, Emphasis::Warning},
+});
+
+// A stop is an octagon. The common ones carry the letter of their name, those of newer software the number
+// the controller gives them.
+constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
+    {SafetyMode::Normal, Shape::Circle, Emphasis::Normal},
+    {SafetyMode::Reduced, Shape::DownArrow, Emphasis::Normal},
+    {SafetyMode::ProtectiveStop, Shape::Octagon, Emphasis::Alarm, "P"},
+    {SafetyMode::Recovery, Shape::Hand, Emphasis::OperatorNeeded},
+    {SafetyMode::SafeguardStop, Shape::Octagon, Emphasis::Alarm, "G"},
+    {SafetyMode::SystemEmergencyStop, Shape::Octagon, Emphasis::Alarm, "S"},
+    {SafetyMode::RobotEmergencyStop, Shape::Octagon, Emphasis::Alarm, "E"},
+    {SafetyMode::Violation, Shape::Octagon, Emphasis::Alarm, "V"},
+    {SafetyMode::Fault, Shape::Octagon, Emphasis::Alarm, "F"},
+    {SafetyMode::ValidateJointId, Shape::Hand, Emphasis::OperatorNeeded, "J"},
+    {SafetyMode::Undefined, Shape::Cross, Emphasis::Muted},
+    {SafetyMode::AutomaticModeSafeguardStop, Shape::Octagon, Emphasis::Alarm, "A"},
+    {SafetyMode::SystemThreePositionEnablingStop, Shape::Octagon, Emphasis::Alarm, "3"},
+    {SafetyMode::TpThreePositionEnablingStop, Shape::Octagon, Emphasis::Alarm, "14"},
+    {SafetyMode::ImmiEmergencyStop, Shape::Octagon, Emphasis::Alarm, "15"},
+    {SafetyMode::ImmiSafeguardStop, Shape::Octagon, Emphasis::Alarm, "16"},
+    {SafetyMode::ProfisafeWaitingForParameters, Shape::Hand, Emphasis::OperatorNeeded, "F"},
+    {SafetyMode::ProfisafeAutomaticModeSafeguardStop, Shape::Octagon, Emphasis::Alarm, "18"},
+    {SafetyMode::ProfisafeSafeguardStop, Shape::Octagon, Emphasis::Alarm, "19"},
+    {SafetyMode::ProfisafeEmergencyStop, Shape::Octagon, Emphasis::Alarm, "20"},
+    {SafetyMode::SafetyApiSafeguardStop, Shape::Octagon, Emphasis::Alarm, "22"},
+    {kIoPlaneStop, Shape::Octagon, Emphasis::Alarm, "23"},
+});
+
+// The dots say: not yet, but on its way.
+constexpr auto kRuntime = std::to_array<Row<RuntimeState>>({
+    {RuntimeState::Stopping, Shape::Square, Emphasis::Normal, "…"},
+    {RuntimeState::Stopped, Shape::Square, Emphasis::Muted},
+    {RuntimeState::Playing, Shape::Triangle, Emphasis::Normal},
+    {RuntimeState::Pausing, Shape::Pause, Emphasis::Normal, "…"},
+    {RuntimeState::Paused, Shape::Pause, Emphasis::Normal},
+    {RuntimeState::Resuming, Shape::Triangle, Emphasis::Normal, "…"},
+});
+
+template <class Mode, std::size_t N>
+ModeLook lookOf(const std::array<Row<Mode>, N>& table, Mode mode, const ModeWords& words, Row<Mode> unknown) {
+    const auto found =
+        std::find_if(table.begin(), table.end(), [mode](const auto& r) { return r.mode == mode; });
+    const Row<Mode>& row = found == table.end() ? unknown : *found;
+    return {words.text, row.shape, row.emphasis, words.advice, QString::fromUtf8(row.mark)};
 }
 
 }  // namespace
 
 ModeLook robotModeLook(RobotMode mode, bool moving) {
-    const QString advice = texts::robotModeObstacle(mode);
-    switch (mode) {
-        case RobotMode::NoController:
-            return {tr("No controller"), Shape::WarningTriangle, Emphasis::Warning, advice};
-        case RobotMode::Disconnected:
-            return {tr("Arm off line"), Shape::Cross, Emphasis::Warning, advice};
-        case RobotMode::ConfirmSafety:
-            return {tr("Confirm safety"), Shape::Hand, Emphasis::OperatorNeeded, advice};
-        case RobotMode::Booting:
-            return {tr("Booting"), Shape::Bars, Emphasis::Normal, advice};
-        case RobotMode::PowerOff:
-            return {tr("Power off"), Shape::Power, Emphasis::Normal, advice};
-        case RobotMode::PowerOn:
-            return {tr("Power on"), Shape::Bolt, Emphasis::Normal, advice};
-        case RobotMode::Idle:
-            return {tr("Idle"), Shape::Square, Emphasis::Normal, advice};
-        case RobotMode::Backdrive:
-            return {tr("Backdrive"), Shape::DoubleArrow, Emphasis::OperatorNeeded, advice};
-        case RobotMode::Running:
-            return moving ? ModeLook{tr("MOVING"), Shape::Triangle, Emphasis::Moving,
-                                     tr("The robot confirms that the arm moves.")}
-                          : ModeLook{tr("Running"), Shape::Dot, Emphasis::Normal,
-                                     tr("Brakes are released. The arm stands still.")};
-        case RobotMode::UpdatingFirmware:
-            return {tr("Updating firmware"), Shape::DownArrow, Emphasis::Warning, advice};
+    if (mode == RobotMode::Running && moving) {
+        return {tr("MOVING"),
+                Shape::Triangle,
+                Emphasis::Moving,
+                tr("The robot confirms that the arm moves."),
+                {}};
     }
-    return {robotModeName(mode), Shape::WarningTriangle, Emphasis::Warning, advice};
+    return lookOf(kRobotModes, mode, robotModeWords(mode),
+                  {mode, Shape::WarningTriangle, Emphasis::Warning, "?"});
 }
 
-ModeLook safetyModeLook(SafetyMode mode) {
-    switch (mode) {
-        case SafetyMode::Normal:
-            return {tr("Normal"), Shape::Circle, Emphasis::Normal, tr("No safety function is active.")};
-        case SafetyMode::Reduced:
-            return {tr("Reduced"), Shape::DownArrow, Emphasis::Normal,
-                    tr("The robot keeps to its reduced limits.")};
-        case SafetyMode::ProtectiveStop:
-            return stopLook("Protective stop", mode);
-        case SafetyMode::Recovery:
-            return operatorLook("Recovery", mode);
-        case SafetyMode::SafeguardStop:
-            return stopLook("Safeguard stop", mode);
-        case SafetyMode::SystemEmergencyStop:
-            return stopLook("System emergency stop", mode);
-        case SafetyMode::RobotEmergencyStop:
-            return stopLook("Emergency stop", mode);
-        case SafetyMode::Violation:
-            return stopLook("Safety violation", mode);
-        case SafetyMode::Fault:
-            return stopLook("Safety fault", mode);
-        case SafetyMode::ValidateJointId:
-            return operatorLook("Validate joints", mode);
-        case SafetyMode::Undefined:
-            return {tr("Undefined"), Shape::Cross, Emphasis::Muted, texts::safetyModeObstacle(mode)};
-        case SafetyMode::AutomaticModeSafeguardStop:
-            return stopLook("Automatic safeguard stop", mode);
-        case SafetyMode::SystemThreePositionEnablingStop:
-            return stopLook("Enabling device stop", mode);
-        case SafetyMode::TpThreePositionEnablingStop:
-            return stopLook("Pendant enabling stop", mode);
-        case SafetyMode::ImmiEmergencyStop:
-            return stopLook("IMMI emergency stop", mode);
-        case SafetyMode::ImmiSafeguardStop:
-            return stopLook("IMMI safeguard stop", mode);
-        case SafetyMode::ProfisafeWaitingForParameters:
-            return operatorLook("PROFIsafe waiting", mode);
-        case SafetyMode::ProfisafeAutomaticModeSafeguardStop:
-            return stopLook("PROFIsafe automatic stop", mode);
-        case SafetyMode::ProfisafeSafeguardStop:
-            return stopLook("PROFIsafe safeguard stop", mode);
-        case SafetyMode::ProfisafeEmergencyStop:
-            return stopLook("PROFIsafe emergency stop", mode);
-        case SafetyMode::SafetyApiSafeguardStop:
-            return stopLook("Safety API stop", mode);
-    }
-    // A number from newer software: never taken for normal.
-    return {safetyModeName(mode), Shape::Octagon, Emphasis::Alarm, texts::safetyModeObstacle(mode)};
+ModeLook safetyModeLook(SafetyStatus status) {
+    // A number from newer software is never taken for normal.
+    return lookOf(kSafety, status, safetyWords(status), {status, Shape::Octagon, Emphasis::Alarm, "?"});
+}
+
+ModeLook runtimeLook(RuntimeState state) {
+    return lookOf(kRuntime, state, runtimeWords(state),
+                  {state, Shape::WarningTriangle, Emphasis::Warning, "?"});
 }
 
 ModeLook controlLook(const SessionState& state) {
-    const QString place = state.remoteControl ? tr("Remote") : tr("Local");
+    QString place = state.remoteControl ? tr("Remote") : tr("Local");
+    if (state.operationalMode == QLatin1String("MANUAL")) {
+        place += QStringLiteral(" · ") + tr("Manual");
+    } else if (state.operationalMode == QLatin1String("AUTOMATIC")) {
+        place += QStringLiteral(" · ") + tr("Automatic");
+    }
     switch (state.control) {
         case ControlState::Taking:
             return {tr("Taking control…"), Shape::Bars, Emphasis::Normal, {}};
@@ -125,9 +133,34 @@ ModeLook controlLook(const SessionState& state) {
     if (state.link == LinkState::Disconnected) {
         return {QStringLiteral("–"), Shape::None, Emphasis::Muted, {}};
     }
-    return {state.remoteControl ? tr("Not in control") : tr("Local · monitoring"), Shape::None,
-            Emphasis::Muted, state.controlReason};
+    if (state.hasData() && state.runtimeState != RuntimeState::Stopped) {
+        // A program that is not ours: it is the one that moves the arm.
+        const ModeLook program = runtimeLook(state.runtimeState);
+        const QString name =
+            state.loadedProgram.isEmpty() ? QString() : QStringLiteral(": ") + state.loadedProgram;
+        return {place + QStringLiteral(" · ") + program.text, program.shape, program.emphasis,
+                program.advice + name, program.mark};
+    }
+    return {state.remoteControl ? tr("Not in control") : place + QStringLiteral(" · ") + tr("monitoring"),
+            Shape::None, Emphasis::Muted, state.controlReason};
 }
+
+namespace {
+
+/// What a link of this quality means for the hand on the key.
+QString linkConsequence(const LinkQuality& q) {
+    if (q.lost > 0 || (q.packets > 1000 && q.late * 100 > q.packets)) {
+        return tr(
+            "Packets come late or not at all: jogging may stop by itself and plots have gaps. Use a cable, "
+            "not a radio link, and close other programs.");
+    }
+    if (q.roundTripMs > 20) {
+        return tr("Commands take longer than 20 ms: the arm follows the key noticeably late. Jog slowly.");
+    }
+    return tr("Good: the arm follows the key at once, and a cut link stops it within a quarter of a second.");
+}
+
+}  // namespace
 
 ModeLook linkLook(const SessionState& state) {
     const LinkQuality& q = state.quality;
@@ -152,7 +185,7 @@ ModeLook linkLook(const SessionState& state) {
     if (q.roundTripMs > 0) {
         text += QStringLiteral(" · %1 ms").arg(q.roundTripMs, 0, 'f', 1);
     }
-    return {text, Shape::None, Emphasis::Normal, more};
+    return {text, Shape::None, Emphasis::Normal, more + QLatin1Char('\n') + linkConsequence(q)};
 }
 
 NextStep nextStep(const SessionState& state) {
@@ -162,11 +195,8 @@ NextStep nextStep(const SessionState& state) {
     if (state.link != LinkState::Live) {
         return NextStep::None;
     }
-    if (state.safetyMode == SafetyMode::ProtectiveStop) {
-        return NextStep::UnlockProtectiveStop;
-    }
-    if (!allowsMotion(state.safetyMode)) {
-        return NextStep::None;
+    if (!allowsMotion(state.safety())) {
+        return NextStep::Recover;
     }
     switch (state.robotMode) {
         case RobotMode::PowerOff:
@@ -192,8 +222,8 @@ QString nextStepText(NextStep step) {
             return tr("Power on");
         case NextStep::ReleaseBrakes:
             return tr("Release brakes");
-        case NextStep::UnlockProtectiveStop:
-            return tr("Unlock…");
+        case NextStep::Recover:
+            return tr("Recover…");
         case NextStep::TakeControl:
             return tr("Take control");
     }
@@ -210,8 +240,8 @@ QString nextStepAdvice(NextStep step) {
             return tr("Powers the arm. Brakes stay engaged.");
         case NextStep::ReleaseBrakes:
             return tr("The arm may sag by a few millimetres. Keep clear.");
-        case NextStep::UnlockProtectiveStop:
-            return tr("Look at the arm first: clear what it ran into. Possible five seconds after the stop.");
+        case NextStep::Recover:
+            return tr("Shows what stopped the arm, the last five seconds, and the way back. Nothing moves.");
         case NextStep::TakeControl:
             return tr("Starts the control program on the robot, which stops any other program.");
     }

@@ -17,18 +17,21 @@ struct ModeLook {
     StateChip::Shape shape = StateChip::Shape::None;
     StateChip::Emphasis emphasis = StateChip::Emphasis::Normal;
     QString advice;
+    QString mark{};  ///< tells shapes of one kind apart
 };
 
 /// moving  the robot confirms motion; counts only in Running
 ModeLook robotModeLook(RobotMode mode, bool moving);
-ModeLook safetyModeLook(SafetyMode mode);
+ModeLook safetyModeLook(SafetyStatus status);
+/// What runs on the robot.
+ModeLook runtimeLook(RuntimeState state);
 /// Who is in control, and what for.
 ModeLook controlLook(const SessionState& state);
 /// The link's rate, late and lost packets and round trip, or what is wrong with it.
 ModeLook linkLook(const SessionState& state);
 
 /// What the operator does next on the way to a robot that can be moved; one at a time.
-enum class NextStep { None, Connect, PowerOn, ReleaseBrakes, UnlockProtectiveStop, TakeControl };
+enum class NextStep { None, Connect, PowerOn, ReleaseBrakes, Recover, TakeControl };
 
 NextStep nextStep(const SessionState& state);
 /// "Power on"; empty for None.

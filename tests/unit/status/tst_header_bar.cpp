@@ -25,9 +25,7 @@ struct FakeSession {
     QList<double> speeds;
 
     HeaderPort port() {
-        return {.powerOn = [this] { asked << QStringLiteral("power on"); },
-                .releaseBrakes = [this] { asked << QStringLiteral("release brakes"); },
-                .unlockProtectiveStop = [this] { asked << QStringLiteral("unlock"); },
+        return {.perform = [this](RobotCommand command) { asked << commandText(command).toLower(); },
                 .takeControl = [this] { asked << QStringLiteral("take control"); },
                 .setSpeedSlider = [this](double fraction) { speeds << fraction; },
                 .stop = [this](StopCause cause) { stops << cause; }};
@@ -111,8 +109,8 @@ private Q_SLOTS:
             QCOMPARE(chip->text(), robotModeLook(state.robotMode, false).text);
             QCOMPARE(chip->shape(), robotModeLook(state.robotMode, false).shape);
         }
-        for (int mode = 1; mode <= 22; ++mode) {
-            state.safetyMode = static_cast<SafetyMode>(mode);
+        for (const SafetyStatus status : safetyStatuses()) {
+            state.safetyMode = status;
             header.applyState(state);
             const auto* chip = header.findChild<StateChip*>(QStringLiteral("safetyChip"));
             QCOMPARE(chip->text(), safetyModeLook(state.safetyMode).text);
@@ -157,8 +155,6 @@ private Q_SLOTS:
         QTest::newRow("brakes") << RobotMode::Idle << SafetyMode::Normal << QStringLiteral("release brakes");
         QTest::newRow("control") << RobotMode::Running << SafetyMode::Normal
                                  << QStringLiteral("take control");
-        QTest::newRow("unlock") << RobotMode::Running << SafetyMode::ProtectiveStop
-                                << QStringLiteral("unlock");
     }
     void oneButtonTakesTheNextStep() {
         QFETCH(RobotMode, mode);
@@ -177,6 +173,29 @@ private Q_SLOTS:
         QVERIFY(button->isVisible());
         QTest::mouseClick(button, Qt::LeftButton);
         QCOMPARE(session.asked, QStringList{asked});
+    }
+
+    void aStopLeadsToTheRecoveryPageAndNothingElse() {
+        FakeSession session;
+        HeaderBar header(session.port());
+        header.show();
+        QSignalSpy recovery(&header, &HeaderBar::recoveryRequested);
+        SessionState state = movingState();
+        state.control = ControlState::None;
+        for (const SafetyStatus status : safetyStatuses()) {
+            if (allowsMotion(status)) {
+                continue;
+            }
+            state.safetyMode = status;
+            header.applyState(state);
+            QTest::mouseClick(header.findChild<QPushButton*>(QStringLiteral("nextStepButton")),
+                              Qt::LeftButton);
+            QCOMPARE(recovery.size(), 1);
+            QTest::mouseClick(header.findChild<StateChip*>(QStringLiteral("safetyChip")), Qt::LeftButton);
+            QCOMPARE(recovery.size(), 2);
+            recovery.clear();
+        }
+        QVERIFY(session.asked.isEmpty());
     }
 
     void inControlThereIsNoButton() {
@@ -252,8 +271,8 @@ private Q_SLOTS:
         FakeSession session;
         HeaderBar header(session.port());
         header.show();
-        QSignalSpy asked(&header, &HeaderBar::connectRequested);
-        QTest::mouseClick(header.robotChip(), Qt::LeftButton);
+        QSignalSpy asked(&header, &HeaderBar::menuRequested);
+        QTest::mouseClick(header.menuChip(HeaderBar::Menu::Robot), Qt::LeftButton);
         QCOMPARE(asked.count(), 1);
     }
 
@@ -282,7 +301,11 @@ private Q_SLOTS:
                     continue;
                 }
                 QVERIFY2(header.rect().contains(child->geometry()), qPrintable(child->objectName()));
-                QVERIFY2(child->width() >= child->minimumSizeHint().width(), qPrintable(child->objectName()));
+                QVERIFY2(child->width() >= child->minimumSizeHint().width(),
+                         qPrintable(QStringLiteral("%1: %2 of %3 px")
+                                        .arg(child->objectName())
+                                        .arg(child->width())
+                                        .arg(child->minimumSizeHint().width())));
                 QVERIFY2(!before.intersects(child->geometry()), qPrintable(child->objectName()));
                 before = child->geometry();
             }

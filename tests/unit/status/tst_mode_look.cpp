@@ -11,23 +11,6 @@ using Shape = StateChip::Shape;
 class TestModeLook : public QObject {
     Q_OBJECT
 
-    static QList<RobotMode> robotModes() {
-        QList<RobotMode> modes;
-        for (int number = -1; number <= 8; ++number) {
-            modes.append(static_cast<RobotMode>(number));
-        }
-        return modes;
-    }
-    static QList<SafetyMode> safetyModes() {
-        QList<SafetyMode> modes;
-        for (int number = 1; number <= 22; ++number) {
-            if (number != 21) {
-                modes.append(static_cast<SafetyMode>(number));
-            }
-        }
-        return modes;
-    }
-
 private Q_SLOTS:
     void everyRobotModeHasItsOwnWordsAndShape() {
         QSet<QString> texts;
@@ -41,8 +24,8 @@ private Q_SLOTS:
             texts.insert(look.text);
             shapes.insert(static_cast<int>(look.shape));
         }
-        QCOMPARE(texts.size(), robotModes().size());
-        QCOMPARE(shapes.size(), robotModes().size());
+        QCOMPARE(texts.size(), qsizetype(robotModes().size()));
+        QCOMPARE(shapes.size(), qsizetype(robotModes().size()));
     }
 
     void onlyAConfirmedMotionIsBlue() {
@@ -57,7 +40,7 @@ private Q_SLOTS:
 
     void everySafetyModeHasItsOwnWordsAndAdvice() {
         QSet<QString> texts;
-        for (const SafetyMode mode : safetyModes()) {
+        for (const SafetyMode mode : safetyStatuses()) {
             const ModeLook look = safetyModeLook(mode);
             const QString name = safetyModeName(mode);
             QVERIFY2(!look.text.isEmpty() && look.text != name, qPrintable(name));
@@ -65,11 +48,11 @@ private Q_SLOTS:
             QVERIFY2(look.shape != Shape::None, qPrintable(name));
             texts.insert(look.text);
         }
-        QCOMPARE(texts.size(), safetyModes().size());
+        QCOMPARE(texts.size(), qsizetype(safetyStatuses().size()));
     }
 
     void stopsAreOctagonsInAlarmAndNormalIsGrey() {
-        for (const SafetyMode mode : safetyModes()) {
+        for (const SafetyMode mode : safetyStatuses()) {
             const ModeLook look = safetyModeLook(mode);
             const QString name = safetyModeName(mode);
             const bool stop = name.contains(QStringLiteral("STOP")) || mode == SafetyMode::Violation ||
@@ -79,6 +62,45 @@ private Q_SLOTS:
         }
         QCOMPARE(safetyModeLook(SafetyMode::Normal).emphasis, Emphasis::Normal);
         QCOMPARE(safetyModeLook(SafetyMode::Reduced).emphasis, Emphasis::Normal);
+    }
+
+    void everyProgramStateHasItsOwnWordsAndIcon() {
+        QSet<QString> texts;
+        QSet<QString> icons;
+        for (const RuntimeState runtime : runtimeStates()) {
+            const ModeLook look = runtimeLook(runtime);
+            QVERIFY(!look.advice.isEmpty());
+            texts.insert(look.text);
+            icons.insert(QString::number(static_cast<int>(look.shape)) + look.mark);
+        }
+        QCOMPARE(texts.size(), qsizetype(runtimeStates().size()));
+        QCOMPARE(icons.size(), qsizetype(runtimeStates().size()));
+    }
+
+    void theSafetyStatusTellsCausesApartAndTheCautiousValueWins() {
+        SessionState state;
+        state.safetyMode = SafetyMode::SafeguardStop;
+        state.safetyStatus = SafetyMode::AutomaticModeSafeguardStop;
+        QCOMPARE(state.safety(), SafetyMode::AutomaticModeSafeguardStop);
+        state.safetyStatus = SafetyMode::Undefined;  // software without it
+        QCOMPARE(state.safety(), SafetyMode::SafeguardStop);
+        state.safetyStatus = SafetyMode::Normal;
+        QCOMPARE(state.safety(), SafetyMode::SafeguardStop);
+        state.safetyMode = SafetyMode::Normal;
+        state.safetyStatus = SafetyMode::ProtectiveStop;
+        QCOMPARE(state.safety(), SafetyMode::ProtectiveStop);
+    }
+
+    void aForeignProgramIsNamed() {
+        SessionState state;
+        state.link = LinkState::Live;
+        state.sequence = 1;
+        state.remoteControl = true;
+        state.operationalMode = QStringLiteral("AUTOMATIC");
+        state.runtimeState = RuntimeState::Playing;
+        state.loadedProgram = QStringLiteral("pick.urp");
+        QCOMPARE(controlLook(state).text, QStringLiteral("Remote · Automatic · Program plays"));
+        QVERIFY(controlLook(state).advice.contains(QStringLiteral("pick.urp")));
     }
 
     void numberFromNewerSoftwareIsNeverTakenForNormal() {
@@ -109,15 +131,15 @@ private Q_SLOTS:
         QCOMPARE(nextStep(state), NextStep::TakeControl);
         state.control = ControlState::InControl;
         QCOMPARE(nextStep(state), NextStep::None);
-        state.safetyMode = SafetyMode::ProtectiveStop;
-        QCOMPARE(nextStep(state), NextStep::UnlockProtectiveStop);
-        state.safetyMode = SafetyMode::RobotEmergencyStop;
-        QCOMPARE(nextStep(state), NextStep::None);
+        for (const SafetyStatus status : safetyStatuses()) {
+            state.safetyMode = status;
+            QCOMPARE(nextStep(state) == NextStep::Recover, !allowsMotion(status));
+        }
     }
 
     void everyStepHasWordsAndAdvice() {
         for (const auto step : {NextStep::Connect, NextStep::PowerOn, NextStep::ReleaseBrakes,
-                                NextStep::UnlockProtectiveStop, NextStep::TakeControl}) {
+                                NextStep::Recover, NextStep::TakeControl}) {
             QVERIFY(!nextStepText(step).isEmpty());
             QVERIFY(!nextStepAdvice(step).isEmpty());
         }

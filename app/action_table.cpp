@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/action_table.h"
+
+#include <QCoreApplication>
+#include <QWidget>
+
+namespace tiller::app {
+namespace {
+
+constexpr char kMenu[] = "tillerMenu";
+constexpr char kHelp[] = "tillerHelp";
+constexpr char kObstacle[] = "tillerObstacle";
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("ActionTable", text);
+}
+
+void showObstacle(QAction& action, const QString& obstacle) {
+    action.setProperty(kObstacle, obstacle);
+    action.setEnabled(obstacle.isEmpty());
+    const QString help = ActionTable::helpOf(action);
+    action.setToolTip(obstacle.isEmpty() ? help : obstacle);
+}
+
+}  // namespace
+
+QList<QPair<QString, QString>> actionMenus() {
+    return {{"robot", tr("Robot")},
+            {"power", tr("Power and safety")},
+            {"control", tr("Control and programs")},
+            {"jog", tr("Jog")},
+            {"waypoint", tr("Waypoints")},
+            {"view", tr("View")},
+            {"app", tr("Program Tiller")}};
+}
+
+ActionTable::ActionTable(QWidget& owner) : QObject(&owner), owner_(owner) {}
+
+QAction* ActionTable::add(ActionSpec spec) {
+    auto* action = new QAction(spec.text, this);
+    action->setObjectName(spec.id);
+    action->setShortcut(spec.shortcut);
+    action->setProperty(kHelp, spec.help);
+    action->setStatusTip(spec.help);
+    action->setAutoRepeat(false);
+    connect(action, &QAction::triggered, this, [run = std::move(spec.run)] { run(); });
+    owner_.addAction(action);
+    adopt(spec.id.section(QLatin1Char('.'), 0, 0), action);
+    showObstacle(*action, {});
+    if (spec.obstacle) {
+        rules_.push_back({action, std::move(spec.obstacle)});
+    }
+    return action;
+}
+
+void ActionTable::adopt(const QString& menu, QAction* action) {
+    action->setProperty(kMenu, menu);
+    actions_.append(action);
+}
+
+QList<QAction*> ActionTable::inMenu(const QString& menu) const {
+    QList<QAction*> found;
+    for (QAction* action : actions_) {
+        if (menuOf(*action) == menu) {
+            found.append(action);
+        }
+    }
+    return found;
+}
+
+QAction* ActionTable::find(const QString& id) const {
+    for (QAction* action : actions_) {
+        if (action->objectName() == id) {
+            return action;
+        }
+    }
+    return nullptr;
+}
+
+QString ActionTable::menuOf(const QAction& action) {
+    return action.property(kMenu).toString();
+}
+
+QString ActionTable::helpOf(const QAction& action) {
+    const QString help = action.property(kHelp).toString();
+    return help.isEmpty() ? action.text() : help;
+}
+
+QString ActionTable::obstacleOf(const QAction& action) {
+    return action.property(kObstacle).toString();
+}
+
+QString ActionTable::helpText() const {
+    QString text;
+    for (const auto& [menu, title] : actionMenus()) {
+        const QList<QAction*> actions = inMenu(menu);
+        if (actions.isEmpty()) {
+            continue;
+        }
+        text += QStringLiteral("<h3>%1</h3><table cellpadding='4'>").arg(title.toHtmlEscaped());
+        for (const QAction* action : actions) {
+            text += QStringLiteral("<tr><td><b>%1</b></td><td><code>%2</code></td><td>%3</td></tr>")
+                        .arg(QString(action->text()).remove(QLatin1Char('&')).toHtmlEscaped(),
+                             action->shortcut().toString(QKeySequence::NativeText).toHtmlEscaped(),
+                             helpOf(*action).toHtmlEscaped());
+        }
+        text += QStringLiteral("</table>");
+    }
+    return text;
+}
+
+void ActionTable::applyState(const SessionState& state) {
+    for (const Rule& rule : rules_) {
+        const QString obstacle = rule.obstacle(state);
+        if (obstacle != obstacleOf(*rule.action)) {
+            showObstacle(*rule.action, obstacle);
+        }
+    }
+}
+
+}  // namespace tiller::app

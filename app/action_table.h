@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Everything the window can do, once: name, menu, shortcut, one sentence of help, and why it cannot be done
+// now. Menus, shortcuts, the command palette, the settings of the shortcuts and the help page are all made
+// from this table.
+
+#include <QAction>
+#include <QKeySequence>
+#include <QObject>
+#include <functional>
+#include <vector>
+
+#include "widgets/session/session_state.h"
+
+namespace tiller::app {
+
+struct ActionSpec {
+    QString id;    ///< "power.on"; the part before the dot names its menu
+    QString text;  ///< "Power on"
+    QString help;  ///< one sentence
+    QKeySequence shortcut = {};
+    std::function<void()> run;
+    /// Why it cannot be done now; empty when it can. Null: always possible.
+    std::function<QString(const SessionState&)> obstacle = {};
+};
+
+/// The menus in their order: id and title.
+QList<QPair<QString, QString>> actionMenus();
+
+class ActionTable : public QObject {
+    Q_OBJECT
+
+public:
+    /// owner  gets the shortcuts
+    explicit ActionTable(QWidget& owner);
+
+    QAction* add(ActionSpec spec);
+    /// An action that lives elsewhere (a tab's own) and is listed here with the others.
+    void adopt(const QString& menu, QAction* action);
+
+    const QList<QAction*>& all() const { return actions_; }
+    QList<QAction*> inMenu(const QString& menu) const;
+    QAction* find(const QString& id) const;
+    static QString menuOf(const QAction& action);
+    static QString helpOf(const QAction& action);
+    /// Why the action cannot be done now, empty when it can.
+    static QString obstacleOf(const QAction& action);
+
+    /// A table of all actions for people, as rich text.
+    QString helpText() const;
+
+public Q_SLOTS:
+    void applyState(const tiller::SessionState& state);
+
+private:
+    struct Rule {
+        QAction* action;
+        std::function<QString(const SessionState&)> obstacle;
+    };
+
+    QWidget& owner_;
+    QList<QAction*> actions_;
+    std::vector<Rule> rules_;
+};
+
+}  // namespace tiller::app

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_palette.h"
+
+#include <QAction>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPointer>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/action_table.h"
+
+namespace tiller::app {
+namespace {
+
+QString plain(const QAction& action) {
+    return QString(action.text()).remove(QLatin1Char('&'));
+}
+
+/// All words must occur somewhere; what begins with them comes first.
+int rank(const QAction& action, const QStringList& words) {
+    const QString text = plain(action);
+    const QString all =
+        text + QLatin1Char(' ') + action.objectName() + QLatin1Char(' ') + ActionTable::helpOf(action);
+    for (const QString& word : words) {
+        if (!all.contains(word, Qt::CaseInsensitive)) {
+            return -1;
+        }
+    }
+    if (words.isEmpty() || text.startsWith(words.first(), Qt::CaseInsensitive)) {
+        return 0;
+    }
+    return text.contains(words.first(), Qt::CaseInsensitive) ? 1 : 2;
+}
+
+}  // namespace
+
+CommandPalette::CommandPalette(const ActionTable& actions, QWidget* parent)
+    : QDialog(parent), actions_(actions) {
+    setObjectName("commandPalette");
+    setWindowTitle(tr("Commands"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    resize(640, 420);
+    auto* layout = new QVBoxLayout(this);
+    words_ = new QLineEdit(this);
+    words_->setObjectName("paletteWords");
+    words_->setAccessibleName(tr("Search a command"));
+    words_->setPlaceholderText(tr("Type what you want to do"));
+    words_->installEventFilter(this);
+    list_ = new QListWidget(this);
+    list_->setObjectName("paletteList");
+    list_->setAccessibleName(tr("Commands found"));
+    layout->addWidget(words_);
+    layout->addWidget(list_);
+    connect(words_, &QLineEdit::textChanged, this, &CommandPalette::list);
+    connect(words_, &QLineEdit::returnPressed, this, &CommandPalette::runCurrent);
+    connect(list_, &QListWidget::itemActivated, this, &CommandPalette::runCurrent);
+    list({});
+    words_->setFocus();
+}
+
+void CommandPalette::list(const QString& words) {
+    const QStringList wanted = words.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    QList<QPair<int, QAction*>> found;
+    for (QAction* action : actions_.all()) {
+        if (const int r = rank(*action, wanted); r >= 0 && !plain(*action).isEmpty()) {
+            found.append({r, action});
+        }
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    list_->clear();
+    listed_.clear();
+    for (const auto& [r, action] : found) {
+        QString text = plain(*action);
+        if (const QString keys = action->shortcut().toString(QKeySequence::NativeText); !keys.isEmpty()) {
+            text += QStringLiteral("   ") + keys;
+        }
+        auto* item = new QListWidgetItem(text, list_);
+        item->setToolTip(ActionTable::helpOf(*action));
+        if (!action->isEnabled()) {
+            const QString why = ActionTable::obstacleOf(*action);
+            item->setText(text + QStringLiteral(" – ") + (why.isEmpty() ? tr("not possible now") : why));
+            item->setFlags(item->flags() & ~Qt::ItemIsEnabled);
+        }
+        listed_.append(action);
+    }
+    list_->setCurrentRow(listed_.isEmpty() ? -1 : 0);
+}
+
+void CommandPalette::runCurrent() {
+    const int row = list_->currentRow();
+    if (row < 0 || row >= listed_.size() || !listed_[row]->isEnabled()) {
+        return;
+    }
+    const QPointer<QAction> action = listed_[row];
+    // The window is the active one again before the action runs: it may open a dialog of its own.
+    accept();
+    if (action) {
+        action->trigger();
+    }
+}
+
+bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == words_ && event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Down || key == Qt::Key_Up) {
+            const int step = key == Qt::Key_Down ? 1 : -1;
+            list_->setCurrentRow(std::clamp(list_->currentRow() + step, 0, std::max(0, list_->count() - 1)));
+            return true;
+        }
+    }
+    return QDialog::eventFilter(watched, event);
+}
+
+}  // namespace tiller::app

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Without a mouse and without eyes: every control has a name, is reached by Tab or by a command, and shows
+// where the focus is.
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QComboBox>
+#include <QDialog>
+#include <QLineEdit>
+#include <QSet>
+#include <QTabBar>
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+
+#include "app/action_table.h"
+#include "app/command_palette.h"
+#include "app/main_window.h"
+#include "resources/resources.h"
+#include "tests/ui/jog_fixture.h"
+#include "widgets/common/segmented_control.h"
+#include "widgets/waypoints/waypoints_tab.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+namespace {
+
+struct Bench {
+    VirtualClock clock;
+    QTemporaryDir folder;
+    app::MainWindow window{app::Settings(folder.filePath("settings.ini")), clock};
+    VirtualCell cell{clock, window.session()};
+
+    Bench() {
+        window.resize(1280, 720);
+        window.show();
+        window.activateWindow();
+        if (!QTest::qWaitForWindowActive(&window)) {
+            qFatal("the window did not become active");
+        }
+    }
+};
+
+/// The inside of a scroll area, which has the area's name and focus.
+bool isViewport(const QWidget& widget) {
+    const auto* area = qobject_cast<const QAbstractScrollArea*>(widget.parentWidget());
+    return area != nullptr && area->viewport() == &widget;
+}
+
+bool isQtsOwn(const QWidget& widget) {
+    return widget.objectName().startsWith("qt_") || isViewport(widget) ||
+           widget.inherits("QTableCornerButton") || widget.inherits("QLineEditIconButton") ||
+           widget.inherits("QToolBarExtension") || widget.inherits("QHeaderView") ||
+           widget.inherits("QScrollBar") || qobject_cast<const QTabBar*>(widget.parent()) != nullptr ||
+           (widget.parentWidget() != nullptr && widget.parentWidget()->inherits("QAbstractSpinBox"));
+}
+
+bool isControl(const QWidget& widget) {
+    return qobject_cast<const QAbstractButton*>(&widget) || qobject_cast<const QLineEdit*>(&widget) ||
+           qobject_cast<const QAbstractItemView*>(&widget) || qobject_cast<const QAbstractSlider*>(&widget) ||
+           qobject_cast<const QComboBox*>(&widget) || qobject_cast<const QTabBar*>(&widget) ||
+           (widget.focusPolicy() & Qt::TabFocus) != 0;
+}
+
+QStringList nameless(const QWidget& root) {
+    QStringList without;
+    for (const QWidget* widget : root.findChildren<QWidget*>()) {
+        if (!isControl(*widget) || isQtsOwn(*widget)) {
+            continue;
+        }
+        const auto* button = qobject_cast<const QAbstractButton*>(widget);
+        if (widget->accessibleName().isEmpty() && (button == nullptr || button->text().isEmpty())) {
+            without << QStringLiteral("%1 \"%2\" in %3")
+                           .arg(QLatin1String(widget->metaObject()->className()), widget->objectName(),
+                                widget->parentWidget() ? widget->parentWidget()->objectName() : QString());
+        }
+    }
+    return without;
+}
+
+}  // namespace
+
+class TestAccessibility : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { initResources(); }
+
+    void everyControlOfTheWindowHasAName() {
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.window.waypoints().teach();
+        bench.cell.advanceMs(100);
+        const QStringList without = nameless(bench.window);
+        QVERIFY2(without.isEmpty(), qPrintable(without.join('\n')));
+    }
+
+    void everyControlOfEveryDialogHasAName() {
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.cell.robot.protectiveStop();
+        bench.cell.advanceMs(300);
+        int dialogs = 0;
+        for (const char* id :
+             {"robot.connect", "robot.check", "power.recover", "control.load", "app.palette", "app.help"}) {
+            QAction* action = bench.window.actions().find(QLatin1String(id));
+            QVERIFY2(action != nullptr, id);
+            action->setEnabled(true);
+            action->trigger();
+            QCoreApplication::processEvents();
+            for (QWidget* top : QApplication::topLevelWidgets()) {
+                if (top != &bench.window && top->isVisible() && qobject_cast<QDialog*>(top) != nullptr) {
+                    ++dialogs;
+                    // An input dialog is Qt's own, and names its one field by its label.
+                    if (!top->inherits("QInputDialog")) {
+                        const QStringList without = nameless(*top);
+                        QVERIFY2(without.isEmpty(),
+                                 qPrintable(QLatin1String(id) + ": " + without.join('\n')));
+                    }
+                    top->close();
+                }
+            }
+        }
+        QCOMPARE(dialogs, 6);
+    }
+
+    void tabReachesEveryControlThatACommandDoesNot() {
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.cell.advanceMs(100);
+        QSet<QWidget*> reached;
+        for (int i = 0; i < 400; ++i) {
+            QTest::keyClick(&bench.window, Qt::Key_Tab);
+            QWidget* focus = QApplication::focusWidget();
+            QVERIFY(focus != nullptr);
+            if (reached.contains(focus) && i > 200) {
+                break;
+            }
+            reached.insert(focus);
+        }
+        QStringList missed;
+        for (QWidget* widget : bench.window.findChildren<QWidget*>()) {
+            const bool visible =
+                widget->isVisible() && widget->isEnabled() && widget->window() == &bench.window;
+            if (!visible || !isControl(*widget) || isQtsOwn(*widget) || reached.contains(widget)) {
+                continue;
+            }
+            // Of a row of keys that exclude each other Tab reaches one, the arrows the others.
+            if (widget->parentWidget() != nullptr &&
+                widget->parentWidget()->inherits("tiller::SegmentedControl")) {
+                const QList<QAbstractButton*> row = widget->parentWidget()->findChildren<QAbstractButton*>();
+                if (std::any_of(row.begin(), row.end(), [&](auto* key) { return reached.contains(key); })) {
+                    continue;
+                }
+            }
+            // Held keys are for the armed keyboard, STOP for Space and Esc from everywhere.
+            if (qobject_cast<HoldButton*>(widget) != nullptr || widget->objectName() == "stopButton" ||
+                widget->focusPolicy() == Qt::NoFocus) {
+                if (qobject_cast<HoldButton*>(widget) != nullptr || widget->objectName() == "stopButton") {
+                    continue;
+                }
+            }
+            missed << QStringLiteral("%1 \"%2\" (%3)")
+                          .arg(QLatin1String(widget->metaObject()->className()), widget->objectName(),
+                               widget->accessibleName());
+        }
+        QVERIFY2(reached.size() > 15, qPrintable(QString::number(reached.size())));
+        QVERIFY2(missed.isEmpty(), qPrintable(missed.join('\n')));
+    }
+
+    void arrowsWalkThroughARowOfKeys() {
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        auto* motion = bench.window.findChild<SegmentedControl*>("jogMotion");
+        motion->segment(motion->currentIndex())->setFocus(Qt::TabFocusReason);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Right);
+        QCOMPARE(motion->currentIndex(), 1);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Left);
+        QCOMPARE(motion->currentIndex(), 0);
+    }
+
+    void theFocusIsVisible() {
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.cell.advanceMs(100);
+        QSet<QWidget*> looked;
+        QStringList invisible;
+        for (int i = 0; i < 200; ++i) {
+            QTest::keyClick(&bench.window, Qt::Key_Tab);
+            QWidget* focus = QApplication::focusWidget();
+            QVERIFY(focus != nullptr);
+            if (looked.contains(focus)) {
+                continue;
+            }
+            looked.insert(focus);
+            const bool painted = qobject_cast<QAbstractItemView*>(focus) == nullptr;
+            const QImage with = focus->grab().toImage();
+            focus->clearFocus();
+            const QImage without = focus->grab().toImage();
+            focus->setFocus(Qt::TabFocusReason);
+            if (painted && with == without) {
+                invisible << QStringLiteral("%1 \"%2\"")
+                                 .arg(QLatin1String(focus->metaObject()->className()), focus->objectName());
+            }
+        }
+        QVERIFY(looked.size() > 15);
+        QVERIFY2(invisible.isEmpty(), qPrintable(invisible.join('\n')));
+    }
+
+    void everyFunctionIsACommandWithANameAndHelp() {
+        Bench bench;
+        QSet<QString> names;
+        QSet<QString> shortcuts;
+        for (const QAction* action : bench.window.actions().all()) {
+            QVERIFY2(!action->objectName().isEmpty() && !action->text().isEmpty(),
+                     qPrintable(action->text()));
+            QVERIFY2(!names.contains(action->objectName()), qPrintable(action->objectName()));
+            names.insert(action->objectName());
+            const QString keys = action->shortcut().toString();
+            QVERIFY2(keys.isEmpty() || !shortcuts.contains(keys), qPrintable(keys + " twice"));
+            shortcuts.insert(keys);
+        }
+        QVERIFY(names.size() > 30);
+        const QString help = bench.window.actions().helpText();
+        for (const QAction* action : bench.window.actions().all()) {
+            QVERIFY2(help.contains(QString(action->text()).remove('&').toHtmlEscaped()),
+                     qPrintable(action->text()));
+        }
+    }
+
+    void thePaletteFindsAndRunsByKeyboardAlone() {
+        Bench bench;
+        QTest::keyClick(&bench.window, Qt::Key_K, Qt::ControlModifier);
+        QTRY_VERIFY(bench.window.findChild<app::CommandPalette*>() != nullptr);
+        auto* palette = bench.window.findChild<app::CommandPalette*>();
+        auto* words = palette->findChild<QLineEdit*>("paletteWords");
+        QTest::keyClicks(words, "show log");
+        QCOMPARE(palette->listed().first()->objectName(), QString("view.log"));
+        QTest::keyClick(words, Qt::Key_Return);
+        QTRY_VERIFY(bench.window.findChild<app::CommandPalette*>() == nullptr);
+        auto* tabs = bench.window.findChild<QTabBar*>("tabs");
+        QCOMPARE(tabs->tabData(tabs->currentIndex()).toString(), QString("log"));
+    }
+};
+
+QTEST_MAIN(TestAccessibility)
+#include "tst_accessibility.moc"

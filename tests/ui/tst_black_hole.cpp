@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Every socket of the robot swallows what it is sent and says nothing, and the operator asks for everything
+// the window can do: at no moment does the event loop wait for anybody.
+
+#include <QAbstractButton>
+#include <QAbstractEventDispatcher>
+#include <QDialog>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+
+#include "app/action_table.h"
+#include "app/main_window.h"
+#include "resources/resources.h"
+#include "tests/ui/jog_fixture.h"
+#include "widgets/waypoints/waypoints_tab.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+namespace {
+
+constexpr double kLongestWaitMs = 50;
+
+/// What one thread did with a stretch of time: computed, waited for a processor, or was blocked. The first
+/// two are the machine's business; the last is what a socket, a lock or a disk does to an event loop.
+class Stretch {
+public:
+    Stretch() { restart(); }
+    void restart() {
+        wall_ = now();
+        busy_ = schedule();
+    }
+    double blockedMs() const { return (now() - wall_ - (schedule() - busy_)) / 1e6; }
+
+    static bool isMeasurable() { return QFile::exists(QStringLiteral("/proc/thread-self/schedstat")); }
+
+private:
+    static double now() { return static_cast<double>(SteadyClock::shared().nowNs()); }
+    /// Time on a processor and time waiting for one [ns].
+    static double schedule() {
+        QFile file(QStringLiteral("/proc/thread-self/schedstat"));
+        if (!file.open(QIODevice::ReadOnly)) {
+            return 0;
+        }
+        const QList<QByteArray> numbers = file.readAll().split(' ');
+        return numbers.value(0).toDouble() + numbers.value(1).toDouble();
+    }
+    double wall_ = 0;
+    double busy_ = 0;
+};
+
+/// The longest time the event loop was blocked inside one turn. What it waits between turns, in a dialog's
+/// own loop for instance, is rest and no stall.
+class TurnWatch : public QObject {
+public:
+    TurnWatch() {
+        auto* loop = QAbstractEventDispatcher::instance();
+        connect(loop, &QAbstractEventDispatcher::aboutToBlock, this, &TurnWatch::endTurn);
+        connect(loop, &QAbstractEventDispatcher::awake, this, [this] { turn_.restart(); });
+    }
+    double longestMs() {
+        endTurn();
+        return longest_;
+    }
+
+private:
+    void endTurn() {
+        longest_ = std::max(longest_, turn_.blockedMs());
+        turn_.restart();
+    }
+    Stretch turn_;
+    double longest_ = 0;
+};
+
+struct Bench {
+    VirtualClock clock;
+    QTemporaryDir folder;
+    app::MainWindow window{app::Settings(folder.filePath("settings.ini")), clock};
+    VirtualCell cell{clock, window.session()};
+};
+
+void closeWhatOpened(const QWidget& window) {
+    for (QWidget* top : QApplication::topLevelWidgets()) {
+        if (top != &window && top->isVisible()) {
+            top->close();
+        }
+    }
+}
+
+}  // namespace
+
+class TestBlackHole : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() {
+        initResources();
+        if (!Stretch::isMeasurable()) {
+            QSKIP("this system does not tell how a thread spent its time");
+        }
+    }
+
+    void theMeasureItselfSeesABlockedThread() {
+        const Stretch asleep;
+        QTest::qSleep(120);
+        QVERIFY2(asleep.blockedMs() > 60, "sleeping is blocking");
+        const Stretch busy;
+        double sum = 0;
+        for (int i = 0; i < 3'000'000; ++i) {
+            sum += std::sin(i);
+        }
+        QVERIFY(sum != 0.5);
+        QVERIFY2(busy.blockedMs() < 20, "computing is not");
+    }
+
+    void noActionWaitsForTheRobot() {
+        Bench bench;
+        bench.window.resize(1280, 720);
+        bench.window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&bench.window));
+        bench.window.openSession(bench.folder.filePath("cell.tiller"));
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.window.waypoints().teach();
+        bench.window.session().startRecording(bench.folder.filePath("recording.csv"));
+        bench.cell.advanceMs(100);
+        bench.cell.robot.silence(true);
+
+        QStringList slow;
+        QList<double> waits;
+        const auto measure = [&](const QString& what, const std::function<void()>& action) {
+            TurnWatch watch;
+            action();
+            for (int turn = 0; turn < 5; ++turn) {
+                QCoreApplication::processEvents();
+                bench.window.session().refresh();
+                bench.clock.advanceNs(16 * kNsPerMs);
+            }
+            const double blocked = watch.longestMs();
+            waits << blocked;
+            if (blocked > kLongestWaitMs) {
+                slow << QStringLiteral("%1: blocked for %2 ms").arg(what).arg(blocked, 0, 'f', 1);
+            }
+        };
+        // A file dialog has an event loop of its own: it is closed from inside.
+        QTimer closer;
+        connect(&closer, &QTimer::timeout, &bench.window, [&bench] {
+            if (QApplication::activeModalWidget() != nullptr) {
+                closeWhatOpened(bench.window);
+            }
+        });
+        closer.start(5);
+        int actions = 0;
+        for (QAction* action : bench.window.actions().all()) {
+            // Those end the window, the link, or make another robot: each has its turn below.
+            if (QStringList{"app.quit", "robot.disconnect", "robot.simulator"}.contains(
+                    action->objectName())) {
+                continue;
+            }
+            measure(action->objectName(), [action] {
+                action->setEnabled(true);  // also what the state does not allow: nobody may wait for it
+                action->trigger();
+            });
+            measure(action->objectName() + " closed", [&bench] { closeWhatOpened(bench.window); });
+            ++actions;
+        }
+        QVERIFY(actions > 30);
+        for (HoldButton* key : bench.window.jogColumn().holdKeys()) {
+            measure("press " + key->objectName(), [key] { press(*key); });
+            measure("release " + key->objectName(), [key] { release(*key); });
+        }
+        RobotSession& session = bench.window.session();
+        measure("take control", [&session] { session.takeControl(); });
+        measure("set an output", [&session] { session.setDigitalOutput(3, true); });
+        measure("speed slider", [&session] { session.setSpeedSlider(0.5); });
+        measure("record", [&] { session.startRecording(bench.folder.filePath("second.csv")); });
+        measure("stop recording", [&session] { session.stopRecording(); });
+        measure("teach and save by itself", [&bench] {
+            bench.window.waypoints().teach();
+            QTest::qWait(1);
+        });
+        for (const RobotCommand command :
+             {RobotCommand::PowerOn, RobotCommand::ReleaseBrakes, RobotCommand::PowerOff,
+              RobotCommand::RestartSafety, RobotCommand::ClosePopups, RobotCommand::Play, RobotCommand::Pause,
+              RobotCommand::StopProgram}) {
+            measure(commandText(command), [&session, command] { session.perform(command); });
+        }
+        measure("stop", [&session] { session.stop(control::StopCause::StopButton); });
+        measure("disconnect", [&session] { session.disconnectFromRobot(); });
+        measure("connect to nobody", [&bench] {
+            bench.window.connectRobot({"Mute", bench.cell.robot.listenAddress(), 0, false});
+        });
+        measure("disconnect again", [&session] { session.disconnectFromRobot(); });
+
+        std::sort(waits.begin(), waits.end());
+        qInfo("%lld steps; blocked: median %.2f ms, p99 %.2f ms, most %.2f ms",
+              static_cast<long long>(waits.size()), waits[waits.size() / 2], waits[waits.size() * 99 / 100],
+              waits.last());
+        QVERIFY2(slow.isEmpty(), qPrintable(slow.join('\n')));
+    }
+};
+
+QTEST_MAIN(TestBlackHole)
+#include "tst_black_hole.moc"

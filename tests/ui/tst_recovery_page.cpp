@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The way back from every kind of stop, through the window, against the simulated robot: one step at a time,
+// and never by itself.
+
+#include <QAbstractButton>
+#include <QCheckBox>
+#include <QDialog>
+#include <QDirIterator>
+#include <QFile>
+#include <QLabel>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/action_table.h"
+#include "app/main_window.h"
+#include "resources/resources.h"
+#include "tests/ui/jog_fixture.h"
+#include "widgets/common/theme.h"
+#include "widgets/status/recovery_page.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+namespace {
+
+struct Bench {
+    VirtualClock clock;
+    QTemporaryDir folder;
+    app::MainWindow window{app::Settings(folder.filePath("settings.ini")), clock};
+    VirtualCell cell{clock, window.session()};
+
+    bool bringUp() {
+        window.resize(1280, 720);
+        window.show();
+        return QTest::qWaitForWindowExposed(&window) && cell.bringUp();
+    }
+    /// The dashboard's thread answers in real time, the robot in virtual time: both go on until it holds.
+    bool until(const std::function<bool()>& condition) {
+        QElapsedTimer patience;
+        patience.start();
+        while (!condition() && patience.elapsed() < 30'000) {
+            cell.advanceMs(16);
+            QTest::qWait(1);
+        }
+        return condition();
+    }
+    RecoveryPage* page() { return window.findChild<RecoveryPage*>(); }
+    QPushButton* key() { return page()->findChild<QPushButton*>("recoveryKey"); }
+    /// Through the header, as a hand would.
+    bool openPage() {
+        auto* step = window.findChild<QPushButton*>("nextStepButton");
+        if (!until([&] { return step->isVisible() && step->text().contains("Recover"); })) {
+            return false;
+        }
+        QTest::mouseClick(step, Qt::LeftButton);
+        return page() != nullptr;
+    }
+    void tickAll() {
+        for (QCheckBox* box : page()->findChildren<QCheckBox*>()) {
+            box->setChecked(true);
+        }
+    }
+    bool takes(RecoveryStep step) {
+        if (!until([&] { return page()->shownStep() == step && key()->isEnabled(); })) {
+            return false;
+        }
+        QTest::mouseClick(key(), Qt::LeftButton);
+        return true;
+    }
+    SafetyMode safety() const { return cell.truth().safetyMode; }
+    void keepPicture(const QString& name) {
+        const QString to = qEnvironmentVariable("TILLER_SCREENSHOTS");
+        if (!to.isEmpty() && page() != nullptr) {
+            QVERIFY(page()->grab().save(to + QStringLiteral("/recovery-") + name + QStringLiteral(".png")));
+        }
+    }
+};
+
+}  // namespace
+
+class TestRecovery : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() {
+        initResources();
+        applyTheme(*qApp, Theme::light());
+    }
+
+    void aProtectiveStopTakesALookACountdownAndOneClick() {
+        Bench bench;
+        QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
+        bench.cell.advanceMs(5500);
+        bench.cell.robot.protectiveStop();
+        bench.cell.advanceMs(200);
+        QVERIFY(bench.openPage());
+        QCOMPARE(bench.page()->shownStep(), RecoveryStep::Unlock);
+        QVERIFY(bench.page()->findChild<QLabel*>("recoveryTitle")->text().contains("Protective stop"));
+        QVERIFY(!bench.page()->findChild<QLabel*>("recoveryWhere")->text().isEmpty());
+        const QList<StopPlot*> plots = bench.page()->findChildren<StopPlot*>();
+        QCOMPARE(plots.size(), 3);
+        for (const StopPlot* plot : plots) {
+            QVERIFY2(plot->curve().size() > 2000, "five seconds at the full rate");
+            QVERIFY(plot->curve().first().x() < -4.9 && plot->curve().last().x() >= 0);
+        }
+        bench.keepPicture("protective");
+
+        // Ticked at once: the five seconds are still to come.
+        bench.tickAll();
+        QVERIFY(!bench.key()->isEnabled());
+        QVERIFY(bench.key()->text().contains("5 s") || bench.key()->text().contains("4 s"));
+        bench.cell.advanceMs(3000);
+        QVERIFY(!bench.key()->isEnabled());
+        bench.cell.advanceMs(2200);
+        QVERIFY(bench.key()->isEnabled());
+        // Not everything ticked: no key.
+        bench.page()->findChild<QCheckBox*>("recoveryCheck1")->setChecked(false);
+        QVERIFY(!bench.key()->isEnabled());
+        QTest::mouseClick(bench.key(), Qt::LeftButton);
+        bench.cell.advanceMs(300);
+        QCOMPARE(bench.safety(), SafetyMode::ProtectiveStop);
+        bench.page()->findChild<QCheckBox*>("recoveryCheck1")->setChecked(true);
+        // A return key pressed by reflex is no unlocking.
+        QTest::keyClick(bench.page(), Qt::Key_Return);
+        bench.cell.advanceMs(300);
+        QCOMPARE(bench.safety(), SafetyMode::ProtectiveStop);
+        QTest::mouseClick(bench.key(), Qt::LeftButton);
+        QVERIFY(bench.until([&] { return bench.safety() == SafetyMode::Normal; }));
+        QVERIFY(bench.takes(RecoveryStep::TakeControl));
+        QVERIFY(bench.until([&] { return bench.window.session().state().canMove(); }));
+        const Pose at = bench.cell.truth().tcpPose;
+        bench.cell.advanceMs(500);
+        QVERIFY2(distanceMm(at, bench.cell.truth().tcpPose) < 0.05, "nothing moves by itself");
+        QVERIFY(bench.takes(RecoveryStep::Done));
+        QTRY_VERIFY(bench.page() == nullptr);
+    }
+
+    void anEmergencyStopLeadsUpAgainOnceItIsReleased() {
+        Bench bench;
+        QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
+        bench.cell.robot.emergencyStop(true);
+        QVERIFY(bench.openPage());
+        QVERIFY(!bench.key()->isVisible());
+        QVERIFY(bench.page()->findChild<QLabel*>("recoveryWhat")->text().contains("Pull the button out"));
+        bench.keepPicture("emergency");
+        bench.cell.advanceMs(6000);
+        QVERIFY(!bench.key()->isVisible());
+        bench.cell.robot.emergencyStop(false);
+        QVERIFY(bench.takes(RecoveryStep::PowerOn));
+        QVERIFY(bench.takes(RecoveryStep::ReleaseBrakes));
+        QVERIFY(bench.takes(RecoveryStep::TakeControl));
+        QVERIFY(bench.until([&] { return bench.window.session().state().canMove(); }));
+    }
+
+    void aSafeguardStopEndsWithItsCauseOnly() {
+        Bench bench;
+        QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
+        bench.cell.robot.safeguardStop(true);
+        QVERIFY(bench.openPage());
+        QVERIFY(!bench.key()->isVisible());
+        QVERIFY(bench.page()->findChild<QLabel*>("recoveryWaiting")->text().contains("Nothing to press"));
+        bench.cell.robot.safeguardStop(false);
+        QVERIFY(bench.until([&] { return bench.page()->shownStep() != RecoveryStep::None; }));
+        QVERIFY(bench.safety() == SafetyMode::Normal);
+    }
+
+    void violationAndFaultNeedALookBeforeTheRestart_data() {
+        QTest::addColumn<bool>("fault");
+        QTest::newRow("violation") << false;
+        QTest::newRow("fault") << true;
+    }
+    void violationAndFaultNeedALookBeforeTheRestart() {
+        QFETCH(bool, fault);
+        Bench bench;
+        QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
+        fault ? bench.cell.robot.fault() : bench.cell.robot.violation();
+        QVERIFY(bench.openPage());
+        QVERIFY(bench.until([&] { return bench.page()->shownStep() == RecoveryStep::RestartSafety; }));
+        QVERIFY(!bench.key()->isEnabled());
+        bench.tickAll();
+        QVERIFY(bench.takes(RecoveryStep::RestartSafety));
+        QVERIFY(bench.takes(RecoveryStep::PowerOn));
+        QVERIFY(bench.until([&] { return bench.page()->shownStep() == RecoveryStep::ReleaseBrakes; }));
+    }
+
+    /// Everything the program can be asked for, in a protective stop older than five seconds: it stays.
+    void nothingElseUnlocks() {
+        Bench bench;
+        QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
+        bench.cell.robot.protectiveStop();
+        bench.cell.advanceMs(6000);
+        QCOMPARE(bench.safety(), SafetyMode::ProtectiveStop);
+        // Whatever opens is closed again, other than by its own keys.
+        QTimer closer;
+        connect(&closer, &QTimer::timeout, &bench.window, [&bench] {
+            for (QWidget* top : QApplication::topLevelWidgets()) {
+                if (top != &bench.window && top->isVisible()) {
+                    top->close();
+                }
+            }
+        });
+        closer.start(20);
+        const QStringList ends = {"app.quit", "robot.disconnect", "robot.simulator", "robot.connect"};
+        int done = 0;
+        for (QAction* action : bench.window.actions().all()) {
+            if (!ends.contains(action->objectName())) {
+                action->trigger();
+                bench.cell.advanceMs(40);
+                ++done;
+            }
+        }
+        QVERIFY(done > 25);
+        int clicked = 0;
+        for (QAbstractButton* button : bench.window.findChildren<QAbstractButton*>()) {
+            if (button->isVisible() && button->isEnabled() && button->window() == &bench.window) {
+                QTest::mouseClick(button, Qt::LeftButton);
+                bench.cell.advanceMs(40);
+                ++clicked;
+            }
+        }
+        QVERIFY(clicked > 10);
+        // The page alone, open for as long as one likes, does nothing either; nor does its Return key.
+        closer.stop();
+        QVERIFY(bench.openPage());
+        bench.tickAll();
+        QTest::keyClick(bench.page(), Qt::Key_Return);
+        QTest::keyClick(bench.page(), Qt::Key_Enter);
+        bench.cell.advanceMs(7000);
+        bench.page()->close();
+        bench.cell.advanceMs(500);
+        QCOMPARE(bench.safety(), SafetyMode::ProtectiveStop);
+        // A new connection is no reason either.
+        const QString host = bench.cell.robot.listenAddress();
+        bench.window.session().disconnectFromRobot();
+        bench.window.session().connectTo({"Again", host, 0, true});
+        QVERIFY(bench.until([&] { return bench.window.session().state().link == LinkState::Live; }));
+        bench.window.session().takeControl();
+        bench.cell.advanceMs(1000);
+        QCOMPARE(bench.safety(), SafetyMode::ProtectiveStop);
+    }
+
+    void onlyTheRecoveryPageCanGiveTheWord() {
+        // The type says so to the compiler; this says so to the reader, and covers the wire text too.
+        const QMap<QString, QStringList> allowed = {
+            {"UnlockConsent()", {"widgets/session/robot_command.h", "widgets/status/recovery_page.cpp"}},
+            {"unlockProtectiveStop(",
+             {"widgets/session/robot_session.h", "widgets/session/robot_session_commands.cpp",
+              "widgets/status/recovery_page.cpp"}},
+            {"unlock protective stop", {}},
+        };
+        int files = 0;
+        for (const char* top : {"app", "widgets"}) {
+            QDirIterator it(QStringLiteral(TILLER_SOURCE_DIR "/") + top, {"*.h", "*.cpp"}, QDir::Files,
+                            QDirIterator::Subdirectories);
+            while (it.hasNext()) {
+                QFile file(it.next());
+                QVERIFY(file.open(QIODevice::ReadOnly));
+                const QByteArray text = file.readAll();
+                const QString name = QDir(TILLER_SOURCE_DIR).relativeFilePath(file.fileName());
+                ++files;
+                for (auto rule = allowed.constBegin(); rule != allowed.constEnd(); ++rule) {
+                    QVERIFY2(!text.contains(rule.key().toUtf8()) || rule.value().contains(name),
+                             qPrintable(name));
+                }
+            }
+        }
+        QVERIFY(files > 80);
+    }
+};
+
+QTEST_MAIN(TestRecovery)
+#include "tst_recovery_page.moc"

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What the operator can ask of the controller itself, apart from motion: power, safety, programs. A command
+// is sent once; what became of it shows in SessionState and as a message.
+
+#include <QString>
+
+namespace tiller {
+
+enum class RobotCommand {
+    PowerOn,
+    ReleaseBrakes,
+    PowerOff,
+    RestartSafety,  ///< after a violation or a fault; leaves the arm powered off
+    ClosePopups,    ///< the ordinary popup and the safety popup on the pendant
+    Play,           ///< starts or resumes the loaded program
+    Pause,
+    StopProgram,
+};
+
+/// "Power on", as on the key that asks for it and in the log.
+QString commandText(RobotCommand command);
+
+/// The operator's explicit word that the arm has been looked at. Only the page on which that word is given
+/// can make one, so that nothing else in the program can unlock a protective stop: the manufacturer forbids
+/// automatic reset.
+class UnlockConsent {
+    friend class RecoveryPage;
+    UnlockConsent() = default;
+};
+
+}  // namespace tiller

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/session/stop_record.h"
+
+#include <algorithm>
+
+#include "robot/receive/robot_state.h"
+#include "robot/script/controller_message.h"
+#include "widgets/session/controller_codes.h"
+
+namespace tiller {
+namespace {
+
+constexpr double kHeardWithin = 2.0;  ///< [s] between a stop and what is said about it
+constexpr double kBlameWindow = 0.5;  ///< [s] before the stop in which a joint shows itself
+constexpr double kBlameLeast = 0.5;   ///< [A] below this no joint stands out
+
+int suspectOf(const std::vector<StopRecord::Point>& points, double stoppedAt) {
+    Vector6 worst = Vector6::Zero();
+    for (const StopRecord::Point& point : points) {
+        if (point.time > stoppedAt - kBlameWindow) {
+            worst = worst.cwiseMax(point.deviation.cwiseAbs());
+        }
+    }
+    Eigen::Index joint = 0;
+    return worst.maxCoeff(&joint) < kBlameLeast ? -1 : static_cast<int>(joint);
+}
+
+}  // namespace
+
+StopRecorder::StopRecorder(RobotSession& session, QObject* parent) : QObject(parent), session_(session) {
+    connect(&session, &RobotSession::stateChanged, this, &StopRecorder::drain);
+    connect(&session, &RobotSession::controllerMessage, this, &StopRecorder::hear);
+}
+
+double StopRecorder::secondsSince() const {
+    return record_ ? std::max(0.0, now_ - record_->stoppedAt) : 0.0;
+}
+
+void StopRecorder::drain(const SessionState& state) {
+    receive::Receiver* receiver = session_.receiver();
+    if (receiver == nullptr) {
+        return;
+    }
+    if (receiver->layout() != layout_) {
+        // Another connection: what was recorded before belongs to another robot.
+        layout_ = receiver->layout();
+        stream_ = receiver->subscribe();
+        sample_ = receive::Sample(layout_);
+        points_.clear();
+        said_.clear();
+        stopped_ = false;
+        record_.reset();
+    }
+    while (stream_.next(sample_)) {
+        take(sample_);
+    }
+    now_ = state.robotTime;
+}
+
+void StopRecorder::take(const receive::Sample& sample) {
+    const receive::RobotState robot(sample);
+    StopRecord::Point point;
+    point.time = robot.timestamp();
+    point.force = robot.tcpForce().force.norm();
+    point.speed = robot.tcpSpeed().linear.norm();
+    point.current = robot.jointCurrent();
+    point.deviation = robot.jointCurrent() - robot.targetCurrent();
+    if (!points_.empty() && point.time < points_.back().time) {
+        points_.clear();  // the controller was restarted
+    }
+    points_.push_back(point);
+    while (points_.front().time < point.time - kSeconds) {
+        points_.pop_front();
+    }
+    const auto status = shownSafety(robot.safetyMode(),
+                                    static_cast<SafetyStatus>(static_cast<std::int32_t>(robot.number(
+                                        "safety_status", 0, static_cast<double>(SafetyMode::Undefined)))));
+    const bool stopped = !allowsMotion(status);
+    if (stopped && (!stopped_ || (record_ && record_->status != status))) {
+        freeze(sample, status);
+    }
+    stopped_ = stopped;
+}
+
+void StopRecorder::freeze(const receive::Sample& sample, SafetyStatus status) {
+    const receive::RobotState robot(sample);
+    StopRecord record;
+    record.status = status;
+    record.stoppedAt = robot.timestamp();
+    record.points.assign(points_.begin(), points_.end());
+    record.tcpPose = robot.tcpPose();
+    record.q = robot.q();
+    record.suspect = suspectOf(record.points, record.stoppedAt);
+    for (const auto& [time, text] : said_) {
+        if (record.stoppedAt - time < kHeardWithin) {
+            record.reports << text;
+        }
+    }
+    record_ = std::move(record);
+    Q_EMIT changed();
+}
+
+void StopRecorder::hear(const script::ControllerMessage& message) {
+    if (message.kind != script::MessageKind::ErrorCode ||
+        message.severity < script::MessageSeverity::Warning) {
+        return;
+    }
+    const CodeWords words = controllerCode(message.code);
+    const QString text =
+        QStringLiteral("%1 %2. %3").arg(message.codeName(), words.title, words.action).trimmed();
+    said_.emplace_back(now_, text);
+    while (said_.size() > 20) {
+        said_.pop_front();
+    }
+    if (stopped_ && record_ && now_ - record_->stoppedAt < kHeardWithin && !record_->reports.contains(text)) {
+        record_->reports << text;
+        Q_EMIT changed();
+    }
+}
+
+}  // namespace tiller

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/status/preflight_page.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "widgets/common/shapes.h"
+#include "widgets/common/theme.h"
+
+namespace tiller {
+namespace {
+
+constexpr std::chrono::seconds kAtMost{30};
+
+struct Look {
+    QString word;
+    StateChip::Shape shape;
+    QColor colour;
+};
+
+Look lookOf(doctor::Verdict verdict) {
+    const Theme& theme = Theme::current();
+    switch (verdict) {
+        case doctor::Verdict::Good:
+            return {PreflightPage::tr("Good"), StateChip::Shape::Dot, theme.axisTexts[1]};
+        case doctor::Verdict::Attention:
+            return {PreflightPage::tr("Look"), StateChip::Shape::WarningTriangle, theme.warning};
+        case doctor::Verdict::Bad:
+            return {PreflightPage::tr("Bad"), StateChip::Shape::Octagon, theme.alarm};
+        case doctor::Verdict::Skipped:
+            break;
+    }
+    return {PreflightPage::tr("Not looked at"), StateChip::Shape::Circle, theme.secondary};
+}
+
+}  // namespace
+
+class FindingRow::Sign : public QWidget {
+public:
+    explicit Sign(QWidget* parent) : QWidget(parent) { setFixedSize(20, 20); }
+    void showVerdict(doctor::Verdict verdict) {
+        verdict_ = verdict;
+        update();
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        const Look look = lookOf(verdict_);
+        drawShape(painter, look.shape, QRectF(2, 2, 16, 16), look.colour, Theme::current().background);
+    }
+
+private:
+    doctor::Verdict verdict_ = doctor::Verdict::Skipped;
+};
+
+FindingRow::FindingRow(doctor::Condition condition, QWidget* parent)
+    : QWidget(parent)
+    , sign_(new Sign(this))
+    , title_(new QLabel(doctor::conditionTitle(condition), this))
+    , detail_(new QLabel(this))
+    , fix_(new QLabel(this)) {
+    setObjectName(QStringLiteral("finding.") + doctor::conditionId(condition));
+    finding_.condition = condition;
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 2, 0, 2);
+    grid->setVerticalSpacing(1);
+    grid->addWidget(sign_, 0, 0, Qt::AlignTop);
+    grid->addWidget(title_, 0, 1);
+    grid->addWidget(detail_, 0, 2);
+    grid->addWidget(fix_, 1, 1, 1, 2);
+    grid->setColumnMinimumWidth(1, 230);
+    grid->setColumnStretch(2, 1);
+    detail_->setProperty("role", QStringLiteral("secondary"));
+    detail_->setWordWrap(true);
+    fix_->setWordWrap(true);
+    showWaiting();
+}
+
+void FindingRow::showWaiting() {
+    sign_->showVerdict(doctor::Verdict::Skipped);
+    detail_->setText(QStringLiteral("…"));
+    fix_->hide();
+    setAccessibleName(title_->text());
+}
+
+void FindingRow::showFinding(const doctor::Finding& finding) {
+    finding_ = finding;
+    sign_->showVerdict(finding.verdict);
+    const QString word = lookOf(finding.verdict).word;
+    detail_->setText(finding.detail.isEmpty() ? word : word + QStringLiteral(" · ") + finding.detail);
+    fix_->setText(finding.fix);
+    fix_->setVisible(!finding.fix.isEmpty());
+    setAccessibleName(QStringLiteral("%1: %2. %3").arg(title_->text(), detail_->text(), finding.fix));
+}
+
+PreflightPage::PreflightPage(const doctor::Patient& patient, QWidget* parent)
+    : QDialog(parent), patient_(patient) {
+    setObjectName(QStringLiteral("preflightPage"));
+    setWindowTitle(tr("Before you connect to %1").arg(patient.host));
+    setAttribute(Qt::WA_DeleteOnClose);
+    resize(760, 700);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(24, 20, 24, 20);
+    layout->setSpacing(10);
+    summary_ = new QLabel(this);
+    summary_->setObjectName(QStringLiteral("preflightSummary"));
+    summary_->setFont(textFont(20, QFont::Bold));
+    summary_->setWordWrap(true);
+    layout->addWidget(summary_);
+
+    auto* list = new QWidget(this);
+    auto* rows = new QVBoxLayout(list);
+    rows->setContentsMargins(0, 0, 8, 0);
+    rows->setSpacing(0);
+    for (int i = 0; i < doctor::kConditionCount; ++i) {
+        rows_.append(new FindingRow(static_cast<doctor::Condition>(i), list));
+        rows->addWidget(rows_.back());
+    }
+    rows->addStretch(1);
+    auto* scroll = new QScrollArea(this);
+    scroll->setAccessibleName(tr("Conditions"));
+    scroll->setWidget(list);
+    scroll->setWidgetResizable(true);
+    list->setAutoFillBackground(false);
+    scroll->viewport()->setAutoFillBackground(false);
+    layout->addWidget(scroll, 1);
+
+    auto* note = new QLabel(tr("Keep everybody out of the arm's reach.\nKeep the emergency stop at hand: "
+                               "STOP in this window is a "
+                               "software stop.\nBegin slowly: the first speed is 50 mm/s.\nWatch the arm, "
+                               "not the screen, while a "
+                               "key is held.\nLet go of the key and the arm stops."),
+                            this);
+    note->setObjectName(QStringLiteral("safetyNote"));
+    note->setWordWrap(true);
+    note->setProperty("role", QStringLiteral("secondary"));
+    layout->addWidget(note);
+
+    auto* buttons = new QHBoxLayout;
+    again_ = new QPushButton(tr("Look again"), this);
+    again_->setObjectName(QStringLiteral("preflightAgain"));
+    again_->setAutoDefault(false);
+    auto* cancel = new QPushButton(tr("Close"), this);
+    cancel->setObjectName(QStringLiteral("preflightClose"));
+    cancel->setAutoDefault(false);
+    connect_ = new QPushButton(tr("Connect"), this);
+    connect_->setObjectName(QStringLiteral("preflightConnect"));
+    connect_->setProperty("primary", true);
+    buttons->addWidget(again_);
+    buttons->addStretch(1);
+    buttons->addWidget(cancel);
+    buttons->addWidget(connect_);
+    layout->addLayout(buttons);
+    connect(again_, &QPushButton::clicked, this, &PreflightPage::examine);
+    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+    connect(connect_, &QPushButton::clicked, this, [this] {
+        Q_EMIT connectRequested();
+        accept();
+    });
+    examine();
+}
+
+void PreflightPage::examine() {
+    worker_.cancelAll();
+    finished_ = false;
+    again_->setEnabled(false);
+    connect_->setText(tr("Connect"));
+    summary_->setText(tr("Looking at %1…").arg(patient_.host));
+    for (FindingRow* row : rows_) {
+        row->showWaiting();
+    }
+    const std::uint64_t run = ++run_;
+    worker_.post(this, [this, run, patient = patient_](const CancelToken& token) {
+        const doctor::Report report = doctor::examine(patient, Deadline::after(kAtMost, token),
+                                                      [this, run](const doctor::Finding& finding) {
+                                                          // The page outlives its worker, whose destructor
+                                                          // waits for this job.
+                                                          QMetaObject::invokeMethod(
+                                                              this,
+                                                              [this, run, finding] {
+                                                                  if (run == run_) {
+                                                                      showFinding(finding);
+                                                                  }
+                                                              },
+                                                              Qt::QueuedConnection);
+                                                      });
+        return std::function<void()>([this, run, report] {
+            if (run == run_) {
+                conclude(report);
+            }
+        });
+    });
+}
+
+void PreflightPage::showFinding(const doctor::Finding& finding) {
+    rows_[static_cast<int>(finding.condition)]->showFinding(finding);
+}
+
+void PreflightPage::conclude(const doctor::Report& report) {
+    report_ = report;
+    finished_ = true;
+    again_->setEnabled(true);
+    const doctor::Verdict verdict = doctor::overall(report);
+    summary_->setText(verdict == doctor::Verdict::Bad         ? tr("Something is in the way")
+                      : verdict == doctor::Verdict::Attention ? tr("Ready; some things want a look")
+                                                              : tr("Everything is ready"));
+    connect_->setText(verdict == doctor::Verdict::Bad ? tr("Connect anyway") : tr("Connect"));
+    Q_EMIT finished();
+}
+
+}  // namespace tiller

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/status/recovery_page.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "widgets/common/format.h"
+#include "widgets/common/theme.h"
+
+namespace tiller {
+namespace {
+
+// Below these the small plots show their values as small.
+constexpr double kLeastForce = 20.0;   // [N]
+constexpr double kLeastCurrent = 2.0;  // [A]
+constexpr double kLeastSpeed = 0.020;  // [m/s]
+
+}  // namespace
+
+// ---- the small plots
+
+StopPlot::StopPlot(const QString& title, QWidget* parent) : QWidget(parent), title_(title) {
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setAccessibleName(title);
+}
+
+void StopPlot::show(const StopRecord& record, const Value& value, const std::function<QString(double)>& text,
+                    double least) {
+    curve_.clear();
+    least_ = least;
+    double peak = 0;
+    for (const StopRecord::Point& point : record.points) {
+        const double y = value(point);
+        curve_.append({point.time - record.stoppedAt, y});
+        peak = std::max(peak, std::abs(y));
+    }
+    peak_ = text(peak);
+    setAccessibleDescription(tr("Highest value %1 in the last five seconds").arg(peak_));
+    update();
+}
+
+void StopPlot::paintEvent(QPaintEvent*) {
+    const Theme& theme = Theme::current();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    constexpr int kTop = 20;
+    const QRectF area(0.5, kTop, width() - 1.0, height() - kTop - 0.5);
+    painter.setFont(textFont(13));
+    painter.setPen(theme.secondary);
+    painter.drawText(QRectF(0, 0, width(), kTop - 2), Qt::AlignLeft | Qt::AlignVCenter, title_);
+    painter.setFont(figureFont(13));
+    painter.drawText(QRectF(0, 0, width(), kTop - 2), Qt::AlignRight | Qt::AlignVCenter,
+                     tr("max %1").arg(peak_));
+    painter.setPen(theme.border);
+    painter.setBrush(theme.raised);
+    painter.drawRect(area);
+    if (curve_.isEmpty()) {
+        return;
+    }
+    double low = 0;
+    double high = least_;
+    for (const QPointF& point : curve_) {
+        low = std::min(low, point.y());
+        high = std::max(high, point.y());
+    }
+    const auto at = [&](const QPointF& point) {
+        return QPointF(
+            area.left() + (point.x() + StopRecorder::kSeconds) / StopRecorder::kSeconds * area.width(),
+            area.bottom() - 3 - (point.y() - low) / (high - low) * (area.height() - 6));
+    };
+    // At most two points a column: the lowest and the highest.
+    QPolygonF line;
+    for (qsizetype i = 0; i < curve_.size();) {
+        const int column = static_cast<int>(at(curve_[i]).x());
+        QPointF least = curve_[i];
+        QPointF most = curve_[i];
+        for (; i < curve_.size() && static_cast<int>(at(curve_[i]).x()) == column; ++i) {
+            least = curve_[i].y() < least.y() ? curve_[i] : least;
+            most = curve_[i].y() > most.y() ? curve_[i] : most;
+        }
+        line << at(least) << at(most);
+    }
+    painter.setPen(QPen(theme.curves[0], 1.4));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolyline(line);
+    painter.setPen(QPen(theme.alarm, 2));
+    painter.drawLine(QPointF(area.right() - 1, area.top()), QPointF(area.right() - 1, area.bottom()));
+}
+
+// ---- the page
+
+RecoveryPage::RecoveryPage(RobotSession& session, const StopRecorder& stops, QWidget* parent)
+    : QDialog(parent), session_(session), stops_(stops) {
+    setObjectName(QStringLiteral("recoveryPage"));
+    setWindowTitle(tr("Recovery"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    build();
+    connect(&session_, &RobotSession::stateChanged, this, &RecoveryPage::applyState);
+    connect(&stops_, &StopRecorder::changed, this, [this] {
+        recordShown_ = -1;
+        showRecord();
+    });
+    applyState(session_.state());
+}
+
+void RecoveryPage::build() {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(24, 20, 24, 20);
+    layout->setSpacing(10);
+    const auto label = [this, layout](const char* name, const char* role) {
+        auto* made = new QLabel(this);
+        made->setObjectName(QLatin1String(name));
+        made->setWordWrap(true);
+        if (*role != 0) {
+            made->setProperty("role", QLatin1String(role));
+        }
+        layout->addWidget(made);
+        return made;
+    };
+    title_ = label("recoveryTitle", "strong");
+    title_->setFont(textFont(20, QFont::Bold));
+    what_ = label("recoveryWhat", "");
+    where_ = label("recoveryWhere", "secondary");
+    reports_ = label("recoveryReports", "");
+    const std::array<QString, 3> names = {tr("Force at the TCP"), tr("Joint current"),
+                                          tr("Speed of the TCP")};
+    for (std::size_t i = 0; i < plots_.size(); ++i) {
+        plots_[i] = new StopPlot(names[i], this);
+        plots_[i]->setObjectName(QStringLiteral("recoveryPlot%1").arg(i));
+        layout->addWidget(plots_[i]);
+    }
+    checkLayout_ = new QVBoxLayout;
+    layout->addLayout(checkLayout_);
+    layout->addStretch(1);
+    auto* row = new QHBoxLayout;
+    waiting_ = new QLabel(this);
+    waiting_->setObjectName(QStringLiteral("recoveryWaiting"));
+    waiting_->setWordWrap(true);
+    waiting_->setProperty("role", QStringLiteral("secondary"));
+    key_ = new QPushButton(this);
+    key_->setObjectName(QStringLiteral("recoveryKey"));
+    key_->setProperty("primary", true);
+    // A return key pressed by reflex must not unlock: the key takes a click, or Space with the focus on it.
+    key_->setAutoDefault(false);
+    connect(key_, &QPushButton::clicked, this, &RecoveryPage::takeStep);
+    row->addWidget(waiting_, 1);
+    row->addWidget(key_);
+    layout->addLayout(row);
+    setMinimumWidth(520);
+}
+
+void RecoveryPage::applyState(const SessionState& state) {
+    const RecoveryGuide before = std::exchange(guide_, recoveryGuide(state, stops_.secondsSince()));
+    if (before.title != guide_.title || before.step != guide_.step) {
+        sent_ = false;
+        title_->setText(guide_.title);
+        setAccessibleName(guide_.title);
+    }
+    what_->setText(guide_.what);
+    if (before.checks != guide_.checks) {
+        showChecks();
+    }
+    showRecord();
+    showKey();
+}
+
+void RecoveryPage::showRecord() {
+    const std::optional<StopRecord>& record = stops_.last();
+    for (StopPlot* plot : plots_) {
+        plot->setVisible(record.has_value());
+    }
+    where_->setVisible(record.has_value());
+    reports_->setVisible(record && !record->reports.isEmpty());
+    if (!record || record->stoppedAt == recordShown_) {
+        return;
+    }
+    recordShown_ = record->stoppedAt;
+    QString where = tr("At X %1, Y %2, Z %3.")
+                        .arg(format::millimetres(record->tcpPose.position.x(), 1),
+                             format::millimetres(record->tcpPose.position.y(), 1),
+                             format::millimetres(record->tcpPose.position.z(), 1));
+    int joint = record->suspect;
+    if (joint >= 0) {
+        where += QLatin1Char(' ') + tr("Suspected joint: %1, whose current left its target furthest.")
+                                        .arg(QLatin1String(kJointNames[static_cast<std::size_t>(joint)]));
+    }
+    where_->setText(where);
+    reports_->setText(record->reports.join(QLatin1Char('\n')));
+    plots_[0]->show(
+        *record, [](const StopRecord::Point& p) { return p.force; }, format::newtons, kLeastForce);
+    plots_[1]->show(
+        *record,
+        [joint](const StopRecord::Point& p) {
+            return joint >= 0 ? p.current[joint] : p.current.cwiseAbs().maxCoeff();
+        },
+        format::amperes, kLeastCurrent);
+    plots_[2]->show(
+        *record, [](const StopRecord::Point& p) { return p.speed; }, format::millimetresPerSecond,
+        kLeastSpeed);
+}
+
+void RecoveryPage::showChecks() {
+    qDeleteAll(checks_);
+    checks_.clear();
+    for (const QString& text : guide_.checks) {
+        auto* box = new QCheckBox(text, this);
+        box->setObjectName(QStringLiteral("recoveryCheck%1").arg(checks_.size()));
+        box->setAccessibleName(text);
+        connect(box, &QCheckBox::toggled, this, &RecoveryPage::showKey);
+        checkLayout_->addWidget(box);
+        checks_.append(box);
+    }
+}
+
+void RecoveryPage::showKey() {
+    const bool ticked =
+        std::all_of(checks_.begin(), checks_.end(), [](const QCheckBox* box) { return box->isChecked(); });
+    const bool possible = guide_.step != RecoveryStep::None && guide_.waiting.isEmpty() && ticked && !sent_;
+    key_->setVisible(guide_.step != RecoveryStep::None);
+    key_->setEnabled(possible);
+    QString text = recoveryStepText(guide_.step);
+    if (guide_.countdown > 0) {
+        text += tr(" (%1 s)").arg(guide_.countdown);
+    }
+    key_->setText(text);
+    key_->setAccessibleName(text);
+    waiting_->setText(!guide_.waiting.isEmpty() ? guide_.waiting
+                      : !ticked                 ? tr("Tick what you have looked at.")
+                      : sent_                   ? tr("Asked; waiting for the robot…")
+                                                : QString());
+}
+
+void RecoveryPage::takeStep() {
+    if (!key_->isEnabled()) {
+        return;
+    }
+    sent_ = guide_.step != RecoveryStep::TakeControl && guide_.step != RecoveryStep::Done;
+    switch (guide_.step) {
+        case RecoveryStep::None:
+            break;
+        case RecoveryStep::Unlock:
+            session_.unlockProtectiveStop(UnlockConsent());
+            // A refusal leaves the arm as it is: the operator looks again, and ticks again.
+            for (QCheckBox* box : checks_) {
+                box->setChecked(false);
+            }
+            sent_ = false;
+            break;
+        case RecoveryStep::RestartSafety:
+            session_.perform(RobotCommand::RestartSafety);
+            for (QCheckBox* box : checks_) {
+                box->setChecked(false);
+            }
+            sent_ = false;
+            break;
+        case RecoveryStep::PowerOn:
+            session_.perform(RobotCommand::PowerOn);
+            break;
+        case RecoveryStep::ReleaseBrakes:
+            session_.perform(RobotCommand::ReleaseBrakes);
+            break;
+        case RecoveryStep::TakeControl:
+            session_.takeControl();
+            break;
+        case RecoveryStep::Done:
+            close();
+            return;
+    }
+    showKey();
+}
+
+}  // namespace tiller
