@@ -10,6 +10,7 @@ namespace {
 constexpr char kMenu[] = "tillerMenu";
 constexpr char kHelp[] = "tillerHelp";
 constexpr char kObstacle[] = "tillerObstacle";
+constexpr char kBuiltIn[] = "tillerBuiltInKeys";
 
 QString tr(const char* text) {
     return QCoreApplication::translate("ActionTable", text);
@@ -55,6 +56,7 @@ QAction* ActionTable::add(ActionSpec spec) {
 
 void ActionTable::adopt(const QString& menu, QAction* action) {
     action->setProperty(kMenu, menu);
+    action->setProperty(kBuiltIn, QVariant::fromValue(action->shortcut()));
     actions_.append(action);
 }
 
@@ -88,6 +90,17 @@ QString ActionTable::helpOf(const QAction& action) {
 
 QString ActionTable::obstacleOf(const QAction& action) {
     return action.property(kObstacle).toString();
+}
+
+QKeySequence ActionTable::builtInShortcut(const QAction& action) {
+    return action.property(kBuiltIn).value<QKeySequence>();
+}
+
+void ActionTable::setShortcuts(const QMap<QString, QKeySequence>& chosen) {
+    for (QAction* action : actions_) {
+        const auto own = chosen.constFind(action->objectName());
+        action->setShortcut(own == chosen.constEnd() ? builtInShortcut(*action) : *own);
+    }
 }
 
 QString ActionTable::helpText() const {

@@ -7,6 +7,7 @@
 
 #include <QAction>
 #include <QKeySequence>
+#include <QMap>
 #include <QObject>
 #include <functional>
 #include <vector>
@@ -46,6 +47,10 @@ public:
     static QString helpOf(const QAction& action);
     /// Why the action cannot be done now, empty when it can.
     static QString obstacleOf(const QAction& action);
+    /// The key it has as long as the operator chose no other.
+    static QKeySequence builtInShortcut(const QAction& action);
+    /// Gives every action its built-in key, or that of the map.
+    void setShortcuts(const QMap<QString, QKeySequence>& chosen);
 
     /// A table of all actions for people, as rich text.
     QString helpText() const;

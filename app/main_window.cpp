@@ -78,7 +78,10 @@ QDockWidget* dockFor(QWidget* content, const QString& name, const QString& title
 }  // namespace
 
 MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* parent)
-    : QMainWindow(parent), settings_(settings), session_(std::make_unique<RobotSession>(clock)) {
+    : QMainWindow(parent)
+    , settings_(settings)
+    , preferences_(settings_.preferences())
+    , session_(std::make_unique<RobotSession>(clock)) {
     setObjectName("mainWindow");
     setWindowTitle(tr("Tiller"));
     setWindowIcon(applicationIcon());
@@ -115,6 +118,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     buildDocks();
     buildActions();
     connectParts();
+    applyPreferences(preferences_);
 
     restoreGeometry(settings_.windowGeometry());
     layoutRemembered_ = restoreState(settings_.windowState());
@@ -206,7 +210,8 @@ void MainWindow::connectParts() {
             SceneGhost{ghost.name, ghost.q, ghost.linear, ghost.reachable, ghost.speed, ghost.acceleration});
     });
     connect(jog_, &JogColumn::ghostGone, this, &MainWindow::updateScene);
-    connect(waypoints_, &WaypointsTab::message, session_.get(), &RobotSession::message);
+    connect(waypoints_, &WaypointsTab::message, this,
+            [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
     connect(waypoints_, &WaypointsTab::ghostChanged, this, &MainWindow::updateScene);
     connect(waypoints_, &WaypointsTab::marksChanged, this, &MainWindow::updateScene);
     const auto showFile = [this] {

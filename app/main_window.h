@@ -83,10 +83,13 @@ private:
     void buildActions();
     void addRobotActions();
     void addControlActions();
+    void addJogActions();  // main_window_jog.cpp
     void addViewActions();
     void showRecovery();
     void askForProgram();
     void showHelp();
+    void showSettings();
+    void applyPreferences(const Preferences& preferences);
     void proportion();
     void connectParts();
     void followJog();
@@ -97,6 +100,7 @@ private:
     void stopMotion(control::StopCause cause);
 
     Settings settings_;
+    Preferences preferences_;  ///< as they hold now
     LocalSimulator simulator_;
     std::unique_ptr<RobotSession> session_;
 

@@ -13,6 +13,8 @@
 #include "app/action_table.h"
 #include "app/command_palette.h"
 #include "app/main_window.h"
+#include "app/settings_page.h"
+#include "widgets/common/theme.h"
 #include "widgets/jog/jog_column.h"
 #include "widgets/session/stop_record.h"
 #include "widgets/status/header_bar.h"
@@ -54,6 +56,7 @@ void MainWindow::buildActions() {
     actions_ = new ActionTable(*this);
     addRobotActions();
     addControlActions();
+    addJogActions();
     addViewActions();
     for (QAction* action : waypoints_->commandActions()) {
         actions_->adopt("waypoint", action);
@@ -295,6 +298,9 @@ void MainWindow::addViewActions() {
                        stopMotion(control::StopCause::DialogOpened);
                        (new CommandPalette(*actions_, this))->open();
                    }});
+    actions_->add({"app.settings", tr("Settings…"),
+                   tr("Colours, sizes, units, the speed cap, and the key of every command."),
+                   QKeySequence(Qt::CTRL | Qt::Key_Comma), [this] { showSettings(); }});
     actions_->add({"app.help", tr("Help"), tr("All commands with their keys, and the rules of jogging."),
                    QKeySequence(Qt::Key_F1), [this] { showHelp(); }});
     actions_->add({"app.quit", tr("Quit"), tr("Stops the arm, ends the connection and closes the window."),
@@ -325,6 +331,40 @@ void MainWindow::askForProgram() {
         }
     });
     dialog->open();
+}
+
+void MainWindow::showSettings() {
+    stopMotion(control::StopCause::DialogOpened);
+    const QString theme = Theme::current().isDark() ? "dark" : "light";
+    auto* page = new SettingsPage(preferences_, theme, *actions_, this);
+    page->setAttribute(Qt::WA_DeleteOnClose);
+    connect(page, &SettingsPage::themeChosen, this, [this](const QString& chosen) {
+        setTheme(chosen);
+        settings_.setTheme(chosen);
+    });
+    connect(page, &SettingsPage::preferencesChanged, this, [this](const Preferences& chosen) {
+        applyPreferences(chosen);
+        settings_.setPreferences(chosen);
+    });
+    page->open();
+}
+
+void MainWindow::applyPreferences(const Preferences& preferences) {
+    preferences_ = preferences;
+    if (preferences.density != currentDensity()) {
+        applyDensity(*qApp, preferences.density);
+    }
+    if (preferences.notation != Notation::current()) {
+        applyNotation(*qApp, preferences.notation);
+    }
+    if (preferences.speedCap != session_->nextSpeedCap()) {
+        session_->setSpeedCap(preferences.speedCap);
+        Q_EMIT session_->message(
+            preferences.speedCap > Preferences::kOrdinaryCap ? Severity::Warning : Severity::Info,
+            tr("Speed cap %1 mm/s, from the next connection on").arg(preferences.speedCap * 1e3, 0, 'f', 0),
+            Origin::Operator);
+    }
+    actions_->setShortcuts(preferences.shortcuts);
 }
 
 void MainWindow::showHelp() {

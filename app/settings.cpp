@@ -11,18 +11,18 @@ constexpr int kRobotsRemembered = 8;
 /// Raised when the docks change so much that an old layout would not fit.
 constexpr int kLayoutVersion = 1;
 
-QSettings open(const QString& file) {
+}  // namespace
+
+QSettings openSettings(const QString& file) {
     return file.isEmpty() ? QSettings(QStringLiteral("Tiller"), QStringLiteral("Tiller"))
                           : QSettings(file, QSettings::IniFormat);
 }
-
-}  // namespace
 
 Settings::Settings(QString file) : file_(std::move(file)) {}
 
 QVector<RobotAddress> Settings::rememberedRobots() const {
     QVector<RobotAddress> robots;
-    QSettings settings = open(file_);
+    QSettings settings = openSettings(file_);
     const int count = std::min(settings.beginReadArray("robots"), kRobotsRemembered);
     for (int i = 0; i < count; ++i) {
         settings.setArrayIndex(i);
@@ -42,14 +42,8 @@ void Settings::rememberRobot(const RobotAddress& robot) {
     writeRobots(robots.mid(0, kRobotsRemembered));
 }
 
-void Settings::forgetRobot(const QString& host) {
-    QVector<RobotAddress> robots = rememberedRobots();
-    robots.removeIf([&host](const RobotAddress& robot) { return robot.host == host; });
-    writeRobots(robots);
-}
-
 void Settings::writeRobots(const QVector<RobotAddress>& robots) {
-    QSettings settings = open(file_);
+    QSettings settings = openSettings(file_);
     settings.remove("robots");
     settings.beginWriteArray("robots", static_cast<int>(robots.size()));
     for (int i = 0; i < robots.size(); ++i) {
@@ -62,27 +56,27 @@ void Settings::writeRobots(const QVector<RobotAddress>& robots) {
 }
 
 QString Settings::theme() const {
-    const QString theme = open(file_).value("look/theme").toString();
+    const QString theme = openSettings(file_).value("look/theme").toString();
     return theme == "light" || theme == "dark" ? theme : QString();
 }
 
 void Settings::setTheme(const QString& theme) {
-    open(file_).setValue("look/theme", theme);
+    openSettings(file_).setValue("look/theme", theme);
 }
 
 QByteArray Settings::windowGeometry() const {
-    return open(file_).value("window/geometry").toByteArray();
+    return openSettings(file_).value("window/geometry").toByteArray();
 }
 
 QByteArray Settings::windowState() const {
-    const QSettings settings = open(file_);
+    const QSettings settings = openSettings(file_);
     return settings.value("window/version").toInt() == kLayoutVersion
                ? settings.value("window/state").toByteArray()
                : QByteArray();
 }
 
 void Settings::setWindow(const QByteArray& geometry, const QByteArray& state) {
-    QSettings settings = open(file_);
+    QSettings settings = openSettings(file_);
     settings.setValue("window/geometry", geometry);
     settings.setValue("window/state", state);
     settings.setValue("window/version", kLayoutVersion);
@@ -90,7 +84,7 @@ void Settings::setWindow(const QByteArray& geometry, const QByteArray& state) {
 
 QMap<QString, QString> Settings::ioNames() const {
     QMap<QString, QString> names;
-    QSettings settings = open(file_);
+    QSettings settings = openSettings(file_);
     settings.beginGroup("io");
     const QStringList terminals = settings.childKeys();
     for (const QString& terminal : terminals) {
@@ -100,7 +94,7 @@ QMap<QString, QString> Settings::ioNames() const {
 }
 
 void Settings::setIoNames(const QMap<QString, QString>& names) {
-    QSettings settings = open(file_);
+    QSettings settings = openSettings(file_);
     settings.remove("io");
     settings.beginGroup("io");
     for (auto it = names.constBegin(); it != names.constEnd(); ++it) {
@@ -109,11 +103,11 @@ void Settings::setIoNames(const QMap<QString, QString>& names) {
 }
 
 QString Settings::sessionFile() const {
-    return open(file_).value("session/file").toString();
+    return openSettings(file_).value("session/file").toString();
 }
 
 void Settings::setSessionFile(const QString& path) {
-    open(file_).setValue("session/file", path);
+    openSettings(file_).setValue("session/file", path);
 }
 
 }  // namespace tiller::app

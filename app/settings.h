@@ -5,13 +5,18 @@
 
 #include <QByteArray>
 #include <QMap>
+#include <QSettings>
 #include <QString>
 #include <QStringList>
 #include <QVector>
 
+#include "app/preferences.h"
 #include "widgets/session/robot_session.h"
 
 namespace tiller::app {
+
+/// file  an .ini file; empty: the place the system has for them
+QSettings openSettings(const QString& file);
 
 class Settings {
 public:
@@ -21,7 +26,6 @@ public:
     /// Newest first. The simulated robot is none of them.
     QVector<RobotAddress> rememberedRobots() const;
     void rememberRobot(const RobotAddress& robot);
-    void forgetRobot(const QString& host);
     QString theme() const;  ///< "light" or "dark"; empty when never chosen
     void setTheme(const QString& theme);
     QByteArray windowState() const;
@@ -32,6 +36,10 @@ public:
     void setIoNames(const QMap<QString, QString>& names);
     QString sessionFile() const;
     void setSessionFile(const QString& path);
+
+    /// What the settings page offers.
+    Preferences preferences() const { return readPreferences(file_); }
+    void setPreferences(const Preferences& preferences) { writePreferences(file_, preferences); }
 
 private:
     void writeRobots(const QVector<RobotAddress>& robots);

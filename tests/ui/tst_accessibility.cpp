@@ -104,8 +104,8 @@ private Q_SLOTS:
         bench.cell.robot.protectiveStop();
         bench.cell.advanceMs(300);
         int dialogs = 0;
-        for (const char* id :
-             {"robot.connect", "robot.check", "power.recover", "control.load", "app.palette", "app.help"}) {
+        for (const char* id : {"robot.connect", "robot.check", "power.recover", "control.load",
+                               "app.settings", "app.palette", "app.help"}) {
             QAction* action = bench.window.actions().find(QLatin1String(id));
             QVERIFY2(action != nullptr, id);
             action->setEnabled(true);
@@ -124,7 +124,7 @@ private Q_SLOTS:
                 }
             }
         }
-        QCOMPARE(dialogs, 6);
+        QCOMPARE(dialogs, 7);
     }
 
     void tabReachesEveryControlThatACommandDoesNot() {

@@ -3,6 +3,7 @@
 
 #include <QHash>
 
+#include "widgets/common/density.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
@@ -23,7 +24,7 @@ QLabel[role="warning"] { color: @warning; font-weight: bold; }
 QLabel[role="alarm"] { color: @alarm; font-weight: bold; }
 
 QPushButton, QToolButton { background: @raised; color: @text; border: 1px solid @border; border-radius: 5px;
-    padding: 0 14px; min-height: 38px; font-size: 15px; }
+    padding: 0 14px; min-height: @keyHeight; font-size: 15px; }
 QToolButton { padding: 0 10px; }
 QPushButton:hover, QToolButton:hover { background: @hover; }
 QPushButton:pressed, QToolButton:pressed, QToolButton:checked { background: @movingTint; }
@@ -42,7 +43,7 @@ QToolButton::menu-indicator { image: none; width: 0; }
 QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox, QPlainTextEdit, QTextEdit { background: @raised; color: @text;
     border: 1px solid @border; border-radius: 5px; padding: 2px 8px; selection-background-color: @moving;
     selection-color: @movingText; }
-QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox { min-height: 28px; }
+QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox { min-height: @fieldHeight; }
 QLineEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus, QComboBox:focus { border-color: @moving; }
 QComboBox::drop-down { border: none; width: 22px; }
 QComboBox::down-arrow { image: url(:/tiller/icons/drop-arrow-@scheme.svg); width: 12px; height: 12px; }
@@ -80,7 +81,7 @@ QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 
 QMenu { background: @raised; color: @text; border: 1px solid @border; padding: 4px 0; font-size: 15px; }
-QMenu::item { padding: 7px 28px 7px 16px; }
+QMenu::item { padding: @menuPadding 28px @menuPadding 16px; }
 QMenu::item:selected { background: @movingTint; }
 QMenu::item:disabled { color: @disabledText; }
 QMenu::separator { height: 1px; background: @border; margin: 4px 0; }
@@ -109,6 +110,14 @@ QString styleSheet(const Theme& t) {
         {QStringLiteral("alarm"), t.alarm},           {QStringLiteral("stop"), t.stop},
         {QStringLiteral("stopText"), t.stopText},
     };
+    const int key = keyHeight(currentDensity());
+    const auto pixels = [](int number) { return QString::number(number) + QStringLiteral("px"); };
+    const QHash<QString, QString> words = {
+        {QStringLiteral("scheme"), t.isDark() ? QStringLiteral("dark") : QStringLiteral("light")},
+        {QStringLiteral("keyHeight"), pixels(key)},
+        {QStringLiteral("fieldHeight"), pixels(key - 10)},
+        {QStringLiteral("menuPadding"), pixels((key - 24) / 2)},
+    };
     QString out;
     const QString source = QString::fromLatin1(kTemplate);
     out.reserve(source.size() + 512);
@@ -122,9 +131,7 @@ QString styleSheet(const Theme& t) {
             ++end;
         }
         const QString role = source.mid(i + 1, end - i - 1);
-        out += role == QLatin1String("scheme")
-                   ? (t.isDark() ? QStringLiteral("dark") : QStringLiteral("light"))
-                   : roles.value(role, t.text).name();
+        out += words.contains(role) ? words.value(role) : roles.value(role, t.text).name();
         i = end - 1;
     }
     return out;

@@ -5,9 +5,8 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <numbers>
 
-#include "widgets/common/format.h"
+#include "widgets/common/notation.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
@@ -15,12 +14,10 @@ namespace tiller {
 namespace {
 
 constexpr int kDigitPeriodMs = 100;
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 /// Two digits at rest, one on the move; a blank keeps the place of the second.
-QString paced(double value, bool moving, bool sign) {
-    const int digits = moving ? 1 : 2;
-    const QString text = sign ? format::signedNumber(value, digits) : format::number(value, digits);
+QString paced(double metres, bool moving) {
+    const QString text = format::lengthNumber(metres, moving ? 1 : 2, true);
     return moving ? text + QChar(0x2007) : text;
 }
 
@@ -57,7 +54,6 @@ void PoseView::setPose(const Pose& pose, bool moving, bool valid, bool stale) {
         return;
     }
     pose_ = pose;
-    rpy_ = rpyFromRotationVector(pose.rotation) * kDegPerRad;
     moving_ = moving;
     valid_ = valid;
     stale_ = stale;
@@ -84,22 +80,23 @@ void PoseView::pressedHere() {
 }
 
 void PoseView::describe() {
-    setToolTip(
-        ownZero_ ? tr("TCP pose in Base, orientation as RPY. Δ₀: way since zero. Click: way since the press")
-                 : tr("TCP pose in Base, orientation as RPY. Δ: way since the press. Click: zero here"));
+    setToolTip(ownZero_ ? tr("TCP pose in Base, orientation as chosen in Settings. Δ₀: way since zero. "
+                             "Click: way since the press")
+                        : tr("TCP pose in Base, orientation as chosen in Settings. Δ: way since the press. "
+                             "Click: zero here"));
     setAccessibleDescription(toolTip());
 }
 
 QString PoseView::positionText(int axis) const {
-    return valid_ ? paced(pose_.position[axis] * 1e3, moving_, true) : dash();
+    return valid_ ? paced(pose_.position[axis], moving_) : dash();
 }
 
 QString PoseView::deltaText(int axis) const {
-    return valid_ ? paced((pose_.position[axis] - zero_[axis]) * 1e3, moving_, true) : dash();
+    return valid_ ? paced(pose_.position[axis] - zero_[axis], moving_) : dash();
 }
 
 QString PoseView::rotationText(int axis) const {
-    return valid_ ? format::number(rpy_[axis], 2) + QStringLiteral("°") : dash();
+    return valid_ ? format::rotation(pose_.rotation)[static_cast<std::size_t>(axis)] : dash();
 }
 
 void PoseView::paintEvent(QPaintEvent*) {
@@ -131,7 +128,7 @@ void PoseView::paintEvent(QPaintEvent*) {
         put(textFont(16, QFont::Bold), theme.axisTexts.at(static_cast<std::size_t>(axis)), 4, 16,
             Qt::AlignLeft, QLatin1String(kAxes[axis]));
         put(value, ink, 12, number - 12, Qt::AlignRight, positionText(axis));
-        put(label, theme.secondary, number + 4, 32, Qt::AlignLeft, QStringLiteral("mm"));
+        put(label, theme.secondary, number + 4, 32, Qt::AlignLeft, format::lengthUnit());
         put(label, theme.secondary, number + (narrow ? 33 : 43), 20, Qt::AlignLeft,
             ownZero_ ? QStringLiteral("Δ₀") : QStringLiteral("Δ"));
         put(label, theme.secondary, delta - 66, 66, Qt::AlignRight, deltaText(axis));

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The live TCP pose: position in mm with the way since the press (or since "zero here"), orientation as roll,
-// pitch and yaw in degrees. Digits change ten times a second at most; values older than 0.3 s are greyed.
+// The live TCP pose: position in mm with the way since the press (or since "zero here"), orientation
+// as roll, pitch and yaw in degrees, or as the operator chose. Digits change ten times a second at most;
+// values older than 0.3 s are greyed.
 
 #include <QTimer>
 #include <QWidget>
@@ -45,7 +46,6 @@ private:
     void describe();
 
     Pose pose_;
-    Eigen::Vector3d rpy_ = Eigen::Vector3d::Zero();
     Eigen::Vector3d zero_ = Eigen::Vector3d::Zero();
     QTimer pace_;
     bool pending_ = false;

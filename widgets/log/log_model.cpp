@@ -19,13 +19,31 @@ QString LogModel::severityWord(Severity severity) {
     return {};
 }
 
-void LogModel::append(const QDateTime& time, Severity severity, const QString& text) {
-    if (!entries_.empty() && entries_.back().severity == severity && entries_.back().text == text) {
-        ++entries_.back().count;
-        entries_.back().last = time;
-        const int row = rowCount() - 1;
-        Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
-        return;
+QString LogModel::originWord(Origin origin) {
+    switch (origin) {
+        case Origin::Tiller:
+            return tr("Tiller");
+        case Origin::Operator:
+            return tr("the operator");
+        case Origin::Robot:
+            return tr("the robot");
+    }
+    return {};
+}
+
+void LogModel::append(const QDateTime& time, Severity severity, const QString& text, Origin origin,
+                      const QString& detail) {
+    // What a hand did is listed every time; what comes by itself is counted.
+    const int reach = origin == Origin::Operator ? 1 : kRepeatRows;
+    for (int row = rowCount() - 1; row >= std::max(0, rowCount() - reach); --row) {
+        Entry& entry = entries_[static_cast<std::size_t>(row)];
+        const bool recent = row == rowCount() - 1 || entry.last.secsTo(time) <= kRepeatSeconds;
+        if (entry.severity == severity && entry.origin == origin && entry.text == text && recent) {
+            ++entry.count;
+            entry.last = time;
+            Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
+            return;
+        }
     }
     if (rowCount() == kCapacity) {
         beginRemoveRows({}, 0, 0);
@@ -33,7 +51,7 @@ void LogModel::append(const QDateTime& time, Severity severity, const QString& t
         endRemoveRows();
     }
     beginInsertRows({}, rowCount(), rowCount());
-    entries_.push_back({time, time, severity, text, 1});
+    entries_.push_back({time, time, severity, text, origin, detail, 1});
     endInsertRows();
 }
 
@@ -41,9 +59,25 @@ QString LogModel::shown(const Entry& entry) const {
     return entry.count == 1 ? entry.text : QStringLiteral("(×%1) %2").arg(entry.count).arg(entry.text);
 }
 
+QString LogModel::details(int row) const {
+    const Entry& entry = entries_.at(static_cast<std::size_t>(row));
+    const QString clock = QStringLiteral("HH:mm:ss");
+    QString text =
+        entry.count == 1
+            ? tr("%1 · from %2").arg(entry.last.toString(clock), originWord(entry.origin))
+            : tr("%1 times from %2 to %3 · from %4")
+                  .arg(entry.count)
+                  .arg(entry.first.toString(clock), entry.last.toString(clock), originWord(entry.origin));
+    text += QLatin1Char('\n') + entry.text;
+    return entry.detail.isEmpty() ? text : text + QLatin1Char('\n') + entry.detail;
+}
+
 QString LogModel::rowText(int row) const {
     const Entry& entry = entries_.at(static_cast<std::size_t>(row));
     QString text = shown(entry);
+    if (!entry.detail.isEmpty()) {
+        text += QStringLiteral(". ") + entry.detail;
+    }
     text.replace(QLatin1Char('\n'), QLatin1Char(' ')).replace(QLatin1Char('\t'), QLatin1Char(' '));
     static const char* const kWords[] = {"Info", "Warning", "Error"};  // plain: for other programs
     return QStringLiteral("%1\t%2\t%3")
@@ -70,12 +104,7 @@ QVariant LogModel::data(const QModelIndex& index, int role) const {
                    : index.column() == SeverityColumn ? severityWord(entry.severity)
                                                       : shown(entry);
         case Qt::ToolTipRole:
-            return entry.count == 1 ? shown(entry)
-                                    : tr("%1\n%2 times between %3 and %4")
-                                          .arg(entry.text)
-                                          .arg(entry.count)
-                                          .arg(entry.first.toString(QStringLiteral("HH:mm:ss")),
-                                               entry.last.toString(QStringLiteral("HH:mm:ss")));
+            return details(index.row());
         case Qt::FontRole:
             return index.column() == Time ? figureFont(13) : textFont(14);
         case Qt::ForegroundRole:
@@ -88,7 +117,7 @@ QVariant LogModel::data(const QModelIndex& index, int role) const {
         case SeverityRole:
             return static_cast<int>(entry.severity);
         case TextRole:
-            return entry.text;
+            return entry.text + QLatin1Char(' ') + entry.detail + QLatin1Char(' ') + originWord(entry.origin);
         default:
             return {};
     }

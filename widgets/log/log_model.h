@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What happened, oldest first. A message that repeats the one before is counted, not listed again; beyond
-// kCapacity the oldest rows go.
+// What happened, oldest first. A message that repeats one of the last few is counted, not listed again, also
+// where two take turns; beyond kCapacity the oldest rows go.
 
 #include <QAbstractTableModel>
 #include <QDateTime>
@@ -20,14 +20,22 @@ public:
     enum Column { Time, SeverityColumn, Text, ColumnCount };
     enum Role { SeverityRole = Qt::UserRole, TextRole };
     static constexpr int kCapacity = 5000;
+    /// Repeats are looked for among so many rows, and so many seconds back.
+    static constexpr int kRepeatRows = 4;
+    static constexpr int kRepeatSeconds = 60;
 
     explicit LogModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
 
-    void append(const QDateTime& time, Severity severity, const QString& text);
+    void append(const QDateTime& time, Severity severity, const QString& text, Origin origin = Origin::Tiller,
+                const QString& detail = {});
+    /// All there is to say about a row, for people: when, how often, from whom, what it means, what to do.
+    QString details(int row) const;
     /// Row as text, fields separated by tabs: date and time, severity, text with its count.
     QString rowText(int row) const;
 
     static QString severityWord(Severity severity);
+    /// "the robot", "the operator", "Tiller"
+    static QString originWord(Origin origin);
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
@@ -40,6 +48,8 @@ private:
         QDateTime last;
         Severity severity = Severity::Info;
         QString text;
+        Origin origin = Origin::Tiller;
+        QString detail;
         int count = 1;
     };
     QString shown(const Entry& entry) const;

@@ -7,6 +7,7 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QLabel>
 #include <QLineEdit>
 #include <QSaveFile>
 #include <QScrollBar>
@@ -15,6 +16,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/common/density.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/log/log_model.h"
 #include "widgets/session/texts.h"
@@ -28,7 +30,8 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     , filter_(new LogFilter(this))
     , severity_(new SegmentedControl({tr("All"), tr("Warnings"), tr("Errors")}))
     , search_(new QLineEdit)
-    , table_(new QTableView) {
+    , table_(new QTableView)
+    , details_(new QLabel) {
     setObjectName(QStringLiteral("log"));
     setAccessibleName(tr("Log"));
     severity_->setNames(QStringLiteral("log.severity"), tr("Show from severity"));
@@ -69,7 +72,7 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     table_->setFrameShape(QFrame::NoFrame);
     table_->setTabKeyNavigation(false);
     table_->verticalHeader()->hide();
-    table_->verticalHeader()->setDefaultSectionSize(28);
+    followDensity(*table_);
     table_->horizontalHeader()->setHighlightSections(false);
     table_->horizontalHeader()->setSectionsClickable(false);
     table_->horizontalHeader()->setStretchLastSection(true);
@@ -81,6 +84,17 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     layout->setSpacing(0);
     layout->addLayout(tools);
     layout->addWidget(table_, 1);
+    details_->setObjectName(QStringLiteral("log.details"));
+    details_->setAccessibleName(tr("The selected line in full"));
+    details_->setWordWrap(true);
+    details_->setMargin(12);
+    details_->setTextFormat(Qt::PlainText);
+    details_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    details_->hide();
+    layout->addWidget(details_);
+    connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &LogTab::showDetails);
+    connect(filter_, &QAbstractItemModel::dataChanged, this, &LogTab::showDetails);
+    connect(filter_, &QAbstractItemModel::rowsRemoved, this, &LogTab::showDetails);
 
     auto* copyAction = new QAction(tr("Copy"), table_);
     copyAction->setShortcut(QKeySequence::Copy);
@@ -97,13 +111,21 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
 
 LogTab::~LogTab() = default;
 
-void LogTab::append(Severity severity, const QString& text) {
+void LogTab::append(Severity severity, const QString& text, Origin origin, const QString& detail) {
     // Follows the newest line unless the reader has scrolled back.
     const QScrollBar* bar = table_->verticalScrollBar();
     const bool follow = bar->value() == bar->maximum();
-    model_->append(now_(), severity, text);
+    model_->append(now_(), severity, text, origin, detail);
     if (follow) {
         table_->scrollToBottom();
+    }
+}
+
+void LogTab::showDetails() {
+    const QModelIndex current = table_->currentIndex();
+    details_->setVisible(current.isValid());
+    if (current.isValid()) {
+        details_->setText(model_->details(filter_->mapToSource(current).row()));
     }
 }
 

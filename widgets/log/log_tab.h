@@ -11,6 +11,7 @@
 #include "robot/core/result.h"
 #include "widgets/session/robot_session.h"
 
+class QLabel;
 class QLineEdit;
 class QSortFilterProxyModel;
 class QTableView;
@@ -37,12 +38,14 @@ public:
     Result<void> exportTo(const QString& path) const;
 
 public Q_SLOTS:
-    void append(tiller::Severity severity, const QString& text);
+    void append(tiller::Severity severity, const QString& text,
+                tiller::Origin origin = tiller::Origin::Tiller, const QString& detail = {});
     /// Copies the selected rows, or all that are shown when none is selected.
     void copy();
 
 private:
     void exportToFile();
+    void showDetails();
     QString textOf(const QList<int>& rows) const;
 
     std::function<QDateTime()> now_;
@@ -51,6 +54,7 @@ private:
     SegmentedControl* severity_;
     QLineEdit* search_;
     QTableView* table_;
+    QLabel* details_;
 };
 
 }  // namespace tiller

@@ -24,15 +24,21 @@ QString stopSentence(const control::StopMeasurement& stop) {
         .arg(stop.distanceMm, 0, 'f', 1);
 }
 
-/// "C157A1 Collision noticed by a joint. A joint needed ... Remove the obstacle ..."
-QString codeSentence(const script::ControllerMessage& message) {
-    const CodeWords words = controllerCode(message.code);
-    QString text = message.codeName() + QLatin1Char(' ');
-    if (!message.text.isEmpty() && !words.known) {
-        return text + message.text + QStringLiteral(". ") + words.action;
+/// "C157A1 Collision noticed by a joint (elbow)"
+QString codeTitle(const script::ControllerMessage& message, const CodeWords& words) {
+    const QString name = message.codeName() + QLatin1Char(' ');
+    if (message.text.isEmpty()) {
+        return name + words.title;
     }
-    text += words.title + QStringLiteral(". ") + words.meaning + QLatin1Char(' ') + words.action;
-    return message.text.isEmpty() ? text : text + QStringLiteral(" (") + message.text + QLatin1Char(')');
+    return words.known ? name + words.title + QStringLiteral(" (") + message.text + QLatin1Char(')')
+                       : name + message.text;
+}
+
+/// A stop that the operator asked for by letting go, by a key or by STOP.
+bool isByHand(control::StopCause cause) {
+    using control::StopCause;
+    return cause == StopCause::Released || cause == StopCause::PointerLeft || cause == StopCause::Escape ||
+           cause == StopCause::Space || cause == StopCause::StopButton || cause == StopCause::SecondButton;
 }
 
 }  // namespace
@@ -60,8 +66,15 @@ receive::Receiver* RobotSession::receiver() const {
 }
 
 const control::MotionLimits& RobotSession::limits() const {
-    static const control::MotionLimits defaults;
-    return d_->link ? d_->link->controller->limits() : defaults;
+    return d_->link ? d_->link->controller->limits() : d_->limits;
+}
+
+void RobotSession::setSpeedCap(double metresPerSecond) {
+    d_->limits.tcpSpeed = metresPerSecond;
+}
+
+double RobotSession::nextSpeedCap() const {
+    return d_->limits.tcpSpeed;
 }
 
 // ---- connection
@@ -84,6 +97,7 @@ void RobotSession::connectTo(const RobotAddress& address) {
     controllerOptions.host = address.host;
     controllerOptions.portOffset = address.portOffset;
     controllerOptions.clock = d_->clock;
+    controllerOptions.limits = d_->limits;
     link->controller = std::make_shared<control::Controller>(controllerOptions);
 
     io::OutputsOptions outputsOptions;
@@ -105,7 +119,8 @@ void RobotSession::connectTo(const RobotAddress& address) {
 
     d_->link = std::move(link);
     d_->sample = receive::Sample(d_->link->receiver->layout());
-    Q_EMIT message(Severity::Info, tr("Connecting to %1 (%2)").arg(address.name, address.host));
+    Q_EMIT message(Severity::Info, tr("Connecting to %1 (%2)").arg(address.name, address.host),
+                   Origin::Operator);
     refresh();
 }
 
@@ -162,7 +177,7 @@ void RobotSession::takeControl() {
             }
             d_->takingControl = false;
             if (result) {
-                Q_EMIT message(Severity::Info, tr("In control"));
+                Q_EMIT message(Severity::Info, tr("In control"), Origin::Operator);
             } else {
                 d_->refusal = texts::errorText(result.error());
                 Q_EMIT message(Severity::Error, d_->refusal);
@@ -284,14 +299,6 @@ void RobotSession::endMotion(MotionId motion, control::StopCause cause) {
     }
 }
 
-bool RobotSession::hasArrived(MotionId motion) const {
-    if (!d_->link || motion == control::kNoMotion) {
-        return false;
-    }
-    const control::MotionState ended = d_->link->controller->motionState(motion);
-    return ended.phase == control::MotionPhase::Ended && ended.cause == control::StopCause::Completed;
-}
-
 void RobotSession::stop(control::StopCause cause) {
     if (!d_->link) {
         return;
@@ -324,7 +331,7 @@ void RobotSession::startRecording(const QString& path) {
             return std::function<void()>([this, path, result] {
                 if (result) {
                     d_->wasRecording = true;
-                    Q_EMIT message(Severity::Info, tr("Recording to %1").arg(path));
+                    Q_EMIT message(Severity::Info, tr("Recording to %1").arg(path), Origin::Operator);
                 } else {
                     Q_EMIT message(Severity::Error, texts::errorText(result.error()));
                 }
@@ -369,7 +376,8 @@ void RobotSession::reportChanges() {
     if (state.lastStop.count > d_->stopsSeen) {
         d_->stopsSeen = state.lastStop.count;
         Q_EMIT motionStopped(state.lastStop);
-        Q_EMIT message(Severity::Info, stopSentence(state.lastStop));
+        Q_EMIT message(Severity::Info, stopSentence(state.lastStop),
+                       isByHand(state.lastStop.cause) ? Origin::Operator : Origin::Tiller);
     }
     if (state.link != d_->linkSeen) {
         if (state.link == LinkState::Live && d_->linkSeen != LinkState::Stale) {
@@ -383,7 +391,7 @@ void RobotSession::reportChanges() {
         d_->safetySeen = state.safety();
         const QString obstacle = texts::safetyModeObstacle(state.safety());
         Q_EMIT message(obstacle.isEmpty() ? Severity::Info : Severity::Error,
-                       obstacle.isEmpty() ? tr("Safety is normal again") : obstacle);
+                       obstacle.isEmpty() ? tr("Safety is normal again") : obstacle, Origin::Robot);
     }
     if (d_->wasRecording && !state.recording.error.isEmpty()) {
         d_->wasRecording = false;
@@ -403,18 +411,23 @@ void RobotSession::reportControllerMessages() {
                                                                                    : Severity::Info;
         switch (m.kind) {
             case MessageKind::Text:
-                Q_EMIT message(severity, tr("Program: %1").arg(m.text));
+                Q_EMIT message(severity, tr("Program: %1").arg(m.text), Origin::Robot);
                 break;
-            case MessageKind::ErrorCode:
-                Q_EMIT message(severity, codeSentence(m));
+            case MessageKind::ErrorCode: {
+                const CodeWords words = controllerCode(m.code);
+                Q_EMIT message(severity, codeTitle(m, words), Origin::Robot,
+                               words.meaning + QLatin1Char(' ') + words.action);
                 break;
+            }
             case MessageKind::RuntimeException:
                 Q_EMIT message(
                     Severity::Error,
-                    tr("Program error in line %1, column %2: %3").arg(m.line).arg(m.column).arg(m.text));
+                    tr("Program error in line %1, column %2: %3").arg(m.line).arg(m.column).arg(m.text),
+                    Origin::Robot);
                 break;
             case MessageKind::Popup:
-                Q_EMIT message(severity, tr("Popup on the robot: %1 %2").arg(m.title, m.text).trimmed());
+                Q_EMIT message(severity, tr("Popup on the robot: %1 %2").arg(m.title, m.text).trimmed(),
+                               Origin::Robot);
                 break;
             default:
                 break;

@@ -34,6 +34,8 @@ struct RobotAddress {
 };
 
 enum class Severity { Info, Warning, Error };
+/// Whose doing a message tells of.
+enum class Origin { Tiller, Operator, Robot };
 
 /// A bounded motion: a step, or a way to a waypoint.
 struct MoveRequest {
@@ -93,11 +95,13 @@ public:
     bool hold(MotionId motion);
     bool hold(MotionId motion, const control::JogTarget& target);
     void endMotion(MotionId motion, control::StopCause cause);
-    /// True when this motion ended because it reached its target.
-    bool hasArrived(MotionId motion) const;
     /// Stops whatever moves, whoever began it. Safe to call at any time.
     void stop(control::StopCause cause);
     const control::MotionLimits& limits() const;
+    /// The fastest that TCP and elbow may get [m/s]. Holds from the next connection on, because the control
+    /// program on the robot is made with it.
+    void setSpeedCap(double metresPerSecond);
+    double nextSpeedCap() const;
 
     // Recording: one CSV row per packet.
     /// Both return at once; what became of it shows in SessionState::recording and as a message.
@@ -116,7 +120,9 @@ Q_SIGNALS:
     /// A motion ended and its stop was measured.
     void motionStopped(const tiller::control::StopMeasurement& measurement);
     /// Something the operator should be able to read again later.
-    void message(tiller::Severity severity, const QString& text);
+    /// detail  what the text means and what to do, as sentences; may be empty
+    void message(tiller::Severity severity, const QString& text,
+                 tiller::Origin origin = tiller::Origin::Tiller, const QString& detail = {});
     /// What the controller itself said, whole; it comes as message too.
     void controllerMessage(const tiller::script::ControllerMessage& message);
 

@@ -51,7 +51,7 @@ void send(RobotSession& session, const std::unique_ptr<RobotLink>& link, const Q
         std::move(call), &session,
         [&session, what](const Result<void>& result) {
             if (result) {
-                Q_EMIT session.message(Severity::Info, what);
+                Q_EMIT session.message(Severity::Info, what, Origin::Operator);
             } else {
                 Q_EMIT session.message(
                     Severity::Error,

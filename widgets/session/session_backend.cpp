@@ -106,6 +106,7 @@ void RobotSession::Backend::readSample() {
 
 void RobotSession::Backend::readControl() {
     const control::ControllerStatus status = link->controller->status();
+    state.speedCap = link->controller->limits().tcpSpeed;
     state.quality.roundTripMs = status.roundTripMs;
     state.limiter = status.limiter;
     state.lastStop = status.lastStop;

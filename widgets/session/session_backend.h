@@ -54,7 +54,8 @@ struct RobotSession::Backend {
     std::int64_t dashboardAskedNs = 0;
     bool dashboardAsked = false;
     bool takingControl = false;
-    QString refusal;  ///< why taking control failed last
+    control::MotionLimits limits;  ///< for the next connection
+    QString refusal;               ///< why taking control failed last
     QString linkReason;
 
     RobotSession::MotionId moveMotion = 0;  ///< the newest motion that is a move, to refresh it as one

@@ -70,6 +70,7 @@ struct SessionState {
     bool remoteControl = false;
     QString operationalMode;  ///< "MANUAL", "AUTOMATIC"; empty: none set, or not known
     QString loadedProgram;    ///< on the robot; empty: none
+    double speedCap = 0.250;  ///< of this program, at TCP and elbow [m/s]
     ControlState control = ControlState::None;
     QString controlReason;  ///< why the arm cannot be moved now, as a sentence; empty when it can
 

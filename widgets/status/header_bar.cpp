@@ -17,7 +17,9 @@ namespace tiller {
 
 namespace {
 
-constexpr int kLinkPeriodMs = 500;  // figures that change with every packet, slow enough to read
+constexpr int kLinkPeriodMs = 500;      // figures that change with every packet, slow enough to read
+constexpr double kOrdinaryCap = 0.250;  // [m/s]; above it the header says so
+constexpr int kBannerHeight = 28;
 constexpr int kNarrowBelow = 1700;
 constexpr int kTightBelow = 1500;
 
@@ -48,7 +50,8 @@ HeaderBar::HeaderBar(HeaderPort port, QWidget* parent)
     , speed_(new SpeedChip(this))
     , link_(chip(tr("LINK"), "linkChip", this))
     , lastStop_(chip(tr("LAST STOP"), "lastStopChip", this))
-    , stop_(new StopButton(this)) {
+    , stop_(new StopButton(this))
+    , cap_(new QLabel(this)) {
     setObjectName(QStringLiteral("headerBar"));
     setAccessibleName(tr("State of the robot"));
     setFixedHeight(kHeight);
@@ -89,6 +92,11 @@ HeaderBar::HeaderBar(HeaderPort port, QWidget* parent)
     connect(stop_, &StopButton::stopRequested, this, [this] { port_.stop(control::StopCause::StopButton); });
     connect(speed_, &SpeedChip::fractionChosen, this,
             [this](double fraction) { port_.setSpeedSlider(fraction); });
+    cap_->setObjectName(QStringLiteral("capBanner"));
+    cap_->setAlignment(Qt::AlignCenter);
+    cap_->setFont(textFont(14, QFont::Bold));
+    cap_->setAutoFillBackground(true);
+    cap_->hide();
     linkPace_.setSingleShot(true);
     linkPace_.setInterval(kLinkPeriodMs);
     connect(&linkPace_, &QTimer::timeout, this, &HeaderBar::showLink);
@@ -143,6 +151,8 @@ void HeaderBar::applyState(const SessionState& state) {
     stepButton_->setAccessibleName(step_ == NextStep::None ? tr("Next step") : nextStepText(step_));
     stepButton_->setToolTip(nextStepAdvice(step_));
 
+    showCap(state.speedCap);
+
     const control::StopMeasurement& last = state.lastStop;
     if (last.count > 0) {
         lastStop_->setState(
@@ -162,6 +172,26 @@ void HeaderBar::showLink() {
     showOn(*link_, linkLook(state_));
     if (state_.link != LinkState::Disconnected) {
         linkPace_.start();
+    }
+}
+
+void HeaderBar::showCap(double speedCap) {
+    const bool raised = speedCap > kOrdinaryCap + 1e-9;
+    if (raised) {
+        cap_->setText(tr("▲ Speed cap raised to %1 mm/s").arg(speedCap * 1e3, 0, 'f', 0));
+        cap_->setToolTip(
+            tr("The arm may get faster than 250 mm/s. Lower the cap in Settings; it ends with the "
+               "program."));
+        cap_->setAccessibleName(cap_->text());
+        QPalette colours;
+        colours.setColor(QPalette::Window, Theme::current().warningBackground);
+        colours.setColor(QPalette::WindowText, Theme::current().warning);
+        cap_->setPalette(colours);
+    }
+    if (raised != cap_->isVisibleTo(this)) {
+        cap_->setVisible(raised);
+        setFixedHeight(kHeight + (raised ? kBannerHeight : 0));
+        arrange();
     }
 }
 
@@ -195,7 +225,9 @@ void HeaderBar::resizeEvent(QResizeEvent* event) {
 void HeaderBar::arrange() {
     const bool narrow = width() < kNarrowBelow;
     const bool tight = width() < kTightBelow;
-    layout_->setContentsMargins(tight ? 10 : 16, 0, tight ? 10 : 16, 1);
+    const int below = cap_->isVisibleTo(this) ? kBannerHeight : 1;
+    cap_->setGeometry(0, kHeight, width(), kBannerHeight);
+    layout_->setContentsMargins(tight ? 10 : 16, 0, tight ? 10 : 16, below);
     layout_->setSpacing(tight ? 6 : narrow ? 8 : 12);
     name_->setVisible(!tight);
     stop_->setFixedWidth(tight ? 132 : narrow ? 160 : 230);

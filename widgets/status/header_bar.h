@@ -66,6 +66,7 @@ private:
     void takeStep();
     void showLink();
     void arrange();
+    void showCap(double speedCap);
 
     HeaderPort port_;
     SessionState state_;
@@ -84,6 +85,7 @@ private:
     StateChip* link_;
     StateChip* lastStop_;
     StopButton* stop_;
+    QLabel* cap_;  ///< the banner below the bar; hidden unless the cap was raised
 };
 
 }  // namespace tiller

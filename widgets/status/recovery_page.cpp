@@ -103,6 +103,13 @@ RecoveryPage::RecoveryPage(RobotSession& session, const StopRecorder& stops, QWi
     setAttribute(Qt::WA_DeleteOnClose);
     build();
     connect(&session_, &RobotSession::stateChanged, this, &RecoveryPage::applyState);
+    connect(&session_, &RobotSession::message, this, [this](Severity severity) {
+        // A refusal: the operator may ask again.
+        if (severity == Severity::Error && sent_) {
+            sent_ = false;
+            showKey();
+        }
+    });
     connect(&stops_, &StopRecorder::changed, this, [this] {
         recordShown_ = -1;
         showRecord();

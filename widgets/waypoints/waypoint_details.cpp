@@ -11,24 +11,29 @@
 #include "robot/kinematics/arm_kinematics.h"
 #include "widgets/common/elided_label.h"
 #include "widgets/common/format.h"
+#include "widgets/common/notation.h"
 #include "widgets/common/theme.h"
 #include "widgets/waypoints/waypoint_model.h"
 
 namespace tiller {
 
 QString poseText(const Pose& pose) {
-    constexpr double kDegPerRad = 180.0 / std::numbers::pi;
-    const Eigen::Vector3d rpy = rpyFromRotationVector(pose.rotation) * kDegPerRad;
-    return QStringLiteral("X %1 Y %2 Z %3 mm RX %4 RY %5 RZ %6°")
-        .arg(format::number(pose.position.x() * 1e3, 2), format::number(pose.position.y() * 1e3, 2),
-             format::number(pose.position.z() * 1e3, 2), format::number(rpy.x(), 2),
-             format::number(rpy.y(), 2), format::number(rpy.z(), 2));
+    std::array<QString, 3> turns = format::rotation(pose.rotation);
+    if (turns[2].endsWith(QChar(0xB0))) {
+        turns[0].chop(1);  // the unit once, at the end
+        turns[1].chop(1);
+    }
+    return QStringLiteral("X %1 Y %2 Z %3 %4 RX %5 RY %6 RZ %7")
+        .arg(format::lengthNumber(pose.position.x(), 2, false),
+             format::lengthNumber(pose.position.y(), 2, false),
+             format::lengthNumber(pose.position.z(), 2, false), format::lengthUnit(), turns[0], turns[1],
+             turns[2]);
 }
 
 QString differenceText(const program::PoseDifference& difference) {
     constexpr double kDegPerRad = 180.0 / std::numbers::pi;
-    return QStringLiteral("%1 mm, %2°")
-        .arg(format::number(difference.distance * 1e3, 1), format::number(difference.angle * kDegPerRad, 1));
+    return QStringLiteral("%1, %2°").arg(format::length(difference.distance, 1),
+                                         format::number(difference.angle * kDegPerRad, 1));
 }
 
 WaypointDetails::WaypointDetails(const WaypointModel& model, QWidget* parent)

@@ -9,6 +9,7 @@
 #include <QStyledItemDelegate>
 #include <algorithm>
 
+#include "widgets/common/density.h"
 #include "widgets/common/theme.h"
 #include "widgets/waypoints/waypoint_model.h"
 
@@ -105,8 +106,8 @@ WaypointTable::WaypointTable(WaypointModel& model, QWidget* parent) : QTableView
     setDragDropOverwriteMode(false);
     setDropIndicatorShown(true);
     verticalHeader()->hide();
-    verticalHeader()->setDefaultSectionSize(kRowHeight);
-    verticalHeader()->setMinimumSectionSize(kRowHeight);
+    verticalHeader()->setMinimumSectionSize(rowHeight(Density::Compact));
+    followDensity(*this);
     horizontalHeader()->setHighlightSections(false);
     horizontalHeader()->setSectionsClickable(false);
     horizontalHeader()->setStretchLastSection(false);

@@ -13,8 +13,6 @@ class WaypointTable : public QTableView {
     Q_OBJECT
 
 public:
-    static constexpr int kRowHeight = 36;
-
     explicit WaypointTable(WaypointModel& model, QWidget* parent = nullptr);
 
     /// Selected rows in ascending order.

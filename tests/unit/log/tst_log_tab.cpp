@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -58,6 +59,47 @@ private Q_SLOTS:
         QCOMPARE(cell(0, LogModel::Time), QString("14:02:13"));
         tab_->append(Severity::Error, "Elbow near its limit");
         QCOMPARE(rows(), 2);
+    }
+
+    void messagesThatTakeTurnsAreCountedEach() {
+        for (int n = 0; n < 30; ++n) {
+            tab_->append(Severity::Warning, n % 2 == 0 ? "Connecting" : "No answer");
+            time_ = time_.addSecs(1);
+        }
+        QCOMPARE(rows(), 2);
+        QCOMPARE(cell(0, LogModel::Text), QString("(×15) Connecting"));
+        QCOMPARE(cell(1, LogModel::Text), QString("(×15) No answer"));
+        // Long after it is news again.
+        tab_->append(Severity::Info, "something else");
+        time_ = time_.addSecs(LogModel::kRepeatSeconds + 1);
+        tab_->append(Severity::Warning, "No answer");
+        QCOMPARE(rows(), 4);
+    }
+
+    void whatTheOperatorDidIsListedEveryTime() {
+        tab_->append(Severity::Info, "Output 1 on", Origin::Operator);
+        tab_->append(Severity::Info, "Output 1 off", Origin::Operator);
+        tab_->append(Severity::Info, "Output 1 on", Origin::Operator);
+        QCOMPARE(rows(), 3);
+        QTest::keyClicks(tab_->findChild<QLineEdit*>("log.search"), "operator on");
+        QCOMPARE(rows(), 2);
+    }
+
+    void theSelectedLineIsToldInFull() {
+        auto* details = tab_->findChild<QLabel*>("log.details");
+        QVERIFY(!details->isVisible());
+        tab_->append(Severity::Error, "C157A1 Collision noticed by a joint", Origin::Robot,
+                     "A joint needed more torque. Remove the obstacle.");
+        table()->selectRow(0);
+        QVERIFY(details->isVisible());
+        for (const char* part : {"14:02:11", "the robot", "C157A1", "more torque", "Remove the obstacle"}) {
+            QVERIFY2(details->text().contains(QLatin1String(part)), part);
+        }
+        time_ = time_.addSecs(5);
+        tab_->append(Severity::Error, "C157A1 Collision noticed by a joint", Origin::Robot,
+                     "A joint needed more torque. Remove the obstacle.");
+        QVERIFY2(details->text().contains("2 times"), qPrintable(details->text()));
+        QVERIFY(tab_->shownText().contains("Remove the obstacle"));
     }
 
     void filterBySeverityAndByWords() {

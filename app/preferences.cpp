@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/preferences.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QSettings>
+
+#include "app/settings.h"
+
+namespace tiller::app {
+namespace {
+
+/// The index of the word in the list; the first one where it is none of them.
+template <class Choice, std::size_t N>
+Choice choiceOf(const QString& word, const char* const (&words)[N]) {
+    for (std::size_t i = 0; i < N; ++i) {
+        if (word == QLatin1String(words[i])) {
+            return static_cast<Choice>(i);
+        }
+    }
+    return {};
+}
+
+constexpr const char* kDensities[] = {"compact", "mouse", "touch"};
+constexpr const char* kLengths[] = {"mm", "inch"};
+constexpr const char* kRotations[] = {"rpy", "vector"};
+
+}  // namespace
+
+Preferences readPreferences(const QString& file) {
+    Preferences preferences;
+    QSettings settings = openSettings(file);
+    const QString density = settings.value("look/density", kDensities[1]).toString();
+    preferences.density = choiceOf<Density>(density, kDensities);
+    preferences.notation.length = choiceOf<LengthUnit>(settings.value("look/lengths").toString(), kLengths);
+    preferences.notation.rotation =
+        choiceOf<RotationNotation>(settings.value("look/rotations").toString(), kRotations);
+    const double cap = settings.value("motion/speedCap", Preferences::kOrdinaryCap).toDouble();
+    if (std::isfinite(cap) && cap > 0) {
+        // A file cannot raise it: only a hand on the settings page can.
+        preferences.speedCap = std::clamp(cap, Preferences::kLowestCap, Preferences::kOrdinaryCap);
+    }
+    settings.beginGroup("shortcuts");
+    const QStringList ids = settings.childKeys();
+    for (const QString& id : ids) {
+        preferences.shortcuts[id] =
+            QKeySequence::fromString(settings.value(id).toString(), QKeySequence::PortableText);
+    }
+    return preferences;
+}
+
+void writePreferences(const QString& file, const Preferences& preferences) {
+    QSettings settings = openSettings(file);
+    settings.setValue("look/density", kDensities[static_cast<int>(preferences.density)]);
+    settings.setValue("look/lengths", kLengths[static_cast<int>(preferences.notation.length)]);
+    settings.setValue("look/rotations", kRotations[static_cast<int>(preferences.notation.rotation)]);
+    settings.setValue("motion/speedCap", std::min(preferences.speedCap, Preferences::kOrdinaryCap));
+    settings.remove("shortcuts");
+    settings.beginGroup("shortcuts");
+    for (auto it = preferences.shortcuts.constBegin(); it != preferences.shortcuts.constEnd(); ++it) {
+        settings.setValue(it.key(), it->toString(QKeySequence::PortableText));
+    }
+}
+
+}  // namespace tiller::app

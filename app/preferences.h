@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What the operator chooses on the settings page, apart from the colours. Whatever the file says, the values
+// are sane.
+
+#include <QKeySequence>
+#include <QMap>
+#include <QString>
+
+#include "widgets/common/density.h"
+#include "widgets/common/notation.h"
+
+namespace tiller::app {
+
+struct Preferences {
+    Density density = Density::Mouse;
+    Notation notation;
+    /// Of the TCP and the elbow [m/s]. Above kOrdinaryCap it holds until the program ends and is not written.
+    double speedCap = kOrdinaryCap;
+    /// By action id; only those that differ from the built-in ones. An empty one: no key.
+    QMap<QString, QKeySequence> shortcuts;
+
+    static constexpr double kOrdinaryCap = 0.250;
+    static constexpr double kLowestCap = 0.010;
+    static constexpr double kHighestCap = 1.0;
+
+    friend bool operator==(const Preferences&, const Preferences&) = default;
+};
+
+/// file  where they are kept; empty: the place the system has for them
+Preferences readPreferences(const QString& file);
+void writePreferences(const QString& file, const Preferences& preferences);
+
+}  // namespace tiller::app

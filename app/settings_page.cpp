@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/settings_page.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeySequenceEdit>
+#include <QLabel>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include "app/action_table.h"
+
+namespace tiller::app {
+namespace {
+
+QString plain(const QAction& action) {
+    return QString(action.text()).remove(QLatin1Char('&'));
+}
+
+QLabel* note(const QString& text, const char* role) {
+    auto* label = new QLabel(text);
+    label->setWordWrap(true);
+    label->setProperty("role", QLatin1String(role));
+    return label;
+}
+
+}  // namespace
+
+SettingsPage::SettingsPage(const Preferences& preferences, const QString& theme, const ActionTable& actions,
+                           QWidget* parent)
+    : QDialog(parent), preferences_(preferences), actions_(actions) {
+    setObjectName("settingsPage");
+    setWindowTitle(tr("Settings"));
+    resize(680, 560);
+    auto* pages = new QTabWidget;
+    pages->setObjectName("settingsPages");
+    pages->tabBar()->setAccessibleName(tr("Settings"));
+    pages->tabBar()->setDrawBase(false);
+    pages->addTab(buildLook(theme), tr("Look and motion"));
+    pages->addTab(buildShortcuts(), tr("Keys"));
+    auto* close = new QPushButton(tr("Close"));
+    close->setObjectName("settingsClose");
+    close->setAutoDefault(false);
+    connect(close, &QPushButton::clicked, this, &QDialog::close);
+    auto* buttons = new QHBoxLayout;
+    buttons->addStretch(1);
+    buttons->addWidget(close);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(24, 16, 24, 20);
+    layout->setSpacing(12);
+    layout->addWidget(pages, 1);
+    layout->addLayout(buttons);
+}
+
+QComboBox* SettingsPage::choice(const QString& name, const QString& accessible, const QStringList& texts,
+                                int current) {
+    auto* box = new QComboBox;
+    box->setObjectName(name);
+    box->setAccessibleName(accessible);
+    box->addItems(texts);
+    box->setCurrentIndex(current);
+    return box;
+}
+
+QWidget* SettingsPage::buildLook(const QString& theme) {
+    auto* page = new QWidget;
+    theme_ = choice("settings.theme", tr("Colours"), {tr("Light"), tr("Dark")}, theme == "dark" ? 1 : 0);
+    density_ = choice("settings.density", tr("Size of keys and rows"),
+                      {tr("Compact"), tr("Mouse"), tr("Touch")}, static_cast<int>(preferences_.density));
+    lengths_ = choice("settings.lengths", tr("Lengths"), {tr("Millimetres"), tr("Inches")},
+                      static_cast<int>(preferences_.notation.length));
+    rotations_ =
+        choice("settings.rotations", tr("Rotations"),
+               {tr("Roll, pitch, yaw in degrees"), tr("Rotation vector in radians, as scripts write it")},
+               static_cast<int>(preferences_.notation.rotation));
+    cap_ = new QDoubleSpinBox;
+    cap_->setObjectName("settings.speedCap");
+    cap_->setAccessibleName(tr("Speed cap of this program"));
+    cap_->setDecimals(0);
+    cap_->setRange(Preferences::kLowestCap * 1e3, Preferences::kHighestCap * 1e3);
+    cap_->setSingleStep(10);
+    cap_->setSuffix(tr(" mm/s"));
+    cap_->setValue(preferences_.speedCap * 1e3);
+    // A number is taken when it is finished: "1000" begins with "1", and a half-typed cap is none.
+    cap_->setKeyboardTracking(false);
+    capNote_ = note({}, "secondary");
+    capNote_->setObjectName("settings.speedCapNote");
+
+    auto* form = new QFormLayout(page);
+    form->setContentsMargins(0, 16, 0, 0);
+    form->setVerticalSpacing(12);
+    form->setHorizontalSpacing(20);
+    form->addRow(tr("Colours"), theme_);
+    form->addRow(tr("Size of keys and rows"), density_);
+    form->addRow(tr("Lengths"), lengths_);
+    form->addRow(tr("Rotations"), rotations_);
+    form->addRow(QString(), note(tr("How poses, distances and speeds are shown. The keys of the jog column "
+                                    "and all files keep millimetres and degrees."),
+                                 "secondary"));
+    form->addRow(tr("Speed cap"), cap_);
+    form->addRow(QString(), capNote_);
+    showCap();
+
+    connect(theme_, &QComboBox::activated, this,
+            [this](int index) { Q_EMIT themeChosen(index == 1 ? "dark" : "light"); });
+    connect(density_, &QComboBox::activated, this, [this](int index) {
+        preferences_.density = static_cast<Density>(index);
+        Q_EMIT preferencesChanged(preferences_);
+    });
+    connect(lengths_, &QComboBox::activated, this, [this](int index) {
+        preferences_.notation.length = static_cast<LengthUnit>(index);
+        Q_EMIT preferencesChanged(preferences_);
+    });
+    connect(rotations_, &QComboBox::activated, this, [this](int index) {
+        preferences_.notation.rotation = static_cast<RotationNotation>(index);
+        Q_EMIT preferencesChanged(preferences_);
+    });
+    connect(cap_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        preferences_.speedCap = value / 1e3;
+        showCap();
+        Q_EMIT preferencesChanged(preferences_);
+    });
+    return page;
+}
+
+void SettingsPage::showCap() {
+    const bool raised = preferences_.speedCap > Preferences::kOrdinaryCap;
+    capNote_->setProperty("role", raised ? QStringLiteral("warning") : QStringLiteral("secondary"));
+    // The style sheet looks at the role only when the style is set.
+    capNote_->setStyleSheet(capNote_->styleSheet());
+    capNote_->setText(
+        raised ? tr("▲ Above 250 mm/s. Nothing else limits a jog from a PC: neither manual mode nor the "
+                    "enabling device of the pendant. The header says so, and it ends with the program. It "
+                    "holds from the next connection on.")
+               : tr("No motion of this program gets above it, at the TCP and at the elbow. It holds from the "
+                    "next connection on."));
+}
+
+QWidget* SettingsPage::buildShortcuts() {
+    auto* page = new QWidget;
+    shortcuts_ = new QTableWidget(0, 2);
+    shortcuts_->setObjectName("settings.shortcuts");
+    shortcuts_->setAccessibleName(tr("Keys of the commands"));
+    shortcuts_->setHorizontalHeaderLabels({tr("Command"), tr("Key")});
+    shortcuts_->verticalHeader()->hide();
+    shortcuts_->verticalHeader()->setDefaultSectionSize(40);
+    shortcuts_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    shortcuts_->setColumnWidth(1, 190);
+    shortcuts_->setShowGrid(false);
+    shortcuts_->setSelectionMode(QAbstractItemView::NoSelection);
+    shortcuts_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    shortcuts_->setTabKeyNavigation(false);
+    hint_ = note({}, "warning");
+    hint_->setObjectName("settings.shortcutHint");
+    auto* defaults = new QPushButton(tr("All keys as at first"));
+    defaults->setObjectName("settings.shortcutDefaults");
+    defaults->setAutoDefault(false);
+    connect(defaults, &QPushButton::clicked, this, [this] {
+        preferences_.shortcuts.clear();
+        Q_EMIT preferencesChanged(preferences_);
+        hint_->clear();
+        showShortcuts();
+    });
+    auto* row = new QHBoxLayout;
+    row->addWidget(hint_, 1);
+    row->addWidget(defaults);
+    auto* layout = new QVBoxLayout(page);
+    layout->setContentsMargins(0, 12, 0, 0);
+    layout->addWidget(note(tr("Press the new key in the field; Backspace takes it away. Space and Esc always "
+                              "stop the arm."),
+                           "secondary"));
+    layout->addWidget(shortcuts_, 1);
+    layout->addLayout(row);
+    showShortcuts();
+    return page;
+}
+
+void SettingsPage::showShortcuts() {
+    shortcuts_->setRowCount(0);
+    for (const QAction* action : actions_.all()) {
+        const int row = shortcuts_->rowCount();
+        shortcuts_->insertRow(row);
+        auto* name = new QTableWidgetItem(plain(*action));
+        name->setToolTip(ActionTable::helpOf(*action));
+        shortcuts_->setItem(row, 0, name);
+        auto* keys = new QKeySequenceEdit(action->shortcut());
+        keys->setObjectName("settings.key." + action->objectName());
+        keys->setAccessibleName(tr("Key for %1").arg(plain(*action)));
+        const QString id = action->objectName();
+        connect(keys, &QKeySequenceEdit::editingFinished, this, [this, keys, id] {
+            const QAction* edited = actions_.find(id);
+            // One chord: a second key within a second would make a sequence of two.
+            const QKeySequence chosen =
+                keys->keySequence().isEmpty() ? QKeySequence() : QKeySequence(keys->keySequence()[0]);
+            if (edited != nullptr && chosen != edited->shortcut()) {
+                setShortcut(id, chosen);
+            }
+            keys->setKeySequence(edited == nullptr ? QKeySequence() : edited->shortcut());
+        });
+        shortcuts_->setCellWidget(row, 1, keys);
+    }
+}
+
+bool SettingsPage::setShortcut(const QString& id, const QKeySequence& keys) {
+    const QKeySequence reserved[] = {QKeySequence(Qt::Key_Space), QKeySequence(Qt::Key_Escape)};
+    for (const QKeySequence& stop : reserved) {
+        if (keys == stop) {
+            hint_->setText(
+                tr("%1 stops the arm and nothing else.").arg(keys.toString(QKeySequence::NativeText)));
+            return false;
+        }
+    }
+    for (const QAction* other : actions_.all()) {
+        if (other->objectName() != id && !keys.isEmpty() && other->shortcut() == keys) {
+            hint_->setText(tr("%1 belongs to \"%2\". Take it away there first.")
+                               .arg(keys.toString(QKeySequence::NativeText), plain(*other)));
+            return false;
+        }
+    }
+    const QAction* action = actions_.find(id);
+    if (action == nullptr) {
+        return false;
+    }
+    if (keys == ActionTable::builtInShortcut(*action)) {
+        preferences_.shortcuts.remove(id);
+    } else {
+        preferences_.shortcuts[id] = keys;
+    }
+    hint_->clear();
+    Q_EMIT preferencesChanged(preferences_);
+    return true;
+}
+
+QString SettingsPage::hint() const {
+    return hint_->text();
+}
+
+}  // namespace tiller::app

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The settings: colours, sizes, how numbers are written, the speed cap, and the key of every command. What is
+// chosen holds at once; there is nothing to confirm.
+
+#include <QDialog>
+
+#include "app/preferences.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QTableWidget;
+
+namespace tiller::app {
+
+class ActionTable;
+
+class SettingsPage : public QDialog {
+    Q_OBJECT
+
+public:
+    /// theme  "light" or "dark"
+    SettingsPage(const Preferences& preferences, const QString& theme, const ActionTable& actions,
+                 QWidget* parent = nullptr);
+
+    const Preferences& preferences() const { return preferences_; }
+    /// Gives the command this key, as the key's editor does; an empty sequence takes its key away.
+    /// Returns  false when the key is taken or reserved; hint() says by what
+    bool setShortcut(const QString& id, const QKeySequence& keys);
+    QString hint() const;
+
+Q_SIGNALS:
+    void preferencesChanged(const tiller::app::Preferences& preferences);
+    void themeChosen(const QString& theme);
+
+private:
+    QWidget* buildLook(const QString& theme);
+    QWidget* buildShortcuts();
+    QComboBox* choice(const QString& name, const QString& accessible, const QStringList& texts, int current);
+    void showShortcuts();
+    void showCap();
+
+    Preferences preferences_;
+    const ActionTable& actions_;
+    QComboBox* theme_ = nullptr;
+    QComboBox* density_ = nullptr;
+    QComboBox* lengths_ = nullptr;
+    QComboBox* rotations_ = nullptr;
+    QDoubleSpinBox* cap_ = nullptr;
+    QLabel* capNote_ = nullptr;
+    QTableWidget* shortcuts_ = nullptr;
+    QLabel* hint_ = nullptr;
+};
+
+}  // namespace tiller::app

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Programs of the robot's own from the window: load, play, pause, stop; and a popup that holds one up.
+
+#include <QFile>
+#include <QInputDialog>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/action_table.h"
+#include "app/main_window.h"
+#include "resources/resources.h"
+#include "robot/simulator/controller.h"
+#include "widgets/common/state_chip.h"
+#include "widgets/common/theme.h"
+
+using namespace tiller;
+
+class TestPrograms : public QObject {
+    Q_OBJECT
+
+private:
+    QTemporaryDir folder_;
+    std::unique_ptr<simulator::Controller> robot_;
+    std::unique_ptr<app::MainWindow> window_;
+    QStringList errors_;
+
+    const SessionState& state() const { return window_->session().state(); }
+    QAction* action(const char* id) const { return window_->actions().find(QLatin1String(id)); }
+    /// As a person: waits until it can be done, then does it.
+    bool run(const char* id) {
+        if (!QTest::qWaitFor([&] { return action(id)->isEnabled(); }, 20'000)) {
+            return false;
+        }
+        action(id)->trigger();
+        return true;
+    }
+    bool reaches(RuntimeState wanted) {
+        return QTest::qWaitFor([&] { return state().runtimeState == wanted; }, 20'000);
+    }
+    bool load(const QString& name) {
+        if (!run("control.load")) {
+            return false;
+        }
+        auto* dialog = window_->findChild<QInputDialog*>("programDialog");
+        dialog->setTextValue(name);
+        dialog->accept();
+        return true;
+    }
+
+private Q_SLOTS:
+    void initTestCase() {
+        initResources();
+        applyTheme(*qApp, Theme::light());
+        QFile file(folder_.filePath("wait.urp"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("def wait():\n  while True:\n    sleep(1)\n  end\nend\n");
+    }
+    void init() {
+        errors_.clear();
+        simulator::ControllerOptions options;
+        options.listenAddress = QStringLiteral("127.79.%1.1").arg(QCoreApplication::applicationPid() % 250);
+        options.poweredOn = true;
+        options.fastTransitions = true;
+        options.programsFolder = folder_.path();
+        robot_ = std::make_unique<simulator::Controller>(options);
+        QVERIFY(robot_->start().ok());
+        window_ = std::make_unique<app::MainWindow>(app::Settings(folder_.filePath("settings.ini")));
+        window_->show();
+        connect(&window_->session(), &RobotSession::message, this,
+                [this](Severity severity, const QString& text) {
+                    if (severity == Severity::Error) {
+                        errors_ << text;
+                    }
+                });
+        window_->session().connectTo({"Virtual UR5e", options.listenAddress, 0, true});
+        QTRY_COMPARE_WITH_TIMEOUT(state().link, LinkState::Live, 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(state().remoteControl, 20'000);
+    }
+    void cleanup() {
+        window_.reset();
+        robot_.reset();
+    }
+
+    void aProgramIsLoadedPlayedPausedResumedAndStopped() {
+        QVERIFY(load("wait.urp"));
+        QTRY_VERIFY_WITH_TIMEOUT(state().loadedProgram.contains("wait.urp"), 20'000);
+        QVERIFY(run("control.play"));
+        QVERIFY2(reaches(RuntimeState::Playing), qPrintable(errors_.join('\n')));
+        const auto* chip = window_->findChild<StateChip*>("controlChip");
+        QTRY_VERIFY(chip->text().contains("Program plays"));
+        QVERIFY2(chip->toolTip().contains("wait.urp"), qPrintable(chip->toolTip()));
+        QTRY_VERIFY(!action("control.play")->isEnabled());
+        QVERIFY(run("control.pause"));
+        QVERIFY(reaches(RuntimeState::Paused));
+        QVERIFY(run("control.play"));
+        QVERIFY(reaches(RuntimeState::Playing));
+        QVERIFY(run("control.stopProgram"));
+        QVERIFY(reaches(RuntimeState::Stopped));
+        QVERIFY2(errors_.isEmpty(), qPrintable(errors_.join('\n')));
+    }
+
+    void aProgramThatIsNotThereIsNamed() {
+        QVERIFY(load("nowhere.urp"));
+        QTRY_VERIFY_WITH_TIMEOUT(!errors_.isEmpty(), 20'000);
+        QVERIFY2(errors_.first().contains("nowhere.urp"), qPrintable(errors_.first()));
+    }
+
+    void aPopupIsClosedBeforeTheProgramGoesOn() {
+        QVERIFY(load("wait.urp"));
+        QTRY_VERIFY_WITH_TIMEOUT(state().loadedProgram.contains("wait.urp"), 20'000);
+        QVERIFY(robot_->inject("popup wait for me").ok());
+        QVERIFY(run("control.play"));
+        QTRY_VERIFY_WITH_TIMEOUT(!errors_.isEmpty(), 20'000);
+        QCOMPARE(state().runtimeState, RuntimeState::Stopped);
+        QVERIFY(run("power.closePopups"));
+        QVERIFY(run("control.play"));
+        QVERIFY2(reaches(RuntimeState::Playing), qPrintable(errors_.join('\n')));
+    }
+
+    void inControlTheRobotsProgramsAreLeftAlone() {
+        window_->session().takeControl();
+        QTRY_VERIFY_WITH_TIMEOUT(state().canMove(), 20'000);
+        for (const char* id : {"control.load", "control.play", "control.pause", "control.stopProgram"}) {
+            QTRY_VERIFY(!action(id)->isEnabled());
+            QVERIFY2(app::ActionTable::obstacleOf(*action(id)).contains("Give control back"), id);
+        }
+        QVERIFY(run("control.release"));
+        QTRY_VERIFY_WITH_TIMEOUT(action("control.load")->isEnabled(), 20'000);
+    }
+};
+
+QTEST_MAIN(TestPrograms)
+#include "tst_programs.moc"
