@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDialog>
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QMenu>
@@ -127,6 +128,8 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
 
 MainWindow::~MainWindow() {
     disconnect(qApp, nullptr, this, nullptr);
+    const QList<QDialog*> open = findChildren<QDialog*>(QString(), Qt::FindDirectChildrenOnly);
+    qDeleteAll(open);
     // While all parts still live: the session tells them that it ends. Then they go, and it goes last.
     session_->shutDown();
     delete keyboard_;

@@ -29,6 +29,11 @@ void MainWindow::addJogActions() {
                       "after half a minute."),
                    QKeySequence(Qt::CTRL | Qt::Key_J),
                    [this] { keyboard_->setArmed(!keyboard_->isArmed()); }});
+    actions_->add({"jog.devices",
+                   tr("Gamepad and SpaceMouse…"),
+                   tr("What each device says now, and which way it will go."),
+                   {},
+                   [this] { showTrainer(); }});
     actions_->add({"jog.zero", tr("Zero here"),
                    tr("Counts the way of the TCP from where it is now; once more: since the press again."),
                    QKeySequence(Qt::Key_Z), [this] { jog_->zeroHere(); }});

@@ -40,6 +40,7 @@ SettingsPage::SettingsPage(const Preferences& preferences, const QString& theme,
     resize(680, 560);
     auto* pages = new QTabWidget;
     pages->setObjectName("settingsPages");
+    pages->setAccessibleName(tr("Settings"));
     pages->tabBar()->setAccessibleName(tr("Settings"));
     pages->tabBar()->setDrawBase(false);
     pages->addTab(buildLook(theme), tr("Look and motion"));

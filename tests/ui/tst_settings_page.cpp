@@ -120,7 +120,7 @@ private Q_SLOTS:
         cap->selectAll();
         QTest::keyClicks(cap, "500");
         QCOMPARE(page->preferences().speedCap, Preferences::kOrdinaryCap);  // not before it is finished
-        QTest::keyClick(cap, Qt::Key_Tab);
+        QTest::keyClick(cap, Qt::Key_Return);
         QCOMPARE(page->preferences().speedCap, 0.5);
         QVERIFY(page->findChild<QLabel*>("settings.speedCapNote")->text().contains("enabling device"));
         keepPicture(*page, "settings-cap");
@@ -210,6 +210,13 @@ private Q_SLOTS:
         QCOMPARE(app::Settings(bench.file).preferences().shortcuts.value("app.palette"),
                  QKeySequence(Qt::CTRL | Qt::Key_P));
         QVERIFY(bench.window.actions().helpText().contains("Ctrl+P"));
+    }
+
+    void theWindowClosesWithThePageStillOpen() {
+        Bench bench;
+        app::SettingsPage* page = bench.open();
+        page->findChild<QTabBar*>()->setCurrentIndex(1);
+        page->findChild<QWidget*>("settings.key.app.help")->setFocus();
     }
 
     void allKeysGoBackAtOnce() {

@@ -106,7 +106,7 @@ WaypointTable::WaypointTable(WaypointModel& model, QWidget* parent) : QTableView
     setDragDropOverwriteMode(false);
     setDropIndicatorShown(true);
     verticalHeader()->hide();
-    verticalHeader()->setMinimumSectionSize(rowHeight(Density::Compact));
+    verticalHeader()->setMinimumSectionSize(tiller::rowHeight(Density::Compact));
     followDensity(*this);
     horizontalHeader()->setHighlightSections(false);
     horizontalHeader()->setSectionsClickable(false);
