@@ -203,6 +203,8 @@ private Q_SLOTS:
         QTRY_COMPARE(page->preferences().shortcuts.value("app.palette"), QKeySequence(Qt::CTRL | Qt::Key_P));
         page->close();
         QTRY_VERIFY(bench.window.findChild<app::SettingsPage*>() == nullptr);
+        bench.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&bench.window));
         QTest::keyClick(&bench.window, Qt::Key_K, Qt::ControlModifier);
         QVERIFY(bench.window.findChild<app::CommandPalette*>() == nullptr);
         QTest::keyClick(&bench.window, Qt::Key_P, Qt::ControlModifier);

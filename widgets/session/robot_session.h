@@ -12,8 +12,8 @@
 
 #include "robot/core/clock.h"
 #include "robot/core/result.h"
-#include "widgets/session/io_commands.h"
 #include "robot/script/controller_message.h"
+#include "widgets/session/io_commands.h"
 #include "widgets/session/robot_command.h"
 #include "widgets/session/session_state.h"
 

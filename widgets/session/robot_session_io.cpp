@@ -119,7 +119,7 @@ void RobotSession::report(std::uint64_t generation, const QString& done, const R
         return;
     }
     if (result) {
-        Q_EMIT message(Severity::Info, done);
+        Q_EMIT message(Severity::Info, done, Origin::Operator);
     } else {
         Q_EMIT message(Severity::Error, texts::errorText(result.error()));
     }
