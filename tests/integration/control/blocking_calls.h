@@ -207,7 +207,7 @@ inline std::vector<BlockingCall> blockingCalls() {
     add("ScriptClient::send to one who does not read", [](MuteWorld& w, D d) {
         script::ScriptClient client(w.host(), w.deaf.port());
         const auto connected = client.connect(Deadline::after(std::chrono::seconds(60)));
-        return connected ? client.send(QString(30'000'000, QLatin1Char('x')), d).error() : connected.error();
+        return connected ? client.send(QString(8'000'000, QLatin1Char('x')), d).error() : connected.error();
     });
     add("rtde::Connection::open", [](MuteWorld& w, D d) {
         rtde::ConnectionOptions options;
