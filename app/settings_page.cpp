@@ -101,8 +101,8 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
     form->addRow(tr("Size of keys and rows"), density_);
     form->addRow(tr("Lengths"), lengths_);
     form->addRow(tr("Rotations"), rotations_);
-    form->addRow(QString(), note(tr("How poses, distances and speeds are shown. The keys of the jog column "
-                                    "and all files keep millimetres and degrees."),
+    form->addRow(QString(), note(tr("How poses and distances are shown. Speeds, the jog column's keys, plots "
+                                    "and files keep millimetres and degrees."),
                                  "secondary"));
     form->addRow(tr("Speed cap"), cap_);
     form->addRow(QString(), capNote_);
@@ -152,6 +152,7 @@ QWidget* SettingsPage::buildShortcuts() {
     shortcuts_->verticalHeader()->hide();
     shortcuts_->verticalHeader()->setDefaultSectionSize(40);
     shortcuts_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    shortcuts_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     shortcuts_->setColumnWidth(1, 190);
     shortcuts_->setShowGrid(false);
     shortcuts_->setSelectionMode(QAbstractItemView::NoSelection);

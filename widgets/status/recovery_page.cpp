@@ -22,6 +22,15 @@ constexpr double kLeastForce = 20.0;   // [N]
 constexpr double kLeastCurrent = 2.0;  // [A]
 constexpr double kLeastSpeed = 0.020;  // [m/s]
 
+/// Makes room for what came in; words that wrap need it, because they tell their height only for a width.
+void makeRoom(QWidget& page) {
+    page.layout()->activate();
+    const int needed = page.layout()->totalHeightForWidth(page.width());
+    if (needed > page.height()) {
+        page.resize(page.width(), needed);
+    }
+}
+
 }  // namespace
 
 // ---- the small plots
@@ -176,6 +185,7 @@ void RecoveryPage::applyState(const SessionState& state) {
     }
     showRecord();
     showKey();
+    makeRoom(*this);
 }
 
 void RecoveryPage::showRecord() {
