@@ -217,6 +217,15 @@ void MainWindow::connectParts() {
             [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
     connect(waypoints_, &WaypointsTab::ghostChanged, this, &MainWindow::updateScene);
     connect(waypoints_, &WaypointsTab::marksChanged, this, &MainWindow::updateScene);
+    const auto followFrames = [this] {
+        QVector<TaughtFrame> frames;
+        for (const program::Frame& frame : waypoints_->model().frames()) {
+            frames.append({frame.name, frame.T_base_frame});
+        }
+        jog_->setTaughtFrames(frames);
+    };
+    connect(&waypoints_->model(), &QAbstractItemModel::modelReset, this, followFrames);
+    followFrames();
     const auto showFile = [this] {
         const SessionStore& store = waypoints_->store();
         status_->setSessionFile(QFileInfo(store.path()).fileName(), !store.isModified());
@@ -273,13 +282,12 @@ void MainWindow::followJog() {
         connect(&key->guard(), &HoldGuard::began, this, [this, key] {
             plots_->setJogLabel(key->text());
             const JogSelection& selection = jog_->selection();
-            if (selection.frame == FrameChoice::Base) {
-                SceneJog jog;
-                jog.axis = key->key().axis % 3;
-                jog.direction[jog.axis] = key->key().direction;
-                jog.label = tr("%1 Base").arg(key->text());
-                scene_->view().setJogDirection(jog);
-            }
+            SceneJog jog;
+            jog.axis = key->key().axis % 3;
+            jog.direction =
+                frameAxes(selection, session_->state().tcpPose).col(jog.axis) * key->key().direction;
+            jog.label = key->text() + QLatin1Char(' ') + frameName(selection);
+            scene_->view().setJogDirection(jog);
         });
         connect(&key->guard(), &HoldGuard::ended, this, [this] {
             plots_->setJogLabel({});

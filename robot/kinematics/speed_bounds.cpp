@@ -57,9 +57,8 @@ double lineSpeedBound(const DhParameters& dh, const JointPositions& from, const 
     // What an arm at rest measures of its own place trembles by some hundredths of a millimetre.
     constexpr double kOnTheSpot = 1e-4;  // [m]
     if (length < kOnTheSpot) {
-        // A turn on the spot: the controller counts its angle as a path, so there is no speed along a line to
-        // bound.
-        return kInfinite;
+        // A turn on the spot: the controller counts its angle as a path of this radius.
+        return turn.norm() > 1e-6 ? rotationCap * kTurnRadius : kInfinite;
     }
     double bound = cap;
     if (turn.norm() > 1e-6) {

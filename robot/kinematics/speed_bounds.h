@@ -17,6 +17,10 @@ namespace tiller::kinematics {
 double jointSpeedBound(const DhParameters& dh, const JointPositions& from, const JointPositions& to,
                        const Pose& tcpOffset, double cap);
 
+/// A turn on the spot counts as a path of this radius, so the speed of such a move is this times the speed of
+/// the turn [m]. Source: eq_radius of the controller's configuration data.
+inline constexpr double kTurnRadius = 0.25;
+
 /// For a straight line of the TCP, orientation in step with it.
 /// rotationCap  of the TCP [rad/s]
 /// Returns      the speed of the TCP along the line [m/s]; infinity when nothing moves. Where the line leaves

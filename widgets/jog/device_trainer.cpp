@@ -22,20 +22,6 @@ namespace {
 constexpr int kRefreshMs = 50;
 constexpr std::array kAxes = {"X", "Y", "Z", "Rx", "Ry", "Rz"};
 
-QString frameText(const JogSelection& selection) {
-    switch (selection.frame) {
-        case FrameChoice::Base:
-            return QCoreApplication::translate("DeviceTrainer", "Base");
-        case FrameChoice::Tool:
-            return QCoreApplication::translate("DeviceTrainer", "Tool");
-        case FrameChoice::View:
-            return QCoreApplication::translate("DeviceTrainer", "View");
-        case FrameChoice::Taught:
-            break;
-    }
-    return selection.taught ? selection.taught->name : QCoreApplication::translate("DeviceTrainer", "Base");
-}
-
 }  // namespace
 
 QString whichWay(const JogSelection& selection, const Deflection& deflection,
@@ -57,7 +43,7 @@ QString whichWay(const JogSelection& selection, const Deflection& deflection,
     }
     return parts.isEmpty() ? QString()
                            : QCoreApplication::translate("DeviceTrainer", "%1 in %2")
-                                 .arg(parts.join(QStringLiteral(", ")), frameText(selection));
+                                 .arg(parts.join(QStringLiteral(", ")), frameName(selection));
 }
 
 /// Six bars from the middle: a thin line for what the device says, a thick one for what becomes of it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/jog/jog_motion.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -27,6 +28,11 @@ Eigen::Vector3d unit(int axis, int direction) {
 /// Looking for contact is never sped up.
 double allowed(const JogSelection& selection, double factor) {
     return selection.motion == MotionChoice::UntilContact ? std::min(factor, 1.0) : factor;
+}
+
+/// The speed to give a linear move that only turns [m/s].
+double turnSpeed(double rotation, const control::MotionLimits& limits) {
+    return std::min(capped(rotation, limits.tcpRotationSpeed) * kinematics::kTurnRadius, limits.tcpSpeed);
 }
 
 double contactForce(const JogSelection& selection) {
@@ -121,7 +127,8 @@ MoveRequest cartesianStep(const JogSelection& selection, const CartesianKey& key
         request.pose.rotation =
             rotationVector(Eigen::AngleAxisd(step.angle, axis) * rotationMatrix(from.rotation));
     }
-    request.speed = capped(chosenSpeed(selection).tcp * factor, limits.tcpSpeed);
+    request.speed = key.axis < 3 ? capped(chosenSpeed(selection).tcp * factor, limits.tcpSpeed)
+                                 : turnSpeed(chosenSpeed(selection).rotation * factor, limits);
     request.acceleration = limits.jogAcceleration;
     return request;
 }
@@ -165,6 +172,23 @@ Eigen::Matrix3d frameAxes(const JogSelection& selection, const Pose& tcp) {
             break;
     }
     return Eigen::Matrix3d::Identity();
+}
+
+QString frameName(const JogSelection& selection) {
+    switch (selection.frame) {
+        case FrameChoice::Base:
+            break;
+        case FrameChoice::Tool:
+            return QCoreApplication::translate("JogColumn", "Tool");
+        case FrameChoice::View:
+            return QCoreApplication::translate("JogColumn", "View");
+        case FrameChoice::Taught:
+            if (selection.taught) {
+                return selection.taught->name;
+            }
+            break;
+    }
+    return QCoreApplication::translate("JogColumn", "Base");
 }
 
 StepSize chosenStep(const JogSelection& selection) {
@@ -224,7 +248,7 @@ MoveRequest alignMove(const JogSelection& selection, const Pose& from, const con
     request.kind = MoveRequest::Kind::MoveL;
     request.pose = from;
     request.pose.rotation = rotationVector(turn.toRotationMatrix() * R_base_tool);
-    request.speed = capped(chosenSpeed(selection).tcp, limits.tcpSpeed);
+    request.speed = turnSpeed(chosenSpeed(selection).rotation, limits);
     request.acceleration = limits.jogAcceleration;
     return request;
 }

@@ -109,6 +109,8 @@ bool stepRunsToEnd(const JogSelection& selection);
 /// base when that is the tool's own). Held.
 MoveRequest alignMove(const JogSelection& selection, const Pose& from, const control::MotionLimits& limits);
 
+/// "Base", "Tool", "View" or the name of the taught frame.
+QString frameName(const JogSelection& selection);
 /// Axes in which the selection moves the TCP, as columns in the base frame.
 Eigen::Matrix3d frameAxes(const JogSelection& selection, const Pose& tcp);
 

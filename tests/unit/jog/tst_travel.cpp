@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "robot/kinematics/arm_kinematics.h"
+#include "robot/kinematics/speed_bounds.h"
 #include "widgets/jog/jog_motion.h"
 #include "widgets/jog/limiter_line.h"
 #include "widgets/jog/travel.h"
@@ -130,6 +131,16 @@ private Q_SLOTS:
         const Eigen::AngleAxisd turn(rotationMatrix(from.rotation).transpose() *
                                      rotationMatrix(request.pose.rotation));
         QVERIFY2(std::abs(turn.angle() - 10 * kDeg) < 1e-9, "no more than the ten degrees");
+        QVERIFY2(std::abs(request.speed - chosenSpeed(selection).rotation * 0.25) < 1e-12,
+                 "as fast as a turn is chosen");
+        // A robot at rest trembles: that is no line to go along slowly.
+        const JointPositions q = kMiddle;
+        const Pose at = kinematics::forwardTcp(dh(), q);
+        Pose turned = at;
+        turned.position.x() += 2e-5;
+        turned.rotation =
+            rotationVector(Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()) * rotationMatrix(at.rotation));
+        QVERIFY(std::abs(kinematics::lineSpeedBound(dh(), q, turned, {}, 0.25, 0.8) - 0.8 * 0.25) < 1e-12);
     }
 
     void sizesEnteredByHandCount() {
