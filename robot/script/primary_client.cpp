@@ -83,8 +83,10 @@ Error PrimaryClient::Private::listen() {
     std::array<std::uint8_t, 8192> bytes;
     PrimaryParser parser;
     std::uint64_t malformedBefore = 0;
+    // Short enough that the end of the thread is not felt in the 20 ms in which a cancel takes effect.
+    constexpr milliseconds kPoll(5);
     while (!cancel.isCancelled()) {
-        if (!native_socket::waitReadable(descriptor, milliseconds(20))) {
+        if (!native_socket::waitReadable(descriptor, kPoll)) {
             continue;
         }
         const auto got = native_socket::receive(descriptor, bytes);

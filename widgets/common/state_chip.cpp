@@ -53,6 +53,14 @@ StateChip::StateChip(const QString& caption, QWidget* parent) : QWidget(parent),
     setAccessibleName(caption);
 }
 
+void StateChip::setCaption(const QString& caption) {
+    if (caption != caption_) {
+        caption_ = caption;
+        updateGeometry();
+        update();
+    }
+}
+
 void StateChip::setState(const QString& text, Shape shape, Emphasis emphasis, const QString& advice) {
     setToolTip(advice);
     if (text == text_ && shape == shape_ && emphasis == emphasis_) {
@@ -106,21 +114,21 @@ QFont StateChip::valueFont() const {
     return figures_ ? figureFont(15) : textFont(15, strong ? QFont::Bold : QFont::Normal);
 }
 
-int StateChip::widthFor(const QString& value) const {
-    const int captionWidth = QFontMetrics(captionFont(true)).horizontalAdvance(caption_);
+int StateChip::widthFor(const QString& value, const QString& caption) const {
+    const int captionWidth = QFontMetrics(captionFont(true)).horizontalAdvance(caption);
     const int valueWidth =
         QFontMetrics(valueFont()).horizontalAdvance(value) + shapeRoom() + (menuArrow_ ? kArrowRoom : 0);
     return std::max(captionWidth, valueWidth) + 2 * kPadding + 2;
 }
 
 QSize StateChip::sizeHint() const {
-    return {widthFor(text_), kHeight};
+    return {widthFor(text_, caption_), kHeight};
 }
 
 QSize StateChip::minimumSizeHint() const {
     const QString least =
         text_.size() > leastCharacters_ ? text_.left(leastCharacters_) + QChar(0x2026) : text_;
-    return {widthFor(least), kHeight};
+    return {widthFor(least, caption_.section(QStringLiteral(" · "), 0, 0)), kHeight};
 }
 
 void StateChip::paintEvent(QPaintEvent*) {
@@ -137,8 +145,9 @@ void StateChip::paintEvent(QPaintEvent*) {
     const bool strong = emphasis_ != Emphasis::Normal && emphasis_ != Emphasis::Muted;
     painter.setFont(captionFont(strong));
     painter.setPen(colours.caption);
-    painter.drawText(QRect(kPadding, 7, width() - 2 * kPadding, 16), Qt::AlignLeft | Qt::AlignVCenter,
-                     caption_);
+    const QRect above(kPadding, 7, width() - 2 * kPadding, 16);
+    painter.drawText(above, Qt::AlignLeft | Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(caption_, Qt::ElideRight, above.width() + 1));
 
     int x = kPadding;
     constexpr int kValueTop = 23;

@@ -38,6 +38,8 @@ public:
     explicit StateChip(const QString& caption, QWidget* parent = nullptr);
 
     QString caption() const { return caption_; }
+    /// What stands behind " · " gives way when room is short.
+    void setCaption(const QString& caption);
     QString text() const { return text_; }
     Emphasis emphasis() const { return emphasis_; }
     Shape shape() const { return shape_; }
@@ -68,7 +70,7 @@ protected:
 
 private:
     QFont valueFont() const;
-    int widthFor(const QString& value) const;
+    int widthFor(const QString& value, const QString& caption) const;
     int shapeRoom() const;
 
     QString caption_;

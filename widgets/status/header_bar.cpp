@@ -170,6 +170,7 @@ void HeaderBar::applyState(const SessionState& state) {
 
 void HeaderBar::showLink() {
     showOn(*link_, linkLook(state_));
+    link_->setCaption(linkCaption(state_));
     if (state_.link != LinkState::Disconnected) {
         linkPace_.start();
     }

@@ -147,14 +147,25 @@ ModeLook controlLook(const SessionState& state) {
 
 namespace {
 
+enum class Worth { Good, Gaps, Slow };
+
+Worth worthOf(const LinkQuality& q) {
+    if (q.lost > 0 || (q.packets > 1000 && q.late * 100 > q.packets)) {
+        return Worth::Gaps;
+    }
+    constexpr double kNoticeableMs = 20;
+    return q.roundTripMs > kNoticeableMs ? Worth::Slow : Worth::Good;
+}
+
 /// What a link of this quality means for the hand on the key.
 QString linkConsequence(const LinkQuality& q) {
-    if (q.lost > 0 || (q.packets > 1000 && q.late * 100 > q.packets)) {
+    const Worth worth = worthOf(q);
+    if (worth == Worth::Gaps) {
         return tr(
             "Packets come late or not at all: jogging may stop by itself and plots have gaps. Use a cable, "
             "not a radio link, and close other programs.");
     }
-    if (q.roundTripMs > 20) {
+    if (worth == Worth::Slow) {
         return tr("Commands take longer than 20 ms: the arm follows the key noticeably late. Jog slowly.");
     }
     return tr("Good: the arm follows the key at once, and a cut link stops it within a quarter of a second.");
@@ -186,6 +197,24 @@ ModeLook linkLook(const SessionState& state) {
         text += QStringLiteral(" · %1 ms").arg(q.roundTripMs, 0, 'f', 1);
     }
     return {text, Shape::None, Emphasis::Normal, more + QLatin1Char('\n') + linkConsequence(q)};
+}
+
+QString linkCaption(const SessionState& state) {
+    if (state.link == LinkState::Stale) {
+        return tr("LINK · JOG STOPS");
+    }
+    if (state.link != LinkState::Live) {
+        return tr("LINK");
+    }
+    switch (worthOf(state.quality)) {
+        case Worth::Gaps:
+            return tr("LINK · JOG MAY STOP");
+        case Worth::Slow:
+            return tr("LINK · ARM LAGS");
+        case Worth::Good:
+            break;
+    }
+    return tr("LINK · GOOD");
 }
 
 NextStep nextStep(const SessionState& state) {

@@ -29,6 +29,8 @@ ModeLook runtimeLook(RuntimeState state);
 ModeLook controlLook(const SessionState& state);
 /// The link's rate, late and lost packets and round trip, or what is wrong with it.
 ModeLook linkLook(const SessionState& state);
+/// In two or three words, what the link's quality means for the hand on the key.
+QString linkCaption(const SessionState& state);
 
 /// What the operator does next on the way to a robot that can be moved; one at a time.
 enum class NextStep { None, Connect, PowerOn, ReleaseBrakes, Recover, TakeControl };

@@ -153,11 +153,17 @@ private Q_SLOTS:
         state.quality.roundTripMs = 4.0;
         QCOMPARE(linkLook(state).text, QStringLiteral("500 Hz · 0 late · 4.0 ms"));
         QCOMPARE(linkLook(state).emphasis, Emphasis::Normal);
+        QCOMPARE(linkCaption(state), QStringLiteral("LINK · GOOD"));
+        state.quality.roundTripMs = 25;
+        QCOMPARE(linkCaption(state), QStringLiteral("LINK · ARM LAGS"));
         state.quality.lost = 3;
+        QCOMPARE(linkCaption(state), QStringLiteral("LINK · JOG MAY STOP"));
         QVERIFY(linkLook(state).text.contains(QStringLiteral("3 lost")));
         state.link = LinkState::Stale;
         QCOMPARE(linkLook(state).emphasis, Emphasis::Warning);
+        QCOMPARE(linkCaption(state), QStringLiteral("LINK · JOG STOPS"));
         state.link = LinkState::Lost;
+        QCOMPARE(linkCaption(state), QStringLiteral("LINK"));
         QCOMPARE(linkLook(state).text, QStringLiteral("NO DATA"));
         QCOMPARE(linkLook(state).emphasis, Emphasis::Alarm);
     }
