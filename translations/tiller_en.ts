@@ -2,6 +2,107 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>AnalogRow</name>
+    <message>
+        <source>4–20 mA</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0–10 V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 domain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2
+Right click or F2 to rename and scale.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bar; empty: not scaled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At 4 mA or 0 V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At 20 mA or 10 V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>AxisJog</name>
+    <message>
+        <source>Click into the window first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>BackTrack</name>
+    <message>
+        <source>go back: nothing left to undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CommandPalette</name>
+    <message>
+        <source>Commands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search a command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type what you want to do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commands found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not possible now</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ConnectDialog</name>
     <message>
         <source>Enter the robot&apos;s address, as shown on the teach pendant under About.</source>
@@ -65,6 +166,193 @@
     </message>
     <message>
         <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a session…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waypoints from a file, without a robot: everything but moving works.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ControllerCodes</name>
+    <message>
+        <source>Near a joint limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A joint came close to the end of its range.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog the joint back, and plan the move away from the limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Near a tool orientation limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool turned close to the limit set in the safety configuration.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the tool back, or change the waypoint.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Near a safety plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm came close to a safety plane.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog away from the plane, or change the waypoint.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position deviates from path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is not where the controller sent it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look for an obstacle; check payload, centre of gravity and mounting; lower the acceleration.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Singularity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The straight move leads through a singular position of the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog single joints out of it; use MoveJ through this region.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cannot hold its position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm sagged or was pushed while it stood.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check payload, centre of gravity and mounting.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wrong payload or mounting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The forces do not fit the payload, or something pushed the arm when Freedrive began.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct payload and mounting, let go of the arm, and try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Collision noticed by a joint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A joint needed more torque than the motion explains.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the obstacle; if there was none, check the payload.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Collision noticed by the tool force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The force at the tool exceeded what is allowed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A joint left its commanded position.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look for an obstacle and check payload and mounting.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too many protective stops</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One joint had more than fifty protective stops in eight hours.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find the cause of the stops before going on; then restart the controller.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sudden change of target position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program asked for a jump in position.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the program begin where the arm is, and keep its servo steps small.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sudden change of target speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program asked for a jump in speed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower the acceleration, or smooth the path.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Protective stop by a program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The running program itself asked for the stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See the program&apos;s own messages before it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot is in Local control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A script was sent, but the robot listens to its pendant only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch to Remote control on the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -189,6 +477,80 @@
     </message>
 </context>
 <context>
+    <name>DeviceTrainer</name>
+    <message>
+        <source>%1 in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axes of the device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves the arm (until the program ends)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the axis that is out furthest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which way the arm would go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dead-man</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Would move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt they turn, 1 to 6 with + and − a joint, Home, End align, Backspace back, F freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>● held (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>○ not held: hold the %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing: neutral</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Gamepad</name>
+    <message>
+        <source>left shoulder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left stick X and Y, right stick Z and turn. Right shoulder: the sticks turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>HeaderBar</name>
     <message>
         <source>ROBOT</source>
@@ -238,6 +600,25 @@
         <source>No stop measured yet</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Next step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Speed cap raised to %1 mm/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm may get faster than 250 mm/s. Lower the cap in Settings; it ends with the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>HoldGuard</name>
+    <message>
+        <source>the window was not the active one; press again</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>IoChannel</name>
@@ -267,16 +648,24 @@ Cannot be switched while no data come from the robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>
-Click to switch it %1. Right click to rename.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Rename…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Name of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>
+Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(held by another)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pulse</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -312,6 +701,26 @@ Click to switch it %1. Right click to rename.</source>
     </message>
     <message>
         <source>▲ The robot did not confirm %1. Another program or the installation may own it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search inputs and outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search by terminal or name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Analog</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Registers of the robot&apos;s programs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No data from the robot.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -374,10 +783,6 @@ Click to switch it %1. Right click to rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One step a press: 10 mm, turns 5°</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Speed</source>
         <translation type="unfinished"></translation>
     </message>
@@ -386,27 +791,11 @@ Click to switch it %1. Right click to rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Freedrive (hold)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Freedrive from the PC is not built yet: use the teach pendant.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Home (hold)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Moves every joint to the home position while held</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Going back over the last moves is not built yet.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -423,6 +812,121 @@ Click to switch it %1. Right click to rename.</source>
     </message>
     <message>
         <source>Last stop: %1, standstill after %2 ms, %3 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm has not moved yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Freedrive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Align</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns the tool to the nearest axis of the chosen frame while held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes back the way the arm came while held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>aligned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another key is held.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, turns %2°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 left, then %3 is at its limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 left, then the end of the reach or a singularity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm follows the hand while held: %1. Right click: other axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Freedrive, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Freedrive…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>≤ %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slowly until the tool touches something with %1 N, while held. Click again for other steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One step a press: %1. Click again for other steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other step…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step in mm (turns: the same number in degrees)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Until contact, %1 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Until contact, other force…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force that ends the motion, in N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other speed…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the TCP in mm/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the payload first (until the next connection)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>JogKey</name>
+    <message>
+        <source>%1 left this way</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -456,6 +960,13 @@ Click to switch it %1. Right click to rename.</source>
     </message>
 </context>
 <context>
+    <name>KeyboardJog</name>
+    <message>
+        <source>Keyboard jogging is armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>LimiterLine</name>
     <message>
         <source>Limiter</source>
@@ -484,11 +995,6 @@ Click to switch it %1. Right click to rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1
-%2 times between %3 and %4</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation type="unfinished"></translation>
     </message>
@@ -498,6 +1004,26 @@ Click to switch it %1. Right click to rename.</source>
     </message>
     <message>
         <source>What happened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tiller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the operator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · from %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 times from %2 to %3 · from %4</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -563,6 +1089,10 @@ Click to switch it %1. Right click to rename.</source>
         <source>Log written to %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The selected line in full</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>MainWindow</name>
@@ -599,10 +1129,6 @@ Click to switch it %1. Right click to rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Ctrl+K, Ctrl+C</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Simulated robot</source>
         <translation type="unfinished"></translation>
     </message>
@@ -611,15 +1137,7 @@ Click to switch it %1. Right click to rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Power off the arm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Give control back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>View</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -631,23 +1149,606 @@ Click to switch it %1. Right click to rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Colours</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Dark</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Quit</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 Base</source>
+        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keyboard jogging disarmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is gone. What it moved has been stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect to a robot first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give control back first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No program runs on the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program runs already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the simulator, a robot or a session.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starts the simulated robot and connects to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the connection…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looks at everything between this PC and the robot, each with its fix.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a robot first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends the connection; a motion of ours stops first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No robot is connected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Powers the arm. Brakes stay engaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm has power, or is getting it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm may sag by a few millimetres. Keep clear.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Engages the brakes and takes the arm&apos;s power away; programs stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recover…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows what stopped the arm, and the way back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No stop of the safety system.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After a violation or a fault, once its cause is found. The arm stays off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only after a violation or a fault.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closes the popups on the teach pendant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot, which stops any other program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In control already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends the control program on the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not in control.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Software stop of whatever moves. Not an emergency stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load program…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loads a program of the robot&apos;s own by its name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starts the loaded program, or goes on with a paused one: the arm may move at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pauses the program that runs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops the robot&apos;s own program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show I/O</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brings this tab to the front.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Makes it a window of its own, for a second screen, or puts it back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All parts back to where they were at first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dark colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changes the colours at once and remembers it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commands…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finds a command by its name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours, sizes, units, the speed cap, and the key of every command.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All commands with their keys, and the rules of jogging.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops the arm, ends the connection and closes the window.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the program on the robot, as in pick.urp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed cap %1 mm/s, from the next connection on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while a key of the pad is held, and stops when it is let go: also when the pointer leaves the key, the window loses the focus, anything opens over it, a second button is pressed, or data from the robot are late. A stopped motion needs a new press. &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from everywhere. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm or disarm the keyboard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Armed, the arrow keys move the arm; a frame stands around the window. Ends by itself after half a minute.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What each device says now, and which way it will go.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zero here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counts the way of the TCP from where it is now; once more: since the press again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog speed %1 mm/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops the arm; the next press has this speed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog step %1 mm, %2°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves by this much, only while the key is held.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves by this much at each press.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog until contact, %1 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A held key moves slowly and ends when the tool meets this force.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Freedrive: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the hand can move while Freedrive is held.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ModeWords</name>
+    <message>
+        <source>No controller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot&apos;s controller is not running. Restart the control box.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm off line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller has no connection to the arm. See the teach pendant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Confirm safety</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Confirm the safety configuration on the teach pendant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Booting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is starting. Wait a few seconds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is off. Power it on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm has power and is getting ready. Wait a moment.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The brakes are on. Release them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Backdrive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is moved by hand past its brakes. Let go of the Freedrive button.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brakes are released. The arm stands still.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Updating firmware</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The joints&apos; firmware is being updated. Keep the power on until it is done.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No safety function is active.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot keeps to its reduced limits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Protective stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller stopped the arm. Find out what stopped it, then unlock (after 5 s).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is outside a safety limit. Move it back within its limits on the teach pendant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safeguard stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A safeguard is open. Close it; where a reset is configured, press it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>System emergency stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cell&apos;s emergency stop is pressed. Release it, then power on and release the brakes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot&apos;s emergency stop is pressed. Pull the button out, then power on and release the brakes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safety violation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A safety limit was exceeded and power was cut. Check the cause, then restart the safety system.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safety fault</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The safety system found a fault. Check the robot&apos;s log, then restart the safety system.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Validate joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A joint was exchanged. Validate the joints on the teach pendant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undefined</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller does not tell its safety mode. Look at the teach pendant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Automatic safeguard stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The safeguard of automatic mode is open. Close it, or change to manual mode.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enabling device stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The enabling device is not held. Hold it in its middle position.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pendant enabling stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pendant&apos;s enabling key is not held. Hold it in its middle position.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>IMMI emergency stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The moulding machine&apos;s emergency stop is pressed. Release it, then power on and release the brakes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>IMMI safeguard stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The moulding machine&apos;s safeguard is open. Close it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PROFIsafe waiting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot waits for its PROFIsafe controller. Check the fieldbus and its parameters.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PROFIsafe automatic stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The PROFIsafe controller holds the safeguard of automatic mode open. Close it there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PROFIsafe safeguard stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The PROFIsafe controller holds a safeguard open. Close it there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PROFIsafe emergency stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The PROFIsafe controller asks for an emergency stop. Release it there, then power on and release the brakes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safety API stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program stops the arm through the safety interface. End the stop in that program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>I/O plane stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool crossed a safety plane that an input switched on. Move it out on the teach pendant, or switch the input off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program stopping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program on the robot is ending.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No program runs on the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program plays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program runs on the robot and may move the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program pausing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program is coming to a halt.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program paused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play goes on with the interrupted motion; stop the program to drop it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program resuming</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program is going on: the arm may move.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -792,10 +1893,6 @@ Click to switch it %1. Right click to rename.</source>
         <source>Values (*.csv)</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Nothing is recorded: connect to a robot first.</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>PlotView</name>
@@ -835,7 +1932,160 @@ Click to switch it %1. Right click to rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>TCP pose in Base, orientation as RPY. Click: zero here</source>
+        <source>TCP pose in Base, orientation as chosen in Settings. Δ₀: way since zero. Click: way since the press</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP pose in Base, orientation as chosen in Settings. Δ: way since the press. Click: zero here</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PreflightPage</name>
+    <message>
+        <source>Good</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not looked at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before you connect to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep everybody out of the arm&apos;s reach.
+Keep the emergency stop at hand: STOP in this window is a software stop.
+Begin slowly: the first speed is 50 mm/s.
+Watch the arm, not the screen, while a key is held.
+Let go of the key and the arm stops.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking at %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Something is in the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready; some things want a look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything is ready</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RecoveryPage</name>
+    <message>
+        <source>Recovery</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force at the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At X %1, Y %2, Z %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Suspected joint: %1, whose current left its target furthest.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> (%1 s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tick what you have looked at.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asked; waiting for the robot…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RegisterPanel</name>
+    <message>
+        <source>General purpose registers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Int %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Int</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind of input register</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of the input register</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value for the input register</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -855,10 +2105,6 @@ Click to switch it %1. Right click to rename.</source>
     </message>
     <message>
         <source>Power on</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Brake release</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -886,14 +2132,6 @@ Click to switch it %1. Right click to rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Program stopped</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>record to %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Recording to %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -914,15 +2152,55 @@ Click to switch it %1. Right click to rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Controller: %1 %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Program error in line %1, column %2: %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Popup on the robot: %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is recorded: connect to a robot first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 failed. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Release brakes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restart safety</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close popups</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load program %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Analog output %1: %2 %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Input register %1: %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1015,6 +2293,133 @@ Click to switch it %1. Right click to rename.</source>
     </message>
 </context>
 <context>
+    <name>SettingsPage</name>
+    <message>
+        <source>Settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look and motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size of keys and rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roll, pitch, yaw in degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation vector in radians, as scripts write it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed cap of this program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> mm/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How poses and distances are shown. Speeds, the jog column&apos;s keys, plots and files keep millimetres and degrees.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed cap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Above 250 mm/s. Nothing else limits a jog from a PC: neither manual mode nor the enabling device of the pendant. The header says so, and it ends with the program. It holds from the next connection on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No motion of this program gets above it, at the TCP and at the elbow. It holds from the next connection on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys of the commands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All keys as at first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press the new key in the field; Backspace takes it away. Space and Esc always stop the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Key for %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 stops the arm and nothing else.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 belongs to &quot;%2&quot;. Take it away there first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>SimulationChip</name>
     <message>
         <source>Simulation</source>
@@ -1026,6 +2431,17 @@ Click to switch it %1. Right click to rename.</source>
     </message>
     <message>
         <source>SIMULATION</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SpaceMouse</name>
+    <message>
+        <source>left key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cap moves and turns as the tool shall.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1096,6 +2512,17 @@ Click to switch it %1. Right click to rename.</source>
     <message>
         <source>Space / Esc
 not an e-stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StopPlot</name>
+    <message>
+        <source>Highest value %1 in the last five seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>max %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1570,22 +2997,6 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No controller</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Arm off line</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Confirm safety</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Booting</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Power on</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1595,38 +3006,6 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
     <message>
         <source>The robot confirms that the arm moves.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Running</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Brakes are released. The arm stands still.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Updating firmware</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Normal</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No safety function is active.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reduced</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The robot keeps to its reduced limits.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Undefined</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1659,10 +3038,6 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
     <message>
         <source>Not in control</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Local · monitoring</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1702,10 +3077,6 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Unlock…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Take control</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1722,11 +3093,143 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Look at the arm first: clear what it ran into. Possible five seconds after the stop.</source>
+        <source>Starts the control program on the robot, which stops any other program.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Starts the control program on the robot, which stops any other program.</source>
+        <source>Controller message C%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller reported this number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look C%1 up in the manufacturer&apos;s error code directory.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unknown robot mode %1. See the teach pendant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unknown safety mode %1. See the teach pendant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unknown program state %1. See the teach pendant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safety is normal again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm can be moved. What was armed before the stop does not move it: every motion needs a new press.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is ready. Take control to move it, or go on on the teach pendant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No data from the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting for the connection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>I looked at the arm: nobody touches it, nothing is caught.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What stopped it is known and removed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Payload and TCP are those of the tool that is mounted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Possible in %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>I looked at the arm and at the robot&apos;s log: the cause is known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cause is removed, and nobody is in the arm&apos;s reach.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing to press here: it ends when its cause is gone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restart safety</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>monitoring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Packets come late or not at all: jogging may stop by itself and plots have gaps. Use a cable, not a radio link, and close other programs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commands take longer than 20 ms: the arm follows the key noticeably late. Jog slowly.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Good: the arm follows the key at once, and a cut link stops it within a quarter of a second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LINK · JOG STOPS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LINK</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LINK · JOG MAY STOP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LINK · ARM LAGS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LINK · GOOD</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recover…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows what stopped the arm, the last five seconds, and the way back. Nothing moves.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1817,6 +3320,34 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
     <message>
         <source>--robot needs an address, as in --robot 192.168.0.10</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power and safety</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Control and programs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program Tiller</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2103,98 +3634,6 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The controller has no connection to the arm. See the teach pendant.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Confirm the safety configuration on the teach pendant.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The arm is starting.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The arm is off. Power it on.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The brakes are on. Release them.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The arm is in backdrive. Let go of the Freedrive button.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The joints&apos; firmware is being updated. Wait until it is done.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Unknown robot mode %1. See the teach pendant.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Protective stop. Find out what stopped the arm, then unlock (after 5 s).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Recovery mode. Move the arm back within its limits on the teach pendant.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Safeguard stop. Close the safeguard.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Emergency stop of the system. Release it, then power on and release the brakes.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Emergency stop. Pull the button out, then power on and release the brakes.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Safety violation. Check the cause, then restart the safety system.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Safety fault. Check the robot&apos;s log, then restart the safety system.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Joints must be validated on the teach pendant.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The safety mode is not known.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Safeguard stop of automatic mode. Close the safeguard, or change to manual mode.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Enabling device not held. Hold it in its middle position.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Emergency stop of the machine. Release it, then power on and release the brakes.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Safeguard stop of the machine. Close its safeguard.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Waiting for the PROFIsafe controller. Check the fieldbus.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Unknown safety mode %1. See the teach pendant.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Only watching. Take control to move the arm.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2216,6 +3655,22 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
     <message>
         <source>The link was lost. Take control again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>target cannot be reached</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>target too far away for one step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A script of your own is running. Control comes back when it ends.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
