@@ -150,7 +150,11 @@ namespace {
 enum class Worth { Good, Gaps, Slow };
 
 Worth worthOf(const LinkQuality& q) {
-    if (q.lost > 0 || (q.packets > 1000 && q.late * 100 > q.packets)) {
+    // A millisecond now and then, as on any PC, stops no jog: only lateness that is the rule, or loss that
+    // recurs.
+    constexpr std::uint64_t kLostOf = 1000;
+    constexpr std::uint64_t kLateOf = 5;
+    if (q.lost * kLostOf > q.packets || (q.packets > 1000 && q.late * kLateOf > q.packets)) {
         return Worth::Gaps;
     }
     constexpr double kNoticeableMs = 20;
