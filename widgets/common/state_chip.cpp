@@ -4,6 +4,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <cmath>
 
 #include "widgets/common/shapes.h"
 #include "widgets/common/theme.h"
@@ -116,8 +117,9 @@ QFont StateChip::valueFont() const {
 
 int StateChip::widthFor(const QString& value, const QString& caption) const {
     const int captionWidth = QFontMetrics(captionFont(true)).horizontalAdvance(caption);
-    const int valueWidth =
-        QFontMetrics(valueFont()).horizontalAdvance(value) + shapeRoom() + (menuArrow_ ? kArrowRoom : 0);
+    // On scaled screens letters have fractions of a pixel: a chip that is short by one loses three letters.
+    const int letters = static_cast<int>(std::ceil(QFontMetricsF(valueFont()).horizontalAdvance(value))) + 1;
+    const int valueWidth = letters + shapeRoom() + (menuArrow_ ? kArrowRoom : 0);
     return std::max(captionWidth, valueWidth) + 2 * kPadding + 2;
 }
 

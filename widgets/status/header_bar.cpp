@@ -240,8 +240,8 @@ void HeaderBar::arrange() {
     mode_->setLeastCharacters(tight ? 11 : narrow ? 15 : 20);
     safety_->setLeastCharacters(tight ? 12 : narrow ? 20 : 26);
     control_->setLeastCharacters(tight ? 7 : narrow ? 11 : 20);
-    link_->setLeastCharacters(tight ? 6 : narrow ? 12 : 15);
-    lastStop_->setLeastCharacters(tight ? 6 : narrow ? 12 : 14);
+    link_->setLeastCharacters(tight ? 6 : narrow ? 11 : 15);
+    lastStop_->setLeastCharacters(tight ? 6 : narrow ? 11 : 14);
 }
 
 void HeaderBar::paintEvent(QPaintEvent*) {
