@@ -26,10 +26,10 @@ void ControlLoop::begin(std::int32_t session, double period, const ArmLimits& ar
     period_ = period;
     limiter_ = VelocityLimiter(arm, limits_);
     meter_.cancel();
-    inControl_.store(false, std::memory_order_release);
+    inControl_.exchange(false, std::memory_order_acq_rel);
     endRequested_.store(false, std::memory_order_release);
     nextSession_.store(0, std::memory_order_release);
-    forcePermitted_.store(false, std::memory_order_release);
+    forcePermitted_.exchange(false, std::memory_order_acq_rel);
     request_.publish({});
     data_ = {};
     data_.hostNs = nowNs;
@@ -47,10 +47,14 @@ void ControlLoop::begin(std::int32_t session, double period, const ArmLimits& ar
 }
 
 void ControlLoop::permitForce(bool permitted) {
-    // Who permits looks for a stop afterwards, who stops takes back afterwards: one of them sees the other.
-    std::atomic_thread_fence(std::memory_order_seq_cst);
-    forcePermitted_.store(permitted);
-    std::atomic_thread_fence(std::memory_order_seq_cst);
+    // Who permits looks for a stop afterwards, who stops takes back afterwards: of two exchanges of one word
+    // the later sees what came before the earlier. A plain store anywhere would break that chain.
+    forcePermitted_.exchange(permitted, std::memory_order_acq_rel);
+}
+
+bool ControlLoop::confirmControl() {
+    bool inControl = true;
+    return inControl_.compare_exchange_strong(inControl, true, std::memory_order_acq_rel);
 }
 
 void ControlLoop::withdraw() {
@@ -138,7 +142,7 @@ void ControlLoop::publishLoss(ControlLoss loss) {
     status_.loss = loss;
     status_.moving = false;
     status_.executing = false;
-    inControl_.store(false, std::memory_order_release);
+    inControl_.exchange(false, std::memory_order_acq_rel);
     publish();
 }
 
@@ -167,7 +171,7 @@ void ControlLoop::followEcho(const Feedback& data) {
         if (taking && data.runtimeState == RuntimeState::Playing) {
             status_.inControl = true;
             status_.loss = ControlLoss::None;
-            inControl_.store(true, std::memory_order_release);
+            inControl_.exchange(true, std::memory_order_acq_rel);
         }
     }
 }
@@ -189,7 +193,7 @@ void ControlLoop::watch(const Feedback& data) {
     }
     if (data.robotMode != RobotMode::Running || !allowsMotion(data.safetyMode)) {
         endActive(StopCause::UnsafeMode, data.hostNs);
-        forcePermitted_.store(false, std::memory_order_release);
+        forcePermitted_.exchange(false, std::memory_order_acq_rel);
     }
     if (!isInControl()) {
         endActive(StopCause::ControlLost, data.hostNs);
@@ -253,11 +257,10 @@ void ControlLoop::watch(const Feedback& data) {
 }
 
 void ControlLoop::leave(ControlLoss loss, StopCause cause, std::int64_t nowNs) {
-    // In this order, and the other way round where motions begin: no motion is left over.
-    inControl_.store(false);
-    std::atomic_thread_fence(std::memory_order_seq_cst);
+    // In this order, and the other way round where motions begin (confirmControl): no motion is left over.
+    inControl_.exchange(false, std::memory_order_acq_rel);
     endActive(cause, nowNs);
-    forcePermitted_.store(false, std::memory_order_release);
+    forcePermitted_.exchange(false, std::memory_order_acq_rel);
     status_.inControl = false;
     status_.executing = false;
     status_.loss = loss;
@@ -394,7 +397,7 @@ void ControlLoop::noteEnded(std::int64_t nowNs) {
     // Nobody holds the arm any more: nor shall it go on pushing.
     if (cause == StopCause::EventLoopStalled || cause == StopCause::DataStale ||
         cause == StopCause::LinkLost) {
-        forcePermitted_.store(false, std::memory_order_release);
+        forcePermitted_.exchange(false, std::memory_order_acq_rel);
     }
     if (cause != StopCause::Superseded && cause != StopCause::Completed) {
         meter_.begin(cause, std::min(epoch.endedNs(followed_), nowNs));

@@ -74,6 +74,10 @@ public:
     /// Null takes it away; when the call returns it is not in use any more.
     void setHook(CycleHook* hook);
 
+    /// For who has just begun a motion: true means that the loss of control, should it come, will end it;
+    /// false that the caller must. A look with isInControl() could miss a loss that in turn missed the
+    /// motion.
+    bool confirmControl();
     bool isInControl() const { return inControl_.load(std::memory_order_acquire); }
     ControllerStatus status() const { return published_.load(); }
     /// How many packages said that a program plays.

@@ -155,8 +155,7 @@ Result<MotionId> Controller::Private::start(const MotionCommand& command, std::u
         return Error{ErrorCode::Stopped, context, QStringLiteral("a stop came first")};
     }
     // Control may have ended since it was looked at, and nobody else would end this motion then.
-    std::atomic_thread_fence(std::memory_order_seq_cst);
-    if (!loop.isInControl()) {
+    if (!loop.confirmControl()) {
         mailbox.end(id, StopCause::ControlLost, now());
         return Error{ErrorCode::NotInControl, context, {}};
     }

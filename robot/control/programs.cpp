@@ -90,8 +90,7 @@ Result<MotionId> Controller::Private::startSection(const QString& section, const
     if (id == kNoMotion) {
         return stopped(context);
     }
-    std::atomic_thread_fence(std::memory_order_seq_cst);  // as in start()
-    if (!loop.isInControl()) {
+    if (!loop.confirmControl()) {
         mailbox.end(id, StopCause::ControlLost, now());
         return Error{ErrorCode::NotInControl, context, {}};
     }
