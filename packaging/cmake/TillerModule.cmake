@@ -95,7 +95,7 @@ function(tiller_test)
     endif()
     set(environment "TILLER_TEST_DATA=${CMAKE_SOURCE_DIR}/tests/data" "LC_ALL=C.UTF-8")
     list(APPEND environment "QT_QPA_PLATFORM=offscreen")
-    list(APPEND environment "TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/tsan.supp")
+    list(APPEND environment "TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/tsan.supp die_after_fork=0")
     list(APPEND environment "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/lsan.supp")
     set_tests_properties(${folder}/${ARG_NAME} PROPERTIES
         TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "${environment}" LABELS "${ARG_LABELS}")

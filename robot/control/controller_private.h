@@ -18,6 +18,7 @@
 #include "robot/control/mailbox.h"
 #include "robot/control/motion.h"
 #include "robot/control/registers.h"
+#include "robot/core/turn.h"
 #include "robot/rtde/connection.h"
 #include "robot/script/primary_client.h"
 #include "robot/script/script_client.h"
@@ -49,7 +50,7 @@ struct Controller::Private {
     ControlScript program;                           ///< the one sent last
     QString sectionName;                             ///< what its section is called in messages
 
-    std::timed_mutex requesting;  ///< one request at a time
+    Turn requesting;  ///< one request at a time
     /// Under it: numbers 6 to 17 as the program keeps them; nothing where that is not known.
     std::array<std::optional<std::array<double, 6>>, 2> stored;
     std::atomic<bool> watchdogUsable{false};

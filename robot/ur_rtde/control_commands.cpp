@@ -21,8 +21,8 @@ std::vector<double> numbered(const Command& command) {
 
 }  // namespace
 
-ControlSession::Turn ControlSession::takeTurn() {
-    Turn turn(turn_, std::defer_lock);
+ControlSession::TurnLock ControlSession::takeTurn() {
+    TurnLock turn(turn_, std::defer_lock);
     while (!turn.try_lock_for(milliseconds(10))) {
         throwIfInterrupted();
     }
@@ -34,7 +34,7 @@ bool ControlSession::isReady(ControlLink& link, const std::function<bool(const L
 }
 
 std::optional<LinkState> ControlSession::perform(const Command& command) {
-    const Turn turn = takeTurn();
+    const TurnLock turn = takeTurn();
     return performInTurn(command, true);
 }
 
@@ -91,7 +91,7 @@ bool ControlSession::stop(const Command& command, bool wait) {
     if (const auto current = link()) {
         current->wake();
     }
-    std::optional<Turn> turn;
+    std::optional<TurnLock> turn;
     try {
         turn = takeTurn();
     } catch (...) {
@@ -113,7 +113,7 @@ bool ControlSession::stop(const Command& command, bool wait) {
 }
 
 bool ControlSession::stream(const Command& command) {
-    const Turn turn = takeTurn();
+    const TurnLock turn = takeTurn();
     const auto current = link();
     if (!current || !current->isAlive()) {
         return false;

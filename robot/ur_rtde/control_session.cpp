@@ -62,7 +62,7 @@ void ControlSession::disconnect() {
 
 void ControlSession::reconnect() {
     disconnect();
-    const Turn turn = takeTurn();
+    const TurnLock turn = takeTurn();
     connectAndStart();
 }
 
@@ -142,7 +142,7 @@ void ControlSession::identify(const SoftwareVersion& version) {
 }
 
 void ControlSession::unlockProtectiveStop() {
-    const Turn turn = takeTurn();
+    const TurnLock turn = takeTurn();
     if (!dashboard_ || !dashboard_->isConnected()) {
         throw std::runtime_error("unlockProtectiveStop: no dashboard server at " + options_.host);
     }
@@ -257,7 +257,7 @@ bool ControlSession::endProgram(ControlLink& link) {
 }
 
 bool ControlSession::reupload() {
-    const Turn turn = takeTurn();
+    const TurnLock turn = takeTurn();
     const auto current = link();
     if (!current || !current->isAlive()) {
         return false;
@@ -281,7 +281,7 @@ void ControlSession::stopProgram() {
     if (const auto current = link()) {
         current->wake();
     }
-    const Turn turn = takeTurn();
+    const TurnLock turn = takeTurn();
     --stopsWaiting_;
     if (const auto current = link(); current && current->isAlive()) {
         endProgram(*current);
@@ -289,7 +289,7 @@ void ControlSession::stopProgram() {
 }
 
 bool ControlSession::runCustom(const std::string& text, int mark) {
-    const Turn turn = takeTurn();
+    const TurnLock turn = takeTurn();
     const auto current = link();
     if (!current || !current->isAlive() || !endProgram(*current)) {
         return false;
@@ -317,7 +317,7 @@ bool ControlSession::runCustom(const std::string& text, int mark) {
 }
 
 bool ControlSession::follow(const std::string& pathCode, bool asynchronous) {
-    const Turn turn = takeTurn();
+    const TurnLock turn = takeTurn();
     const auto current = link();
     if (!current || !current->isAlive() || !endProgram(*current) || !upload(*current, pathCode) ||
         !awaitProgram(*current, kProgramStart)) {

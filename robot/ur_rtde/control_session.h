@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "robot/core/turn.h"
 #include "robot/ur_rtde/control_link.h"
 #include "robot/ur_rtde/dashboard_client.h"
 #include "robot/ur_rtde/program_server.h"
@@ -141,8 +142,8 @@ public:
     void setScriptFile(const std::string& file) { scriptFile_ = file; }
 
 private:
-    using Turn = std::unique_lock<std::timed_mutex>;
-    Turn takeTurn();
+    using TurnLock = std::unique_lock<Turn>;
+    TurnLock takeTurn();
     std::shared_ptr<ControlLink> link() const;
     bool isReady(ControlLink& link, const std::function<bool(const LinkState&)>& giveUp);
     std::optional<LinkState> performInTurn(const Command& command, bool mayBeStopped);
@@ -163,7 +164,7 @@ private:
     Identity identity_;
     std::atomic<int> marks_{0};
     std::string scriptFile_;
-    std::timed_mutex turn_;             ///< one command after the other
+    Turn turn_;                         ///< one command after the other
     std::atomic<int> stopsWaiting_{0};  ///< threads that want to stop something
     std::atomic<bool> disconnecting_{false};
     mutable std::mutex linkMutex_;  ///< of the pointer
