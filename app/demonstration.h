@@ -43,10 +43,15 @@ private:
         std::function<void()> begin;
         std::function<bool()> done;
         int timeoutMs = 10'000;
+        /// For a step that moves the arm: what a hand does when the arm stands before the step is done. A
+        /// busy machine may end a jog (the event loop stalled, data grew old), and a stopped jog needs a new
+        /// press.
+        std::function<void()> anew = {};
     };
 
     void addSteps();
     void poll();
+    void pressAnewIfStanding(const Step& step);
     void finish();
     void press(const QString& key);
     void release(const QString& key);
@@ -62,14 +67,14 @@ private:
     bool begun_ = false;
     QTimer timer_;
     QElapsedTimer elapsed_;
-    QElapsedTimer total_;
+    QElapsedTimer standing_;  ///< since the arm moved last, or a key was pressed
+    int pressedAnew_ = 0;
     QStringList done_;
     QString failed_;
     QStringList troubles_;  ///< warnings and errors the operator would have read
 
     Pose jogStart_;
     Pose jogEnd_;
-    std::uint64_t stopsBefore_ = 0;
     control::StopMeasurement jogStop_;
 };
 
