@@ -18,6 +18,7 @@
 #include "widgets/jog/jog_column.h"
 #include "widgets/session/stop_record.h"
 #include "widgets/status/header_bar.h"
+#include "widgets/session/texts.h"
 #include "widgets/status/recovery_page.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
@@ -36,9 +37,15 @@ QString needsNormalSafety(const SessionState& state) {
 }
 
 /// The program commands are for programs of the robot's own.
-QString needsForeignProgram(const SessionState& state, bool running) {
-    if (const QString link = needsLink(state); !link.isEmpty()) {
-        return link;
+/// What this robot has no way to be asked for stands first: nothing else would help.
+QString needsService(const SessionState& state, RobotCommand command) {
+    const QString link = needsLink(state);
+    return link.isEmpty() ? texts::serviceObstacle(state, command) : link;
+}
+
+QString needsForeignProgram(const SessionState& state, RobotCommand command, bool running) {
+    if (const QString service = needsService(state, command); !service.isEmpty()) {
+        return service;
     }
     if (state.control == ControlState::InControl) {
         return MainWindow::tr("Give control back first.");
@@ -110,7 +117,7 @@ void MainWindow::addRobotActions() {
                    {},
                    [this] {
                        const SessionState& state = session_->state();
-                       showPreflight({state.robotName, state.address, 0, state.simulated});
+                       showPreflight({state.robotName, state.address, state.portOffset, state.simulated});
                    },
                    [](const SessionState& s) {
                        return s.link == LinkState::Disconnected ? tr("Choose a robot first.") : QString();
@@ -130,7 +137,8 @@ void MainWindow::addRobotActions() {
                    {},
                    perform(RobotCommand::PowerOn),
                    [](const SessionState& s) {
-                       const QString why = needsNormalSafety(s);
+                       const QString service = needsService(s, RobotCommand::PowerOn);
+                       const QString why = service.isEmpty() ? needsNormalSafety(s) : service;
                        return !why.isEmpty() || s.robotMode == RobotMode::PowerOff
                                   ? why
                                   : tr("The arm has power, or is getting it.");
@@ -141,7 +149,8 @@ void MainWindow::addRobotActions() {
                    {},
                    perform(RobotCommand::ReleaseBrakes),
                    [](const SessionState& s) {
-                       const QString why = needsNormalSafety(s);
+                       const QString service = needsService(s, RobotCommand::ReleaseBrakes);
+                       const QString why = service.isEmpty() ? needsNormalSafety(s) : service;
                        return !why.isEmpty() || s.robotMode == RobotMode::Idle
                                   ? why
                                   : robotModeWords(s.robotMode).advice;
@@ -152,7 +161,7 @@ void MainWindow::addRobotActions() {
                    {},
                    perform(RobotCommand::PowerOff),
                    [](const SessionState& s) {
-                       const QString why = needsLink(s);
+                       const QString why = needsService(s, RobotCommand::PowerOff);
                        return !why.isEmpty() || s.robotMode != RobotMode::PowerOff ? why
                                                                                    : tr("The arm is off.");
                    }});
@@ -174,7 +183,7 @@ void MainWindow::addRobotActions() {
                    // Through the page that asks for a look at the arm first.
                    [this] { showRecovery(); },
                    [](const SessionState& s) {
-                       const QString why = needsLink(s);
+                       const QString why = needsService(s, RobotCommand::RestartSafety);
                        const bool needed =
                            s.safety() == SafetyMode::Violation || s.safety() == SafetyMode::Fault;
                        return !why.isEmpty() || needed ? why : tr("Only after a violation or a fault.");
@@ -184,7 +193,7 @@ void MainWindow::addRobotActions() {
                    tr("Closes the popups on the teach pendant."),
                    {},
                    perform(RobotCommand::ClosePopups),
-                   needsLink});
+                   [](const SessionState& s) { return needsService(s, RobotCommand::ClosePopups); }});
 }
 
 void MainWindow::addControlActions() {
@@ -221,14 +230,14 @@ void MainWindow::addControlActions() {
                    tr("Loads a program of the robot's own by its name."),
                    {},
                    [this] { askForProgram(); },
-                   [](const SessionState& s) { return needsForeignProgram(s, false); }});
+                   [](const SessionState& s) { return needsForeignProgram(s, RobotCommand::Play, false); }});
     actions_->add({"control.play",
                    commandText(RobotCommand::Play),
                    tr("Starts the loaded program, or goes on with a paused one: the arm may move at once."),
                    {},
                    perform(RobotCommand::Play),
                    [](const SessionState& s) {
-                       const QString why = needsForeignProgram(s, false);
+                       const QString why = needsForeignProgram(s, RobotCommand::Play, false);
                        return why.isEmpty() ? needsNormalSafety(s) : why;
                    }});
     actions_->add({"control.pause",
@@ -236,14 +245,14 @@ void MainWindow::addControlActions() {
                    tr("Pauses the program that runs."),
                    {},
                    perform(RobotCommand::Pause),
-                   [](const SessionState& s) { return needsForeignProgram(s, true); }});
+                   [](const SessionState& s) { return needsForeignProgram(s, RobotCommand::Pause, true); }});
     actions_->add({"control.stopProgram",
                    commandText(RobotCommand::StopProgram),
                    tr("Stops the robot's own program."),
                    {},
                    perform(RobotCommand::StopProgram),
                    [](const SessionState& s) {
-                       const QString why = needsLink(s);
+                       const QString why = needsService(s, RobotCommand::StopProgram);
                        return !why.isEmpty()                            ? why
                               : s.control == ControlState::InControl    ? tr("Give control back first.")
                               : s.runtimeState == RuntimeState::Stopped ? tr("No program runs on the robot.")
@@ -324,7 +333,9 @@ void MainWindow::askForProgram() {
     dialog->setObjectName("programDialog");
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Load program"));
-    dialog->setLabelText(tr("Name of the program on the robot, as in pick.urp"));
+    dialog->setLabelText(session_->state().service == dashboard::ServiceKind::RobotApi
+                             ? tr("Name of the program on the robot, as the tablet shows it")
+                             : tr("Name of the program on the robot, as in pick.urp"));
     connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& name) {
         if (!name.trimmed().isEmpty()) {
             session_->loadProgram(name.trimmed());

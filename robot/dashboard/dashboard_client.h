@@ -25,7 +25,7 @@ struct ProgramState {
 };
 
 /// Threads  one at a time, the one that connected; for a thread that must not wait there is
-///          dashboard_worker.h. Every call blocks until the reply or the deadline.
+///          service_worker.h. Every call blocks until the reply or the deadline.
 /// Errors   of every call: NotConnected, ConnectionClosed, Timeout (the server is mute), Cancelled,
 ///          RemoteControlRequired (the robot is in Local), Rejected (any other reply than the documented one,
 ///          which is then in controllerMessage), InvalidArgument (a line break in a text). The context names

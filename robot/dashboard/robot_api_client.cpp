@@ -151,6 +151,20 @@ Result<QJsonObject> RobotApiClient::request(const QByteArray& method, const QStr
     return Error{code, context, words.join(QStringLiteral(": "))};
 }
 
+Result<QString> RobotApiClient::apiVersion(const Deadline& deadline) const {
+    const QString path = QStringLiteral("/openapi.json");
+    const auto description = request("GET", path, {}, deadline);
+    if (!description) {
+        return description.error();
+    }
+    const QString version = (*description)["info"].toObject()["version"].toString();
+    if (version.isEmpty()) {
+        return Error{ErrorCode::ProtocolError, QStringLiteral("GET %1 at %2:%3").arg(path, host_).arg(port_),
+                     QStringLiteral("the reply describes no Robot API")};
+    }
+    return version;
+}
+
 Result<void> RobotApiClient::act(const char* action, const Deadline& deadline) {
     const auto done = request("PUT", QStringLiteral("/robotstate/v1/state"),
                               {{QStringLiteral("action"), QLatin1String(action)}}, deadline);

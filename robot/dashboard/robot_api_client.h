@@ -28,6 +28,9 @@ class RobotApiClient {
 public:
     explicit RobotApiClient(QString host, int port = kRobotApiPort) : host_(std::move(host)), port_(port) {}
 
+    /// The version the API gives itself, as in "3.1.4": whether it is there at all.
+    Result<QString> apiVersion(const Deadline& deadline) const;
+
     // A reply means "begun": the change shows in robotMode().
     Result<void> powerOn(const Deadline& deadline);
     Result<void> powerOff(const Deadline& deadline);

@@ -4,16 +4,12 @@
 // interface says about the arm.
 
 #include <QCoreApplication>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QTcpSocket>
 
-#include "robot/core/native_socket.h"
 #include "robot/core/robot_model.h"
 #include "robot/dashboard/dashboard_client.h"
+#include "robot/dashboard/robot_api_client.h"
 #include "robot/doctor/examiner.h"
 #include "robot/script/primary_client.h"
-#include "robot/script/tcp_connect.h"
 
 namespace tiller::doctor {
 namespace {
@@ -23,38 +19,6 @@ constexpr int kStateMs = 2500;
 
 QString tr(const char* text) {
     return QCoreApplication::translate("Doctor", text);
-}
-
-/// The JSON object a GET answers with, whatever stands around it (chunk lengths, headers).
-Result<QJsonObject> getJson(const QString& host, int port, const QByteArray& path, const Deadline& deadline) {
-    auto socket = script::connectTcp(host, port, deadline);
-    if (!socket) {
-        return socket.error();
-    }
-    const QString context =
-        QStringLiteral("GET %1 from %2:%3").arg(QString::fromLatin1(path), host).arg(port);
-    (*socket)->write("GET " + path + " HTTP/1.1\r\nHost: " + host.toLatin1() +
-                     "\r\nConnection: close\r\n\r\n");
-    (*socket)->flush();
-    QByteArray reply;
-    while ((*socket)->state() == QAbstractSocket::ConnectedState && !deadline.hasExpired()) {
-        if ((*socket)->waitForReadyRead(static_cast<int>(deadline.nextPoll().count()))) {
-            reply += (*socket)->readAll();
-        }
-    }
-    reply += (*socket)->readAll();
-    const qsizetype body = reply.indexOf("\r\n\r\n");
-    const qsizetype first = reply.indexOf('{', std::max(body, qsizetype(0)));
-    const qsizetype last = reply.lastIndexOf('}');
-    if (!reply.startsWith("HTTP/") || first < 0 || last < first || !reply.left(16).contains(" 200")) {
-        return Error{reply.isEmpty() ? ErrorCode::Timeout : ErrorCode::ProtocolError, context,
-                     QString::fromLatin1(reply.left(reply.indexOf('\r')))};
-    }
-    const QJsonDocument document = QJsonDocument::fromJson(reply.mid(first, last - first + 1));
-    if (!document.isObject()) {
-        return Error{ErrorCode::ProtocolError, context, {}};
-    }
-    return document.object();
 }
 
 QString remoteFix() {
@@ -110,10 +74,10 @@ void Examiner::examineDashboard() {
 
 void Examiner::examineRobotApi() {
     const int port = patient_.ports.robotApi;
-    const QByteArray base = "/universal-robots/robot-api";
-    const Result<QJsonObject> description = getJson(address_, port, base + "/openapi.json", within(kReplyMs));
-    if (!description) {
-        const bool silent = description.error().code == ErrorCode::Timeout;
+    const dashboard::RobotApiClient client(address_, port);
+    const Result<QString> version = client.apiVersion(within(kReplyMs));
+    if (!version) {
+        const bool silent = version.error().code == ErrorCode::Timeout;
         found(Condition::ServicePort, Verdict::Bad,
               silent ? QStringLiteral("port.service.silent") : QStringLiteral("port.service.refused"),
               tr("neither the dashboard (port %1) nor the Robot API (port %2) is there")
@@ -125,14 +89,12 @@ void Examiner::examineRobotApi() {
         return;
     }
     good(Condition::ServicePort,
-         tr("Robot API %1, port %2").arg((*description)["info"].toObject()["version"].toString()).arg(port));
-    const Result<QJsonObject> mode =
-        getJson(address_, port, base + "/system/v1/controlmode", within(kReplyMs));
-    if (!mode) {
+         tr("Robot API %1, port %2; popups are closed on the tablet").arg(*version).arg(port));
+    const Result<bool> remote = client.isInRemoteControl(within(kReplyMs));
+    if (!remote) {
         return;  // before 10.12 it cannot be asked
     }
-    const QString word = (*mode)["mode"].toString();
-    if (word == QLatin1String("REMOTE")) {
+    if (*remote) {
         good(Condition::RemoteControl, tr("Remote"));
     } else {
         found(Condition::RemoteControl, Verdict::Bad, QStringLiteral("control.local"), tr("Local"),

@@ -17,7 +17,9 @@ constexpr int kPumpMs = 20;
 /// runs.
 constexpr std::chrono::seconds kPatience{20};
 
-simulator::ControllerOptions virtualOptions() {
+}  // namespace
+
+simulator::ControllerOptions VirtualCell::options() {
     simulator::ControllerOptions options;
     // Its own loopback address, so that tests may run side by side.
     const auto pid = static_cast<unsigned>(QCoreApplication::applicationPid());
@@ -28,16 +30,15 @@ simulator::ControllerOptions virtualOptions() {
     return options;
 }
 
-}  // namespace
-
-VirtualCell::VirtualCell(VirtualClock& c, RobotSession& s) : clock(c), session(s), robot(virtualOptions()) {}
+VirtualCell::VirtualCell(VirtualClock& c, RobotSession& s, const simulator::ControllerOptions& r)
+    : clock(c), session(s), robot(r), portOffset_(r.portOffset) {}
 
 VirtualCell::~VirtualCell() {
     session.disconnectFromRobot();
     robot.stop();
 }
 
-bool VirtualCell::bringUp() {
+bool VirtualCell::connect() {
     const Result<void> started = robot.start();
     if (!started) {
         what_ = started.error().toString();
@@ -49,7 +50,7 @@ bool VirtualCell::bringUp() {
                              what_ = text;
                          }
                      });
-    session.connectTo({QStringLiteral("Virtual UR5e"), robot.listenAddress(), 0, true});
+    session.connectTo({QStringLiteral("Virtual UR5e"), robot.listenAddress(), portOffset_, true});
     QElapsedTimer patience;
     patience.start();
     const auto within = [&] { return std::chrono::milliseconds(patience.elapsed()) < kPatience; };
@@ -60,8 +61,18 @@ bool VirtualCell::bringUp() {
         what_ = QStringLiteral("no data: ") + session.state().linkReason;
         return false;
     }
+    return true;
+}
+
+bool VirtualCell::bringUp() {
+    if (!connect()) {
+        return false;
+    }
+    QElapsedTimer patience;
+    patience.start();
     session.takeControl();
-    while (session.state().control == ControlState::Taking && within()) {
+    while (session.state().control == ControlState::Taking &&
+           std::chrono::milliseconds(patience.elapsed()) < kPatience) {
         advanceMs(kRefreshMs);
     }
     if (!session.state().canMove()) {

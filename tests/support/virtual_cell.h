@@ -16,10 +16,17 @@ namespace tiller::test {
 class VirtualCell {
 public:
     /// Both must outlive the cell; the session must have been made with the clock.
-    VirtualCell(VirtualClock& clock, RobotSession& session);
+    /// robot  what it shall be like; options() with whatever is to be different
+    VirtualCell(VirtualClock& clock, RobotSession& session,
+                const simulator::ControllerOptions& robot = options());
+    /// A UR5e, powered, brakes released, in virtual time, at a loopback address of this process.
+    static simulator::ControllerOptions options();
     ~VirtualCell();
 
-    /// Starts the robot (powered, brakes released), connects, takes control.
+    /// Starts the robot and connects to it.
+    /// Returns  false when there were no data; what() says why
+    bool connect();
+    /// The same, and takes control.
     /// Returns  false when any of it did not happen; what() says which
     bool bringUp();
     QString what() const { return what_; }
@@ -45,6 +52,7 @@ private:
     void tick();
     void interfaceTurn();
 
+    int portOffset_;
     QString what_;
     int sinceRefresh_ = 0;
     int sincePump_ = 0;

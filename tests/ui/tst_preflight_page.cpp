@@ -223,6 +223,30 @@ private Q_SLOTS:
     }
     void thereAreTwelveAndMoreDifferentCauses() { QVERIFY(seen_.size() >= 12); }
 
+    void polyScopeXIsReachedThroughItsRobotApi() {
+        Cell cell;
+        cell.options.software = {10, 12, 0, 0};
+        QVERIFY(cell.begin());
+        cell.patient.ports.dashboard = closedPort();
+        cell.patient.ports.robotApi = cell.robot->ports().robotApi;
+        const auto page = open(cell.patient);
+        QTRY_VERIFY_WITH_TIMEOUT(page->isFinished(), 30'000);
+        QVERIFY2(causesOf(page->report()).isEmpty(), qPrintable(doctor::toText(page->report())));
+        const auto line = [&page](doctor::Condition condition) {
+            return textOf(*page->findChild<FindingRow*>("finding." + doctor::conditionId(condition)));
+        };
+        QVERIFY2(line(doctor::Condition::ServicePort).contains("Robot API 3.1.4"),
+                 qPrintable(line(doctor::Condition::ServicePort)));
+        QVERIFY2(line(doctor::Condition::ServicePort).contains("tablet"), "what it has not");
+        QVERIFY(line(doctor::Condition::RemoteControl).contains("Remote"));
+        keepPicture(*page, "polyscope-x");
+
+        cell.robot->setRemoteControl(false);
+        QTest::mouseClick(page->findChild<QPushButton*>("preflightAgain"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(page->isFinished(), 30'000);
+        QCOMPARE(causesOf(page->report()), QSet<QString>{"control.local"});
+    }
+
     void lookingAgainFindsWhatWasPutRight() {
         Cell cell;
         QVERIFY(cell.begin());

@@ -6,6 +6,7 @@
 #include <QInputDialog>
 #include <QTemporaryDir>
 #include <QTest>
+#include <optional>
 
 #include "app/action_table.h"
 #include "app/main_window.h"
@@ -48,17 +49,16 @@ private:
         return true;
     }
 
-private Q_SLOTS:
-    void initTestCase() {
-        initResources();
-        applyTheme(*qApp, Theme::light());
-        QFile file(folder_.filePath("wait.urp"));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write("def wait():\n  while True:\n    sleep(1)\n  end\nend\n");
-    }
-    void init() {
+    /// A robot with this software, or the usual one, and a window connected to it.
+    void begin(const std::optional<SoftwareVersion>& software) {
+        window_.reset();
+        robot_.reset();
         errors_.clear();
         simulator::ControllerOptions options;
+        if (software) {
+            options.software = *software;
+            options.portOffset = 20'000;  // port 80 is not everybody's
+        }
         options.listenAddress = QStringLiteral("127.79.%1.1").arg(QCoreApplication::applicationPid() % 250);
         options.poweredOn = true;
         options.fastTransitions = true;
@@ -73,10 +73,23 @@ private Q_SLOTS:
                         errors_ << text;
                     }
                 });
-        window_->session().connectTo({"Virtual UR5e", options.listenAddress, 0, true});
+        window_->session().connectTo({"Virtual UR5e", options.listenAddress, options.portOffset, true});
         QTRY_COMPARE_WITH_TIMEOUT(state().link, LinkState::Live, 20'000);
         QTRY_VERIFY_WITH_TIMEOUT(state().remoteControl, 20'000);
     }
+
+private Q_SLOTS:
+    void initTestCase() {
+        initResources();
+        applyTheme(*qApp, Theme::light());
+        QFile file(folder_.filePath("wait.urp"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("def wait():\n  while True:\n    sleep(1)\n  end\nend\n");
+        QFile other(folder_.filePath("wait.urpx"));
+        QVERIFY(other.open(QIODevice::WriteOnly));
+        other.write(R"({"script":"def wait():\n  while True:\n    sleep(1)\n  end\nend\n"})");
+    }
+    void init() { begin({}); }
     void cleanup() {
         window_.reset();
         robot_.reset();
@@ -98,6 +111,23 @@ private Q_SLOTS:
         QVERIFY(run("control.stopProgram"));
         QVERIFY(reaches(RuntimeState::Stopped));
         QVERIFY2(errors_.isEmpty(), qPrintable(errors_.join('\n')));
+    }
+
+    void polyScopeXRunsItsProgramsTheSameWay() {
+        begin(SoftwareVersion{10, 12, 0, 0});
+        QVERIFY(load("wait.urpx"));
+        QTRY_COMPARE_WITH_TIMEOUT(state().loadedProgram, QStringLiteral("wait"), 20'000);
+        for (const auto& [id, reached] : {std::pair{"control.play", RuntimeState::Playing},
+                                          {"control.pause", RuntimeState::Paused},
+                                          {"control.play", RuntimeState::Playing},
+                                          {"control.stopProgram", RuntimeState::Stopped}}) {
+            QVERIFY2(run(id), id);
+            QVERIFY2(reaches(reached), qPrintable(errors_.join('\n')));
+        }
+        QVERIFY2(errors_.isEmpty(), qPrintable(errors_.join('\n')));
+        QVERIFY(load("nowhere"));
+        QTRY_VERIFY_WITH_TIMEOUT(!errors_.isEmpty(), 20'000);
+        QVERIFY2(errors_.first().contains("nowhere"), qPrintable(errors_.first()));
     }
 
     void aProgramThatIsNotThereIsNamed() {

@@ -29,13 +29,17 @@ struct Bench {
     VirtualClock clock;
     QTemporaryDir folder;
     app::MainWindow window{app::Settings(folder.filePath("settings.ini")), clock};
-    VirtualCell cell{clock, window.session()};
+    VirtualCell cell;
 
-    bool bringUp() {
+    explicit Bench(const simulator::ControllerOptions& robot = VirtualCell::options())
+        : cell(clock, window.session(), robot) {}
+
+    bool show() {
         window.resize(1280, 720);
         window.show();
-        return QTest::qWaitForWindowExposed(&window) && cell.bringUp();
+        return QTest::qWaitForWindowExposed(&window);
     }
+    bool bringUp() { return show() && cell.bringUp(); }
     /// The dashboard's thread answers in real time, the robot in virtual time: both go on until it holds.
     bool until(const std::function<bool()>& condition) {
         QElapsedTimer patience;
@@ -69,6 +73,30 @@ struct Bench {
         QTest::mouseClick(key(), Qt::LeftButton);
         return true;
     }
+    const SessionState& state() { return window.session().state(); }
+    QAction* action(const char* id) const { return window.actions().find(QLatin1String(id)); }
+    /// The next step, with the key in the header that offers it.
+    bool stepsBy(const QString& text) {
+        auto* step = window.findChild<QPushButton*>("nextStepButton");
+        if (!until([&] { return step->isVisible() && step->text() == text; })) {
+            return false;
+        }
+        QTest::mouseClick(step, Qt::LeftButton);
+        return true;
+    }
+    /// Holds a key of the pad for a while and lets go.
+    /// Returns  how far the TCP went [mm]
+    double jog() {
+        auto* key = window.findChild<HoldButton*>("jog.Z+");
+        driveKeys(cell, window.jogColumn().holdKeys());
+        const Pose from = cell.truth().tcpPose;
+        press(*key);
+        cell.advanceMs(400);
+        release(*key);
+        cell.advanceMs(300);
+        cell.everyRefresh = nullptr;
+        return distanceMm(from, cell.truth().tcpPose);
+    }
     SafetyMode safety() const { return cell.truth().safetyMode; }
     void keepPicture(const QString& name) {
         const QString to = qEnvironmentVariable("TILLER_SCREENSHOTS");
@@ -77,6 +105,15 @@ struct Bench {
         }
     }
 };
+
+/// PolyScope X has no dashboard: the window finds its Robot API by itself.
+simulator::ControllerOptions polyScopeX(const SoftwareVersion& software = {10, 12, 0, 0}) {
+    simulator::ControllerOptions options = VirtualCell::options();
+    options.software = software;
+    options.poweredOn = false;
+    options.portOffset = 20'000;  // port 80 is not everybody's
+    return options;
+}
 
 }  // namespace
 
@@ -185,6 +222,103 @@ private Q_SLOTS:
         QVERIFY(bench.until([&] { return bench.page()->shownStep() == RecoveryStep::ReleaseBrakes; }));
     }
 
+    void polyScopeXIsLedFromPowerOffToJoggingAndBackFromAStop() {
+        Bench bench(polyScopeX());
+        QVERIFY(bench.show());
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.until([&] { return bench.state().service == dashboard::ServiceKind::RobotApi; }));
+        QVERIFY(bench.until([&] { return bench.state().remoteControl; }));
+        QVERIFY2(bench.stepsBy("Power on"), qPrintable(bench.cell.what()));
+        QVERIFY2(bench.stepsBy("Release brakes"), qPrintable(bench.cell.what()));
+        QVERIFY2(bench.stepsBy("Take control"), qPrintable(bench.cell.what()));
+        QVERIFY(bench.until([&] { return bench.state().canMove(); }));
+        const double first = bench.jog();
+        QVERIFY2(first > 5, qPrintable(QString::number(first)));
+
+        bench.cell.robot.protectiveStop();
+        QVERIFY(bench.openPage());
+        QCOMPARE(bench.page()->shownStep(), RecoveryStep::Unlock);
+        // For as long as one likes: nothing unlocks by itself.
+        bench.cell.advanceMs(7000);
+        QCOMPARE(bench.safety(), SafetyMode::ProtectiveStop);
+        QVERIFY(!bench.key()->isEnabled());
+        bench.tickAll();
+        QVERIFY(bench.takes(RecoveryStep::Unlock));
+        QVERIFY2(bench.until([&] { return bench.safety() == SafetyMode::Normal; }),
+                 qPrintable(bench.cell.what()));
+        QVERIFY(bench.takes(RecoveryStep::TakeControl));
+        QVERIFY(bench.until([&] { return bench.state().canMove(); }));
+        QVERIFY(bench.takes(RecoveryStep::Done));
+        bench.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&bench.window));
+        const double second = bench.jog();
+        QVERIFY2(second > 5, qPrintable(QString::number(second)));
+
+        QVERIFY(bench.until([&] { return bench.action("power.off")->isEnabled(); }));
+        bench.action("power.off")->trigger();
+        QVERIFY(bench.until([&] { return bench.cell.truth().robotMode == RobotMode::PowerOff; }));
+    }
+
+    void polyScopeXComesBackFromAFaultToo() {
+        Bench bench(polyScopeX());
+        QVERIFY(bench.show());
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        bench.cell.robot.fault();
+        QVERIFY(bench.openPage());
+        QVERIFY(bench.until([&] { return bench.page()->shownStep() == RecoveryStep::RestartSafety; }));
+        bench.tickAll();
+        QVERIFY(bench.takes(RecoveryStep::RestartSafety));
+        QVERIFY2(bench.takes(RecoveryStep::PowerOn), qPrintable(bench.cell.what()));
+        QVERIFY(bench.takes(RecoveryStep::ReleaseBrakes));
+        QVERIFY(bench.until([&] { return bench.page()->shownStep() == RecoveryStep::TakeControl; }));
+    }
+
+    void whatPolyScopeXHasNotSaysWhyOnItself() {
+        Bench bench(polyScopeX());
+        QVERIFY(bench.show());
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.until([&] { return bench.state().service == dashboard::ServiceKind::RobotApi; }));
+        const QAction* popups = bench.action("power.closePopups");
+        QVERIFY(bench.until([&] { return !popups->isEnabled(); }));
+        QVERIFY2(app::ActionTable::obstacleOf(*popups).contains("use the tablet"),
+                 qPrintable(app::ActionTable::obstacleOf(*popups)));
+        QVERIFY2(popups->toolTip().contains("use the tablet"), qPrintable(popups->toolTip()));
+        QVERIFY(bench.action("power.on")->isEnabled());
+    }
+
+    void polyScopeXInLocalIsToldHowToBeHelped() {
+        auto options = polyScopeX();
+        options.remoteControl = false;
+        options.gateLocalControl = true;
+        options.gateLoopbackClients = true;
+        Bench bench(options);
+        QVERIFY(bench.show());
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.until([&] { return bench.state().service == dashboard::ServiceKind::RobotApi; }));
+        QVERIFY(!bench.state().remoteControl && bench.state().controlPlaceKnown);
+        QVERIFY(bench.stepsBy("Power on"));
+        QVERIFY(bench.until([&] { return bench.cell.what().contains("Local control"); }));
+        QCOMPARE(bench.cell.truth().robotMode, RobotMode::PowerOff);
+    }
+
+    void polyScopeXWithoutTheApiSendsToTheTablet() {
+        Bench bench(polyScopeX({10, 10, 0, 0}));
+        QVERIFY(bench.show());
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        bench.cell.advanceMs(50);
+        for (const char* id : {"power.on", "power.brakes", "power.off", "control.load", "control.play"}) {
+            QVERIFY2(!bench.action(id)->isEnabled(), id);
+            QVERIFY2(app::ActionTable::obstacleOf(*bench.action(id)).contains("use the tablet"), id);
+        }
+        QVERIFY(!bench.window.findChild<QPushButton*>("nextStepButton")->isVisible());
+        bench.cell.robot.protectiveStop();
+        QVERIFY(bench.openPage());
+        bench.tickAll();
+        bench.cell.advanceMs(6000);
+        QVERIFY(!bench.key()->isEnabled());
+        QVERIFY(bench.page()->findChild<QLabel*>("recoveryWaiting")->text().contains("use the tablet"));
+    }
+
     /// Everything the program can be asked for, in a protective stop older than five seconds: it stays.
     void nothingElseUnlocks() {
         Bench bench;
@@ -249,6 +383,7 @@ private Q_SLOTS:
              {"widgets/session/robot_session.h", "widgets/session/robot_session_commands.cpp",
               "widgets/status/recovery_page.cpp"}},
             {"unlock protective stop", {}},
+            {"UNLOCK_PROTECTIVE_STOP", {}},
         };
         int files = 0;
         for (const char* top : {"app", "widgets"}) {

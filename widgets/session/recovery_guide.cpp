@@ -4,6 +4,8 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "widgets/session/texts.h"
+
 namespace tiller {
 namespace {
 
@@ -43,9 +45,8 @@ RecoveryGuide wayUp(const SessionState& state) {
     return guide;
 }
 
-}  // namespace
-
-RecoveryGuide recoveryGuide(const SessionState& state, double sinceStop) {
+/// The step as the safety system asks for it.
+RecoveryGuide guideFor(const SessionState& state, double sinceStop) {
     RecoveryGuide guide;
     if (!state.hasData() || state.link != LinkState::Live) {
         guide.title = tr("No data from the robot");
@@ -82,6 +83,19 @@ RecoveryGuide recoveryGuide(const SessionState& state, double sinceStop) {
         default:
             guide.waiting = tr("Nothing to press here: it ends when its cause is gone.");
             break;
+    }
+    return guide;
+}
+
+}  // namespace
+
+RecoveryGuide recoveryGuide(const SessionState& state, double sinceStop) {
+    RecoveryGuide guide = guideFor(state, sinceStop);
+    const bool asksTheRobot =
+        guide.step == RecoveryStep::Unlock || guide.step == RecoveryStep::RestartSafety ||
+        guide.step == RecoveryStep::PowerOn || guide.step == RecoveryStep::ReleaseBrakes;
+    if (const QString why = texts::serviceObstacle(state); asksTheRobot && !why.isEmpty()) {
+        guide.waiting = why;
     }
     return guide;
 }

@@ -6,18 +6,11 @@
 
 #include <QString>
 
+#include "robot/dashboard/robot_command.h"
+
 namespace tiller {
 
-enum class RobotCommand {
-    PowerOn,
-    ReleaseBrakes,
-    PowerOff,
-    RestartSafety,  ///< after a violation or a fault; leaves the arm powered off
-    ClosePopups,    ///< the ordinary popup and the safety popup on the pendant
-    Play,           ///< starts or resumes the loaded program
-    Pause,
-    StopProgram,
-};
+using dashboard::RobotCommand;
 
 /// "Power on", as on the key that asks for it and in the log.
 QString commandText(RobotCommand command);

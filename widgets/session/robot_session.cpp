@@ -106,9 +106,9 @@ void RobotSession::connectTo(const RobotAddress& address) {
     link->outputs =
         std::make_shared<io::Outputs>(outputsOptions, io::Feedback::fromReceiver(*link->receiver));
 
-    link->dashboard = std::make_unique<dashboard::DashboardWorker>(
-        address.host, dashboard::kDashboardPort + address.portOffset);
-    link->dashboard->start();
+    link->service =
+        std::make_unique<dashboard::ServiceWorker>(dashboard::serviceAt(address.host, address.portOffset));
+    link->service->start();
 
     script::PrimaryClientOptions primaryOptions;
     primaryOptions.host = address.host;
@@ -143,8 +143,8 @@ void RobotSession::disconnectFromRobot() {
     d_->takingControl = false;
     d_->refusal.clear();
     d_->outputHolders = {};
-    d_->dashboardPicture = {};
-    d_->dashboardAsked = false;
+    d_->report = {};
+    d_->reportAsked = false;
     d_->sampleConnection = 0;
     d_->sliderBusy = false;
     d_->sliderWanted.reset();
@@ -366,7 +366,7 @@ void RobotSession::refresh() {
     reportChanges();
     if (d_->link) {
         keepOutputsConnected();
-        askDashboard();
+        askService();
     }
     Q_EMIT stateChanged(d_->state);
 }

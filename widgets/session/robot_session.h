@@ -2,8 +2,9 @@
 #pragma once
 
 // The one object through which the interface sees and moves a robot. It owns the backend (receiver,
-// controller, I/O, dashboard, recorder), turns their state into one SessionState a frame, and turns what the
-// hand does into commands. Widgets hold it by reference and never talk to the backend themselves.
+// controller, I/O, the service for power and programs, recorder), turns their state into one SessionState a
+// frame, and turns what the hand does into commands. Widgets hold it by reference and never talk to the
+// backend themselves.
 
 #include <QObject>
 #include <QString>
@@ -130,7 +131,7 @@ private:
     // robot_session_io.cpp
     void keepOutputsConnected();
     void report(std::uint64_t generation, const QString& done, const Result<void>& result);
-    void askDashboard();
+    void askService();
     void stopForeignProgram();
     void reportChanges();
     void reportControllerMessages();

@@ -10,44 +10,23 @@
 namespace tiller {
 namespace {
 
-using dashboard::DashboardClient;
+using dashboard::RobotService;
+using dashboard::ServiceKind;
 using std::chrono::milliseconds;
 
-constexpr milliseconds kDashboardTime{3000};
+constexpr milliseconds kReplyTime{3000};
+/// The Robot API may answer only when it is done.
+constexpr milliseconds kDoneTime{10'000};
 constexpr std::int64_t kAskEveryNs = kNsPerSecond;
 
-Result<void> carryOut(RobotCommand command, DashboardClient& client, const Deadline& deadline) {
-    switch (command) {
-        case RobotCommand::PowerOn:
-            return client.powerOn(deadline);
-        case RobotCommand::ReleaseBrakes:
-            return client.brakeRelease(deadline);
-        case RobotCommand::PowerOff:
-            return client.powerOff(deadline);
-        case RobotCommand::RestartSafety:
-            return client.restartSafety(deadline);
-        case RobotCommand::ClosePopups: {
-            Result<void> closed = client.closePopup(deadline);
-            return closed ? client.closeSafetyPopup(deadline) : closed;
-        }
-        case RobotCommand::Play:
-            return client.play(deadline);
-        case RobotCommand::Pause:
-            return client.pause(deadline);
-        case RobotCommand::StopProgram:
-            return client.stop(deadline);
-    }
-    return Error{ErrorCode::Internal, QStringLiteral("unknown command"), {}};
-}
-
-/// Sends one dashboard command and reports a refusal.
+/// Sends one command and reports a refusal.
 template <class Call>
 void send(RobotSession& session, const std::unique_ptr<RobotLink>& link, const QString& what, Call call) {
-    if (!link || !link->dashboard) {
+    if (!link) {
         Q_EMIT session.message(Severity::Error, texts::errorText({ErrorCode::NotConnected, what, {}}));
         return;
     }
-    link->dashboard->post(
+    link->service->post(
         std::move(call), &session,
         [&session, what](const Result<void>& result) {
             if (result) {
@@ -58,7 +37,7 @@ void send(RobotSession& session, const std::unique_ptr<RobotLink>& link, const Q
                     RobotSession::tr("%1 failed. %2").arg(what, texts::errorText(result.error())));
             }
         },
-        kDashboardTime);
+        session.state().service == ServiceKind::RobotApi ? kDoneTime : kReplyTime);
 }
 
 }  // namespace
@@ -86,68 +65,52 @@ QString commandText(RobotCommand command) {
 }
 
 void RobotSession::perform(RobotCommand command) {
+    if (const QString why = texts::serviceObstacle(d_->state, command); !why.isEmpty()) {
+        Q_EMIT message(Severity::Error, tr("%1 failed. %2").arg(commandText(command), why));
+        return;
+    }
     if (command == RobotCommand::PowerOff || command == RobotCommand::RestartSafety) {
         stop(control::StopCause::ControlLost);
     }
     send(*this, d_->link, commandText(command),
-         [command](DashboardClient& c, const Deadline& d) { return carryOut(command, c, d); });
+         [command](RobotService& s, const Deadline& d) { return s.perform(command, d); });
 }
 
 void RobotSession::unlockProtectiveStop(const UnlockConsent&) {
     send(*this, d_->link, tr("Protective stop unlocked by the operator"),
-         [](DashboardClient& c, const Deadline& d) { return c.unlockProtectiveStop(d); });
+         [](RobotService& s, const Deadline& d) { return s.unlockProtectiveStop(d); });
 }
 
 void RobotSession::loadProgram(const QString& name) {
     send(*this, d_->link, tr("Load program %1").arg(name),
-         [name](DashboardClient& c, const Deadline& d) { return c.loadProgram(name, d); });
+         [name](RobotService& s, const Deadline& d) { return s.loadProgram(name, d); });
 }
 
 void RobotSession::stopForeignProgram() {
     send(*this, d_->link, commandText(RobotCommand::StopProgram),
-         [](DashboardClient& c, const Deadline& d) { return c.stop(d); });
+         [](RobotService& s, const Deadline& d) { return s.perform(RobotCommand::StopProgram, d); });
 }
 
-void RobotSession::askDashboard() {
+void RobotSession::askService() {
     const std::int64_t now = d_->clock->nowNs();
-    if (d_->state.link != LinkState::Live || d_->dashboardAsked || now - d_->dashboardAskedNs < kAskEveryNs) {
+    if (d_->state.link != LinkState::Live || d_->reportAsked || now - d_->reportAskedNs < kAskEveryNs) {
         return;
     }
-    d_->dashboardAsked = true;
-    d_->dashboardAskedNs = now;
+    d_->reportAsked = true;
+    d_->reportAskedNs = now;
     const std::uint64_t generation = d_->generation;
-    const SoftwareVersion version = d_->state.version;
-    d_->link->dashboard->post(
-        [version](DashboardClient& c, const Deadline& d) -> Result<DashboardPicture> {
-            DashboardPicture picture;
-            if (!version.isCb3()) {
-                const Result<bool> remote = c.isInRemoteControl(d);
-                if (!remote) {
-                    return remote.error();
-                }
-                picture.remoteControl = *remote;
-                if (const auto mode = c.command(QStringLiteral("get operational mode"), d)) {
-                    // Anything but the two modes means that none is set, or that the software has none.
-                    const QString word = mode->trimmed().toUpper();
-                    if (word == QLatin1String("MANUAL") || word == QLatin1String("AUTOMATIC")) {
-                        picture.operationalMode = word;
-                    }
-                }
-            }
-            if (const auto program = c.programState(d)) {
-                picture.program = program->program;
-            }
-            return picture;
-        },
-        this,
-        [this, generation](const Result<DashboardPicture>& result) {
-            if (generation != d_->generation) {
-                return;
-            }
-            d_->dashboardAsked = false;
-            d_->dashboardPicture = result ? *result : DashboardPicture{};
-        },
-        kDashboardTime);
+    d_->link->service->post([](RobotService& s, const Deadline& d) { return s.look(d); }, this,
+                            [this, generation](const Result<dashboard::ServiceReport>& result) {
+                                if (generation != d_->generation) {
+                                    return;
+                                }
+                                d_->reportAsked = false;
+                                // Which service it is stays known while it does not answer.
+                                dashboard::ServiceReport silent;
+                                silent.kind = d_->report.kind;
+                                d_->report = result ? *result : silent;
+                            },
+                            kReplyTime);
 }
 
 }  // namespace tiller

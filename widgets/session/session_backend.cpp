@@ -65,6 +65,7 @@ void RobotSession::Backend::readLink() {
     state.robotName = address.name;
     state.address = address.host;
     state.simulated = address.simulated;
+    state.portOffset = address.portOffset;
     state.version = receiver.version();
     if (link->primary) {
         if (const auto configuration = link->primary->configuration()) {
@@ -99,9 +100,12 @@ void RobotSession::Backend::readSample() {
     state.speedScaling = robot.speedScaling();
     state.digitalInputs = robot.digitalInputs();
     state.digitalOutputs = robot.digitalOutputs();
-    state.remoteControl = state.version.isCb3() || dashboardPicture.remoteControl.value_or(false);
-    state.operationalMode = dashboardPicture.operationalMode;
-    state.loadedProgram = dashboardPicture.program;
+    state.service = report.kind;
+    state.remoteControl = state.version.isCb3() || report.remoteControl.value_or(false);
+    state.controlPlaceKnown = state.version.isCb3() || report.remoteControl.has_value() ||
+                              report.kind == dashboard::ServiceKind::Unknown;
+    state.operationalMode = report.operationalMode;
+    state.loadedProgram = report.program;
 }
 
 void RobotSession::Backend::readControl() {

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "robot/control/controller.h"
-#include "robot/dashboard/dashboard_worker.h"
+#include "robot/dashboard/service_worker.h"
 #include "robot/io/outputs.h"
 #include "robot/receive/receiver.h"
 #include "robot/recording/recorder.h"
@@ -26,15 +26,8 @@ struct RobotLink {
     std::shared_ptr<receive::Receiver> receiver;
     std::shared_ptr<control::Controller> controller;
     std::shared_ptr<io::Outputs> outputs;
-    std::unique_ptr<dashboard::DashboardWorker> dashboard;
+    std::unique_ptr<dashboard::ServiceWorker> service;
     std::unique_ptr<script::PrimaryClient> primary;
-};
-
-/// What only the dashboard tells, asked about once a second.
-struct DashboardPicture {
-    std::optional<bool> remoteControl;  ///< nothing until the controller has answered
-    QString operationalMode;            ///< "MANUAL", "AUTOMATIC"; empty: none set
-    QString program;                    ///< loaded on the robot; empty: none
 };
 
 struct RobotSession::Backend {
@@ -50,9 +43,9 @@ struct RobotSession::Backend {
 
     receive::Sample sample;
     std::uint64_t sampleConnection = 0;  ///< the receiver's connection the outputs were connected for
-    DashboardPicture dashboardPicture;
-    std::int64_t dashboardAskedNs = 0;
-    bool dashboardAsked = false;
+    dashboard::ServiceReport report;     ///< asked for about once a second; Unknown until it was answered
+    std::int64_t reportAskedNs = 0;
+    bool reportAsked = false;
     bool takingControl = false;
     control::MotionLimits limits;  ///< for the next connection
     QString refusal;               ///< why taking control failed last

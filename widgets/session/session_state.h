@@ -14,6 +14,7 @@
 #include "robot/core/robot_model.h"
 #include "robot/core/spatial.h"
 #include "robot/core/version.h"
+#include "robot/dashboard/robot_command.h"
 #include "widgets/session/mode_words.h"
 
 namespace tiller {
@@ -57,6 +58,7 @@ struct SessionState {
     QString linkReason;  ///< why not Live, with what to do
     QString robotName;   ///< "Simulated UR5e", "Lab UR5e"
     QString address;
+    int portOffset = 0;  ///< of all its ports
     bool simulated = false;
     SoftwareVersion version;
     RobotModelId model = RobotModelId::UR5e;
@@ -68,6 +70,8 @@ struct SessionState {
     SafetyStatus safetyStatus = SafetyMode::Undefined;  ///< Undefined where the software has none
     RuntimeState runtimeState = RuntimeState::Stopped;
     bool remoteControl = false;
+    bool controlPlaceKnown = true;  ///< false where the software tells neither Local nor Remote
+    dashboard::ServiceKind service = dashboard::ServiceKind::Unknown;  ///< what power and programs go through
     QString operationalMode;  ///< "MANUAL", "AUTOMATIC"; empty: none set, or not known
     QString loadedProgram;    ///< on the robot; empty: none
     double speedCap = 0.250;  ///< of this program, at TCP and elbow [m/s]

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 
 #include "widgets/session/mode_words.h"
+#include "widgets/session/session_state.h"
 
 namespace tiller::texts {
 namespace {
@@ -223,6 +224,20 @@ QString safetyModeObstacle(SafetyMode mode) {
     }
     const ModeWords words = safetyWords(mode);
     return words.text + QStringLiteral(". ") + words.advice;
+}
+
+QString serviceObstacle(const SessionState& state) {
+    const bool withoutApi = state.version.isPolyScopeX() && state.version < SoftwareVersion{10, 11, 0, 0} &&
+                            state.service == dashboard::ServiceKind::Unknown;
+    return withoutApi
+               ? tr("PolyScope X before 10.11 takes no such commands over the network: use the tablet.")
+               : QString();
+}
+
+QString serviceObstacle(const SessionState& state, dashboard::RobotCommand command) {
+    return dashboard::offers(state.service, command)
+               ? serviceObstacle(state)
+               : tr("PolyScope X has no command for closing popups over the network: use the tablet.");
 }
 
 QString controlLossText(control::ControlLoss loss) {

@@ -8,6 +8,11 @@
 #include "robot/control/control_status.h"
 #include "robot/core/error.h"
 #include "robot/core/modes.h"
+#include "robot/dashboard/robot_command.h"
+
+namespace tiller {
+struct SessionState;
+}
 
 namespace tiller::texts {
 
@@ -19,6 +24,10 @@ QString stopCauseText(control::StopCause cause);
 QString robotModeObstacle(RobotMode mode);
 /// As above, for a safety mode.
 QString safetyModeObstacle(SafetyMode mode);
+/// Why this robot cannot be asked for power, recovery and programs over the network; empty when it can.
+QString serviceObstacle(const SessionState& state);
+/// The same for one command, which this kind of robot may not have.
+QString serviceObstacle(const SessionState& state, dashboard::RobotCommand command);
 /// Why control is not ours.
 QString controlLossText(control::ControlLoss loss);
 

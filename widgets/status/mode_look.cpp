@@ -111,19 +111,24 @@ ModeLook runtimeLook(RuntimeState state) {
 }
 
 ModeLook controlLook(const SessionState& state) {
-    QString place = state.remoteControl ? tr("Remote") : tr("Local");
-    if (state.operationalMode == QLatin1String("MANUAL")) {
-        place += QStringLiteral(" · ") + tr("Manual");
-    } else if (state.operationalMode == QLatin1String("AUTOMATIC")) {
-        place += QStringLiteral(" · ") + tr("Automatic");
+    const QString dot = QStringLiteral(" · ");
+    QStringList told;
+    if (state.controlPlaceKnown) {
+        told << (state.remoteControl ? tr("Remote") : tr("Local"));
     }
+    if (state.operationalMode == QLatin1String("MANUAL")) {
+        told << tr("Manual");
+    } else if (state.operationalMode == QLatin1String("AUTOMATIC")) {
+        told << tr("Automatic");
+    }
+    const QString place = told.join(dot);
     switch (state.control) {
         case ControlState::Taking:
             return {tr("Taking control…"), Shape::Bars, Emphasis::Normal, {}};
         case ControlState::InControl: {
             const QString what = state.jogActive ? tr("Jog") : state.moving ? tr("Move") : tr("Ready");
-            return {(state.remoteControl ? place : tr("In control")) + QStringLiteral(" · ") + what,
-                    Shape::None, Emphasis::Normal, state.controlReason};
+            return {(state.remoteControl ? place : tr("In control")) + dot + what, Shape::None,
+                    Emphasis::Normal, state.controlReason};
         }
         case ControlState::Refused:
             return {tr("Refused"), Shape::Hand, Emphasis::OperatorNeeded, state.controlReason};
@@ -138,11 +143,11 @@ ModeLook controlLook(const SessionState& state) {
         const ModeLook program = runtimeLook(state.runtimeState);
         const QString name =
             state.loadedProgram.isEmpty() ? QString() : QStringLiteral(": ") + state.loadedProgram;
-        return {place + QStringLiteral(" · ") + program.text, program.shape, program.emphasis,
-                program.advice + name, program.mark};
+        return {(told << program.text).join(dot), program.shape, program.emphasis, program.advice + name,
+                program.mark};
     }
-    return {state.remoteControl ? tr("Not in control") : place + QStringLiteral(" · ") + tr("monitoring"),
-            Shape::None, Emphasis::Muted, state.controlReason};
+    return {state.remoteControl ? tr("Not in control") : (told << tr("monitoring")).join(dot), Shape::None,
+            Emphasis::Muted, state.controlReason};
 }
 
 namespace {
@@ -231,11 +236,14 @@ NextStep nextStep(const SessionState& state) {
     if (!allowsMotion(state.safety())) {
         return NextStep::Recover;
     }
+    const bool deaf = !texts::serviceObstacle(state).isEmpty();
     switch (state.robotMode) {
         case RobotMode::PowerOff:
-            return NextStep::PowerOn;
         case RobotMode::Idle:
-            return NextStep::ReleaseBrakes;
+            if (deaf) {
+                return NextStep::None;
+            }
+            return state.robotMode == RobotMode::Idle ? NextStep::ReleaseBrakes : NextStep::PowerOn;
         case RobotMode::Running:
             return state.control == ControlState::None || state.control == ControlState::Refused
                        ? NextStep::TakeControl

@@ -7,7 +7,7 @@
 #include <functional>
 #include <thread>
 
-#include "robot/dashboard/dashboard_worker.h"
+#include "robot/dashboard/service_worker.h"
 #include "robot/ur_rtde/dashboard_client.h"
 #include "robot/ur_rtde/rtde_control_interface.h"
 #include "robot/ur_rtde/rtde_io_interface.h"
@@ -109,13 +109,14 @@ void ends(Report& report) {
         primary->start();
         std::this_thread::sleep_for(50ms);
         measure("~PrimaryClient", [&] { primary.reset(); });
-        auto worker = std::make_unique<dashboard::DashboardWorker>(world.host(), world.greets.port());
+        auto worker = std::make_unique<dashboard::ServiceWorker>(
+            dashboard::ServiceAddress{world.host(), world.greets.port(), world.mute.port()});
         worker->start();
         QObject context;
-        worker->post([](auto& client, auto& deadline) { return client.robotMode(deadline); }, &context,
+        worker->post([](auto& service, auto& deadline) { return service.look(deadline); }, &context,
                      [](const auto&) {});
         std::this_thread::sleep_for(50ms);
-        measure("~DashboardWorker while it asks", [&] { worker.reset(); });
+        measure("~ServiceWorker while it asks", [&] { worker.reset(); });
     }
     simulator::ControllerOptions options;
     options.listenAddress = QStringLiteral("127.0.8.101");

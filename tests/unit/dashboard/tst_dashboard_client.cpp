@@ -3,7 +3,6 @@
 #include <map>
 
 #include "robot/dashboard/dashboard_client.h"
-#include "robot/dashboard/dashboard_worker.h"
 #include "tests/support/raw_peer.h"
 
 using namespace tiller;
@@ -209,82 +208,6 @@ private Q_SLOTS:
         QVERIFY(client.connect(soon()).ok());
         QCOMPARE(client.popup(QStringLiteral("x\npower off"), soon()).error().code,
                  ErrorCode::InvalidArgument);
-    }
-
-    void theWorkerPostsResultsToItsCaller() {
-        RawPeer peer(answering({{"robotmode", "Robotmode: RUNNING"}}));
-        DashboardWorker worker(QStringLiteral("127.0.0.1"), peer.port());
-        worker.start();
-        RobotMode mode = RobotMode::NoController;
-        const QThread* deliveredIn = nullptr;
-        worker.post([](auto& client, auto& deadline) { return client.robotMode(deadline); }, this,
-                    [&](const Result<RobotMode>& result) {
-                        deliveredIn = QThread::currentThread();
-                        mode = result ? *result : RobotMode::Disconnected;
-                    });
-        QTRY_COMPARE(mode, RobotMode::Running);
-        QCOMPARE(deliveredIn, thread());
-    }
-
-    void theWorkerReconnectsAfterTheServerHungUp() {
-        RawPeer peer([](RawPeer::Link& link) {
-            link.send(kGreeting);
-            link.readLine();
-            link.send("Robotmode: IDLE\n");
-        });  // and hangs up after each answer
-        DashboardWorker worker(QStringLiteral("127.0.0.1"), peer.port());
-        worker.start();
-        for (int round = 1; round <= 3; ++round) {
-            bool answered = false;
-            bool ok = false;
-            worker.post([](auto& client, auto& deadline) { return client.robotMode(deadline); }, this,
-                        [&](const Result<RobotMode>& result) {
-                            answered = true;
-                            ok = result.ok();
-                        });
-            QTRY_VERIFY(answered);
-            // The hang-up may have been under way while the command went out; then the next one succeeds.
-            QVERIFY(ok || round > 1);
-        }
-        QVERIFY(peer.clients() >= 2);
-    }
-
-    void theWorkerReportsWhyItCouldNotConnect() {
-        DashboardWorker worker(QStringLiteral("127.0.0.1"), RawPeer::deadPort());
-        worker.start();
-        Error error;
-        worker.post([](auto& client, auto& deadline) { return client.powerOn(deadline); }, this,
-                    [&](const Result<void>& result) { error = result.error(); });
-        QTRY_COMPARE(error.code, ErrorCode::ConnectionRefused);
-    }
-
-    void stoppingTheWorkerDoesNotWaitForAMuteServer() {
-        RawPeer peer([](RawPeer::Link& link) { link.beMute(); });
-        DashboardWorker worker(QStringLiteral("127.0.0.1"), peer.port());
-        worker.start();
-        bool delivered = false;
-        worker.post([](auto& client, auto& deadline) { return client.powerOn(deadline); }, this,
-                    [&](const Result<void>&) { delivered = true; }, milliseconds(600'000));
-        QTRY_COMPARE(peer.clients(), 1);
-        worker.stop();  // would hit the test's time limit if it waited
-        QCoreApplication::processEvents();
-        QVERIFY(!delivered);
-    }
-
-    void aCallerThatIsGoneIsNotCalled() {
-        RawPeer peer(answering({{"robotmode", "Robotmode: IDLE"}}));
-        DashboardWorker worker(QStringLiteral("127.0.0.1"), peer.port());
-        worker.start();
-        bool called = false;
-        auto caller = std::make_unique<QObject>();
-        worker.post([](auto& client, auto& deadline) { return client.robotMode(deadline); }, caller.get(),
-                    [&](const Result<RobotMode>&) { called = true; });
-        caller.reset();
-        bool after = false;
-        worker.post([](auto& client, auto& deadline) { return client.robotMode(deadline); }, this,
-                    [&](const Result<RobotMode>&) { after = true; });
-        QTRY_VERIFY(after);
-        QVERIFY(!called);
     }
 };
 

@@ -180,6 +180,8 @@ private Q_SLOTS:
         QCOMPARE(controlLook(state).text, QStringLiteral("Not in control"));
         state.remoteControl = false;
         QVERIFY(controlLook(state).text.contains(QStringLiteral("Local")));
+        state.controlPlaceKnown = false;
+        QCOMPARE(controlLook(state).text, QStringLiteral("monitoring"));
         state.control = ControlState::Refused;
         state.controlReason = QStringLiteral("Registers in use");
         QCOMPARE(controlLook(state).emphasis, Emphasis::OperatorNeeded);

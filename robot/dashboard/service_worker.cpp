@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/dashboard/dashboard_worker.h"
+#include "robot/dashboard/service_worker.h"
 
 #include <condition_variable>
 #include <deque>
@@ -15,15 +15,14 @@ Q_SIGNALS:
     void finished(const std::function<void()>& deliver);
 };
 
-struct DashboardWorker::Private {
+struct ServiceWorker::Private {
     struct Entry {
         Job job;
         std::unique_ptr<Completion> completion;
         std::chrono::milliseconds atMost{};
     };
 
-    QString host;
-    int port = 0;
+    ServiceAddress address;
     std::thread thread;
     CancelToken cancel;
 
@@ -32,11 +31,12 @@ struct DashboardWorker::Private {
     std::deque<Entry> waiting;  // under the mutex
 
     void run();
-    static std::function<void()> perform(Entry& entry, DashboardClient& client, const Deadline& deadline);
+    std::function<void()> perform(Entry& entry, std::unique_ptr<RobotService>& service,
+                                  const Deadline& deadline) const;
 };
 
-void DashboardWorker::Private::run() {
-    DashboardClient client(host, port);
+void ServiceWorker::Private::run() {
+    std::unique_ptr<RobotService> service;
     while (true) {
         Entry entry;
         {
@@ -49,42 +49,42 @@ void DashboardWorker::Private::run() {
             waiting.pop_front();
         }
         const Deadline deadline = Deadline::after(entry.atMost, cancel);
-        const std::function<void()> deliver = perform(entry, client, deadline);
+        const std::function<void()> deliver = perform(entry, service, deadline);
         if (!cancel.isCancelled()) {
             Q_EMIT entry.completion->finished(deliver);
         }
     }
 }
 
-std::function<void()> DashboardWorker::Private::perform(Entry& entry, DashboardClient& client,
-                                                        const Deadline& deadline) {
-    if (!client.checkConnection()) {
-        const auto connected = client.connect(deadline);
-        if (!connected) {
-            client.close();
-            return entry.job(nullptr, connected.error(), deadline);
+std::function<void()> ServiceWorker::Private::perform(Entry& entry, std::unique_ptr<RobotService>& service,
+                                                      const Deadline& deadline) const {
+    if (!service || !service->isConnected()) {
+        service.reset();
+        auto opened = openService(address, deadline);
+        if (!opened) {
+            return entry.job(nullptr, opened.error(), deadline);
         }
+        service = std::move(opened).value();
     }
-    return entry.job(&client, {}, deadline);
+    return entry.job(service.get(), {}, deadline);
 }
 
-DashboardWorker::DashboardWorker(QString host, int port) : d_(std::make_unique<Private>()) {
-    d_->host = std::move(host);
-    d_->port = port;
+ServiceWorker::ServiceWorker(ServiceAddress address) : d_(std::make_unique<Private>()) {
+    d_->address = std::move(address);
 }
 
-DashboardWorker::~DashboardWorker() {
+ServiceWorker::~ServiceWorker() {
     stop();
 }
 
-void DashboardWorker::start() {
+void ServiceWorker::start() {
     if (!d_->thread.joinable()) {
         d_->cancel = CancelToken();
         d_->thread = std::thread([d = d_.get()] { d->run(); });
     }
 }
 
-void DashboardWorker::stop() {
+void ServiceWorker::stop() {
     if (!d_->thread.joinable()) {
         return;
     }
@@ -97,7 +97,7 @@ void DashboardWorker::stop() {
     d_->thread.join();
 }
 
-void DashboardWorker::enqueue(Job job, QObject* context, std::chrono::milliseconds atMost) {
+void ServiceWorker::enqueue(Job job, QObject* context, std::chrono::milliseconds atMost) {
     Private::Entry entry{std::move(job), std::make_unique<Completion>(), atMost};
     QObject::connect(
         entry.completion.get(), &Completion::finished, context,
@@ -111,4 +111,4 @@ void DashboardWorker::enqueue(Job job, QObject* context, std::chrono::millisecon
 
 }  // namespace tiller::dashboard
 
-#include "dashboard_worker.moc"
+#include "service_worker.moc"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The dashboard for threads that must not wait: calls are queued, run one after the other on a thread of
-// their own, and their results are posted back to the caller's event loop.
+// The robot's service for power and programs, for threads that must not wait: calls are queued, run one after
+// the other on a thread of their own, and their results are posted back to the caller's event loop.
 
 #include <QObject>
 #include <QString>
@@ -12,38 +12,38 @@
 #include <type_traits>
 #include <utility>
 
-#include "robot/dashboard/dashboard_client.h"
+#include "robot/dashboard/robot_service.h"
 
 namespace tiller::dashboard {
 
 /// Thread: one, normal priority; started by the constructor's owner through start(), ended by stop() or the
 /// destructor, which cancel the call under way and drop those that wait. Calls cross to it, results from it.
-class DashboardWorker {
+class ServiceWorker {
 public:
-    DashboardWorker(QString host, int port = kDashboardPort);
-    ~DashboardWorker();
-    DashboardWorker(const DashboardWorker&) = delete;
-    DashboardWorker& operator=(const DashboardWorker&) = delete;
+    explicit ServiceWorker(ServiceAddress address);
+    ~ServiceWorker();
+    ServiceWorker(const ServiceWorker&) = delete;
+    ServiceWorker& operator=(const ServiceWorker&) = delete;
 
-    /// Starts the thread; it connects when the first call comes, and again after a connection was lost.
+    /// Starts the thread; it looks for the service when the first call comes, and again after it was lost.
     void start();
     void stop();
 
     /// Runs `call` on the worker, then `done` with its result in the thread of `context` (not at all once
     /// context is gone, or the worker stopped).
-    /// call     (DashboardClient&, const Deadline&) -> Result<T>
+    /// call     (RobotService&, const Deadline&) -> Result<T>
     /// done     (const Result<T>&)
     /// atMost   for the whole call, connecting included
-    /// Example  worker.post([](auto& c, auto& d) { return c.powerOn(d); }, this, [this](auto& r) { ... });
+    /// Example  worker.post([](auto& s, auto& d) { return s.look(d); }, this, [this](auto& report) { ... });
     /// Threads  any; context must outlive this call and be deleted in its own thread. Blocks: never
     template <class Call, class Done>
     void post(Call call, QObject* context, Done done,
               std::chrono::milliseconds atMost = std::chrono::milliseconds(3000)) {
-        using R = std::invoke_result_t<Call&, DashboardClient&, const Deadline&>;
+        using R = std::invoke_result_t<Call&, RobotService&, const Deadline&>;
         enqueue(
-            [call = std::move(call), done = std::move(done)](DashboardClient* client, const Error& error,
+            [call = std::move(call), done = std::move(done)](RobotService* service, const Error& error,
                                                              const Deadline& deadline) mutable {
-                R result = client ? call(*client, deadline) : R(error);
+                R result = service ? call(*service, deadline) : R(error);
                 return std::function<void()>(
                     [done, result = std::move(result)]() mutable { done(std::as_const(result)); });
             },
@@ -51,8 +51,8 @@ public:
     }
 
 private:
-    /// Runs with the connected client, or with null and the reason; gives what to run for the caller.
-    using Job = std::function<std::function<void()>(DashboardClient*, const Error&, const Deadline&)>;
+    /// Runs with the service, or with null and the reason; gives what to run for the caller.
+    using Job = std::function<std::function<void()>(RobotService*, const Error&, const Deadline&)>;
     void enqueue(Job job, QObject* context, std::chrono::milliseconds atMost);
 
     struct Private;

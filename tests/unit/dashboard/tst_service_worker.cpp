@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// The queue in front of a robot's service: results come to the caller's thread, and whatever the robot does,
+// nobody waits for it. And which service it is: the dashboard where there is one, else the Robot API.
+#include <QTest>
+
+#include "robot/dashboard/service_worker.h"
+#include "tests/support/raw_peer.h"
+
+using namespace tiller;
+using namespace tiller::dashboard;
+using std::chrono::milliseconds;
+using test::RawPeer;
+
+namespace {
+
+const QByteArray kGreeting = "Connected: Universal Robots Dashboard Server\n";
+const QString kHost = QStringLiteral("127.0.0.1");
+
+/// A dashboard that agrees to every power on.
+RawPeer::Script agreeing() {
+    return [](RawPeer::Link& link) {
+        link.send(kGreeting);
+        while (!link.isOver() && !link.readLine().isNull()) {
+            link.send("Powering on\n");
+        }
+    };
+}
+
+/// A Robot API of this version that knows nothing else.
+RawPeer::Script describing(const QByteArray& version) {
+    return [version](RawPeer::Link& link) {
+        while (link.readLine().trimmed().size() > 0) {
+        }
+        const QByteArray body = "{\"info\":{\"version\":\"" + version + "\"}}";
+        link.send("HTTP/1.1 200 OK\r\nContent-Length: " + QByteArray::number(body.size()) + "\r\n\r\n" +
+                  body);
+    };
+}
+
+ServiceAddress at(int dashboard, int robotApi) {
+    return {kHost, dashboard, robotApi};
+}
+
+Deadline patience() {
+    return Deadline::after(std::chrono::seconds(60));
+}
+
+}  // namespace
+
+class TestServiceWorker : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void theDashboardComesFirst() {
+        RawPeer dashboard(agreeing());
+        RawPeer api(describing("3.1.4"));
+        const auto service = openService(at(dashboard.port(), api.port()), patience());
+        QVERIFY2(service.ok(), qPrintable(service.error().toString()));
+        QCOMPARE((*service)->kind(), ServiceKind::Dashboard);
+        QCOMPARE(api.clients(), 0);
+    }
+
+    void theRobotApiIsFoundWhereThereIsNoDashboard() {
+        RawPeer api(describing("3.1.4"));
+        const auto service = openService(at(RawPeer::deadPort(), api.port()), patience());
+        QVERIFY2(service.ok(), qPrintable(service.error().toString()));
+        QCOMPARE((*service)->kind(), ServiceKind::RobotApi);
+    }
+
+    void aWebServerOfAnotherKindIsNone() {
+        RawPeer web([](RawPeer::Link& link) {
+            while (link.readLine().trimmed().size() > 0) {
+            }
+            link.send("HTTP/1.1 200 OK\r\nContent-Length: 13\r\n\r\n<html></html>");
+        });
+        const auto service = openService(at(RawPeer::deadPort(), web.port()), patience());
+        QCOMPARE(service.error().code, ErrorCode::ConnectionRefused);
+    }
+
+    void whereNeitherAnswersTheDashboardIsNamed() {
+        const int port = RawPeer::deadPort();
+        const auto service = openService(at(port, RawPeer::deadPort()), patience());
+        QCOMPARE(service.error().code, ErrorCode::ConnectionRefused);
+        QVERIFY2(service.error().context.contains(QString::number(port)),
+                 qPrintable(service.error().context));
+    }
+
+    void onlyTheDashboardClosesPopups() {
+        QVERIFY(offers(ServiceKind::Dashboard, RobotCommand::ClosePopups));
+        QVERIFY(!offers(ServiceKind::RobotApi, RobotCommand::ClosePopups));
+        QVERIFY(offers(ServiceKind::RobotApi, RobotCommand::Play));
+        RawPeer api(describing("3.1.4"));
+        const auto service = openService(at(RawPeer::deadPort(), api.port()), patience());
+        QVERIFY(service.ok());
+        QCOMPARE((*service)->perform(RobotCommand::ClosePopups, patience()).error().code,
+                 ErrorCode::VersionUnsupported);
+    }
+
+    void resultsComeToTheCallersThread() {
+        RawPeer peer(agreeing());
+        ServiceWorker worker(at(peer.port(), RawPeer::deadPort()));
+        worker.start();
+        bool done = false;
+        const QThread* deliveredIn = nullptr;
+        worker.post([](auto& s, auto& d) { return s.perform(RobotCommand::PowerOn, d); }, this,
+                    [&](const Result<void>& result) {
+                        deliveredIn = QThread::currentThread();
+                        done = result.ok();
+                    });
+        QTRY_VERIFY(done);
+        QCOMPARE(deliveredIn, thread());
+    }
+
+    void itConnectsAgainAfterTheServerHungUp() {
+        RawPeer peer([](RawPeer::Link& link) {
+            link.send(kGreeting);
+            link.readLine();
+            link.send("Powering on\n");
+        });  // and hangs up after each answer
+        ServiceWorker worker(at(peer.port(), RawPeer::deadPort()));
+        worker.start();
+        for (int round = 1; round <= 3; ++round) {
+            bool answered = false;
+            bool ok = false;
+            worker.post([](auto& s, auto& d) { return s.perform(RobotCommand::PowerOn, d); }, this,
+                        [&](const Result<void>& result) {
+                            answered = true;
+                            ok = result.ok();
+                        });
+            QTRY_VERIFY(answered);
+            // The hang-up may have been under way while the command went out; then the next one succeeds.
+            QVERIFY(ok || round > 1);
+        }
+        QVERIFY(peer.clients() >= 2);
+    }
+
+    void itLooksAgainWhichServiceThereIsOnceTheOneIsGone() {
+        auto api = std::make_unique<RawPeer>(describing("3.1.4"));
+        const int apiPort = api->port();
+        ServiceWorker worker(at(RawPeer::deadPort(), apiPort));
+        worker.start();
+        std::optional<Result<void>> answer;
+        const auto ask = [&] {
+            answer.reset();
+            worker.post([](auto& s, auto& d) { return s.perform(RobotCommand::PowerOn, d); }, this,
+                        [&](const Result<void>& result) { answer = result; });
+            return QTest::qWaitFor([&] { return answer.has_value(); }, 20'000);
+        };
+        QVERIFY(ask());
+        QVERIFY(answer->ok());
+        api.reset();
+        QVERIFY(ask());
+        QCOMPARE(answer->error().code, ErrorCode::ConnectionRefused);
+        QVERIFY2(answer->error().context.contains(QString::number(apiPort)), "the way it went was the API's");
+        QVERIFY(ask());
+        QVERIFY2(!answer->error().context.contains(QString::number(apiPort)),
+                 "it looked for the dashboard anew");
+    }
+
+    void itSaysWhyItCouldNotConnect() {
+        ServiceWorker worker(at(RawPeer::deadPort(), RawPeer::deadPort()));
+        worker.start();
+        Error error;
+        worker.post([](auto& s, auto& d) { return s.perform(RobotCommand::PowerOn, d); }, this,
+                    [&](const Result<void>& result) { error = result.error(); });
+        QTRY_COMPARE(error.code, ErrorCode::ConnectionRefused);
+    }
+
+    void stoppingItDoesNotWaitForAMuteServer() {
+        RawPeer peer([](RawPeer::Link& link) { link.beMute(); });
+        ServiceWorker worker(at(peer.port(), RawPeer::deadPort()));
+        worker.start();
+        bool delivered = false;
+        worker.post([](auto& s, auto& d) { return s.perform(RobotCommand::PowerOn, d); }, this,
+                    [&](const Result<void>&) { delivered = true; }, milliseconds(600'000));
+        QTRY_COMPARE(peer.clients(), 1);
+        worker.stop();  // would hit the test's time limit if it waited
+        QCoreApplication::processEvents();
+        QVERIFY(!delivered);
+    }
+
+    void aCallerThatIsGoneIsNotCalled() {
+        RawPeer peer(agreeing());
+        ServiceWorker worker(at(peer.port(), RawPeer::deadPort()));
+        worker.start();
+        const auto powerOn = [](auto& s, auto& d) { return s.perform(RobotCommand::PowerOn, d); };
+        bool called = false;
+        auto caller = std::make_unique<QObject>();
+        worker.post(powerOn, caller.get(), [&](const Result<void>&) { called = true; });
+        caller.reset();
+        bool after = false;
+        worker.post(powerOn, this, [&](const Result<void>&) { after = true; });
+        QTRY_VERIFY(after);
+        QVERIFY(!called);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestServiceWorker)
+#include "tst_service_worker.moc"
