@@ -66,6 +66,9 @@ public:
     void setTheme(const QString& theme);
     void openSession(const QString& path);
 
+    /// What the settings page chose; holds at once.
+    void applyPreferences(const Preferences& preferences);
+
     int waypointCount() const;
     void selectWaypoint(int row);
     /// For the demonstration and tests: "waypoints", "io", "log".
@@ -89,7 +92,6 @@ private:
     void askForProgram();
     void showHelp();
     void showSettings();
-    void applyPreferences(const Preferences& preferences);
     void proportion();
     void connectParts();
     void followJog();

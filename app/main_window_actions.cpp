@@ -368,12 +368,11 @@ void MainWindow::applyPreferences(const Preferences& preferences) {
     if (preferences.notation != Notation::current()) {
         applyNotation(*qApp, preferences.notation);
     }
-    if (preferences.speedCap != session_->nextSpeedCap()) {
+    if (preferences.speedCap != session_->limits().tcpSpeed) {
         session_->setSpeedCap(preferences.speedCap);
         Q_EMIT session_->message(
             preferences.speedCap > Preferences::kOrdinaryCap ? Severity::Warning : Severity::Info,
-            tr("Speed cap %1 mm/s, from the next connection on").arg(preferences.speedCap * 1e3, 0, 'f', 0),
-            Origin::Operator);
+            tr("Speed cap %1 mm/s").arg(preferences.speedCap * 1e3, 0, 'f', 0), Origin::Operator);
     }
     actions_->setShortcuts(preferences.shortcuts);
 }

@@ -137,10 +137,9 @@ void SettingsPage::showCap() {
     capNote_->setStyleSheet(capNote_->styleSheet());
     capNote_->setText(
         raised ? tr("▲ Above 250 mm/s. Nothing else limits a jog from a PC: neither manual mode nor the "
-                    "enabling device of the pendant. The header says so, and it ends with the program. It "
-                    "holds from the next connection on.")
-               : tr("No motion of this program gets above it, at the TCP and at the elbow. It holds from the "
-                    "next connection on."));
+                    "enabling device of the pendant. The header says so, and it ends with the program.")
+               : tr("No motion of this program gets above it, at the TCP and at the elbow. It holds at once "
+                    "and stops what moves."));
 }
 
 QWidget* SettingsPage::buildShortcuts() {

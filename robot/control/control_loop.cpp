@@ -352,6 +352,7 @@ void ControlLoop::composeJog(const MotionCommand& motion, const Feedback& data, 
         mailbox_.end(motion.id, StopCause::Contact, data.hostNs);
         return;
     }
+    limiter_.setSpeedCap(speedCap_.load());
     status_.limiter = limiter_.limit(target, data.q, data.tcpPose);
     const double scale = status_.limiter.scale;
     if (scale <= 0) {

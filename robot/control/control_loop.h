@@ -40,7 +40,8 @@ protected:
 /// Real-time: yes
 class ControlLoop {
 public:
-    ControlLoop(Mailbox& mailbox, const MotionLimits& limits) : mailbox_(mailbox), limits_(limits) {}
+    ControlLoop(Mailbox& mailbox, const MotionLimits& limits)
+        : mailbox_(mailbox), limits_(limits), speedCap_(limits.tcpSpeed) {}
 
     /// Prepares for a new connection: nothing is in control until the program with this session answers.
     void begin(std::int32_t session, double period, const ArmLimits& arm, std::int64_t nowNs);
@@ -71,6 +72,9 @@ public:
     /// Force mode may go on, until this is taken back: by the caller, an unsafe mode, the loss of control, or
     /// the end of a motion whose holder fell silent.
     void permitForce(bool permitted);
+    /// From the next tick on TCP and elbow of a jog get no faster than this [m/s].
+    void setSpeedCap(double cap) { speedCap_.store(cap); }
+    double speedCap() const { return speedCap_.load(); }
     /// Null takes it away; when the call returns it is not in use any more.
     void setHook(CycleHook* hook);
 
@@ -100,6 +104,7 @@ private:
 
     Mailbox& mailbox_;
     MotionLimits limits_;
+    std::atomic<double> speedCap_;  ///< in place of limits_.tcpSpeed
     VelocityLimiter limiter_{ArmLimits{}, MotionLimits{}};
     StopMeter meter_;
 

@@ -214,14 +214,14 @@ Result<MoveId> Controller::moveJ(const JointPositions& target, const MoveParamet
     command.speed =
         std::min(parameters.speed,
                  kinematics::jointSpeedBound(arm.dh, JointPositions(status.q), target,
-                                             Pose::fromArray(status.tcpOffset), d_->options.limits.tcpSpeed));
+                                             Pose::fromArray(status.tcpOffset), d_->limitsNow().tcpSpeed));
     command.acceleration = parameters.acceleration;
     return d_->start(command, stops, QStringLiteral("start a MoveJ"));
 }
 
 Result<MoveId> Controller::moveL(const Pose& target, const MoveParameters& parameters) {
     const std::uint64_t stops = d_->mailbox.epoch().stops();
-    const MotionLimits& limits = d_->options.limits;
+    const MotionLimits limits = d_->limitsNow();
     const ArgumentCheck check =
         ArgumentCheck("start a MoveL")
             .pose("target", target)
@@ -268,8 +268,20 @@ ControllerStatus Controller::status() const {
     return d_->loop.status();
 }
 
-const MotionLimits& Controller::limits() const {
-    return d_->options.limits;
+MotionLimits Controller::limits() const {
+    return d_->limitsNow();
+}
+
+Result<void> Controller::setSpeedCap(double metresPerSecond) {
+    if (!std::isfinite(metresPerSecond) || metresPerSecond <= 0) {
+        return invalid(QStringLiteral("set the speed cap"), QStringLiteral("no speed above 0"));
+    }
+    if (metresPerSecond != d_->loop.speedCap()) {
+        // In this order: what is begun in between has the new cap, or is stopped.
+        d_->loop.setSpeedCap(metresPerSecond);
+        stop(StopCause::SelectionChanged);
+    }
+    return {};
 }
 
 SoftwareVersion Controller::version() const {

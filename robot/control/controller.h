@@ -110,7 +110,11 @@ public:
 
     MotionState motionState(MotionId motion) const;
     ControllerStatus status() const;
-    const MotionLimits& limits() const;
+    MotionLimits limits() const;
+    /// From now on TCP and elbow get no faster than this [m/s]. Another cap than before ends whatever is
+    /// active (StopCause::SelectionChanged): nothing goes on under a cap it was not begun with.
+    /// Errors   InvalidArgument (not a number, or none above 0)
+    Result<void> setSpeedCap(double metresPerSecond);
     /// From the connection of the last takeControl(); zeros before.
     SoftwareVersion version() const;
 

@@ -64,6 +64,13 @@ struct Controller::Private {
     }
     int rtdePort() const { return options.rtdePort != 0 ? options.rtdePort : 30004 + options.portOffset; }
     std::int64_t now() const { return options.clock->nowNs(); }
+    /// With the cap as it is now: read after the stops are counted, so that a cap set meanwhile stops what
+    /// was made with the one before.
+    MotionLimits limitsNow() const {
+        MotionLimits limits = options.limits;
+        limits.tcpSpeed = loop.speedCap();
+        return limits;
+    }
     ArmLimits armNow() const {
         const std::lock_guard lock(arm);
         return armLimits;

@@ -117,7 +117,7 @@ Result<Motion> Motions::moveJ(const JointPositions& target, const MoveParameters
 Result<Motion> Motions::moveL(const Pose& target, const MoveParameters& parameters) {
     if (target.allFinite() && controller_->status().inControl) {
         const auto& d = ControllerAccess::of(*controller_);
-        ArgumentCheck check = toolMove("start a MoveL", parameters, d.options.limits.tcpSpeed);
+        ArgumentCheck check = toolMove("start a MoveL", parameters, d.limitsNow().tcpSpeed);
         if (check.pose("target", target).ok() && !reach(d.armNow(), controller_->status(), target)) {
             return outOfReach("start a MoveL", "target");
         }
@@ -152,7 +152,7 @@ Result<Motion> Motions::moveJ(const Pose& target, const MoveParameters& paramete
     command.speed =
         std::min(parameters.speed,
                  kinematics::jointSpeedBound(arm.dh, JointPositions(status.q), *q,
-                                             Pose::fromArray(status.tcpOffset), d.options.limits.tcpSpeed));
+                                             Pose::fromArray(status.tcpOffset), d.limitsNow().tcpSpeed));
     command.acceleration = parameters.acceleration;
     const auto id = d.start(command, stops, QString::fromLatin1(kContext));
     if (!id) {
@@ -166,7 +166,7 @@ Result<Motion> Motions::moveL(const JointPositions& target, const MoveParameters
     auto& d = ControllerAccess::of(*controller_);
     const std::uint64_t stops = d.mailbox.epoch().stops();
     const ArmLimits arm = d.armNow();
-    const MotionLimits& limits = d.options.limits;
+    const MotionLimits limits = d.limitsNow();
     const ArgumentCheck check = toolMove(kContext, parameters, limits.tcpSpeed).joints("target", target, arm);
     if (!check.ok()) {
         return check.error();
@@ -200,7 +200,7 @@ Result<Motion> Motions::movePath(const MotionPath& path, const Deadline& start, 
     if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
         return error;
     }
-    const auto fit = fitted(path, d.armNow(), controller_->status(), d.options.limits);
+    const auto fit = fitted(path, d.armNow(), controller_->status(), d.limitsNow());
     if (!fit) {
         return fit.error();
     }
@@ -224,7 +224,7 @@ Result<Motion> Motions::moveUntilContact(const Twist& twist, const Twist& direct
     const std::uint64_t stops = d.mailbox.epoch().stops();
     ArgumentCheck check =
         ArgumentCheck(kContext)
-            .twist("twist", twist, std::min(d.options.limits.tcpSpeed, kHighestToolSpeed))
+            .twist("twist", twist, std::min(d.limitsNow().tcpSpeed, kHighestToolSpeed))
             .finite("direction", direction.vector().data(), 6)
             .positive("acceleration", acceleration, kHighestToolAcceleration, "m/s2", "mm/s2");
     if (!check.ok()) {

@@ -143,7 +143,7 @@ void fill(MotionCommand& command, const SpeedParameters& p, double) {
 
 SetpointRules rulesOf(Controller& controller) {
     auto& d = ControllerAccess::of(controller);
-    return {d.armNow(), std::min(d.options.limits.tcpSpeed, kHighestToolSpeed)};
+    return {d.armNow(), std::min(d.limitsNow().tcpSpeed, kHighestToolSpeed)};
 }
 
 template <class Target, class Parameters>

@@ -33,6 +33,8 @@ public:
     /// Returns     Limiter::scale to multiply the target with, 0 when it may not move that way at all
     Limiter limit(const JogTarget& target, const JointPositions& q, const Pose& tcpPose) const;
 
+    /// Another cap on TCP and elbow [m/s].
+    void setSpeedCap(double cap) { limits_.tcpSpeed = cap; }
     const ArmLimits& arm() const { return arm_; }
 
 private:

@@ -66,15 +66,15 @@ receive::Receiver* RobotSession::receiver() const {
 }
 
 const control::MotionLimits& RobotSession::limits() const {
-    return d_->link ? d_->link->controller->limits() : d_->limits;
+    return d_->limits;
 }
 
 void RobotSession::setSpeedCap(double metresPerSecond) {
     d_->limits.tcpSpeed = metresPerSecond;
-}
-
-double RobotSession::nextSpeedCap() const {
-    return d_->limits.tcpSpeed;
+    if (d_->link) {
+        (void)d_->link->controller->setSpeedCap(metresPerSecond);
+    }
+    refresh();
 }
 
 // ---- connection

@@ -99,10 +99,9 @@ public:
     /// Stops whatever moves, whoever began it. Safe to call at any time.
     void stop(control::StopCause cause);
     const control::MotionLimits& limits() const;
-    /// The fastest that TCP and elbow may get [m/s]. Holds from the next connection on, because the control
-    /// program on the robot is made with it.
+    /// The fastest that TCP and elbow may get [m/s], above 0. Holds at once; another one than before stops
+    /// whatever moves.
     void setSpeedCap(double metresPerSecond);
-    double nextSpeedCap() const;
 
     // Recording: one CSV row per packet.
     /// Both return at once; what became of it shows in SessionState::recording and as a message.

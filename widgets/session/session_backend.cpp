@@ -28,6 +28,7 @@ void RobotSession::Backend::read() {
         const RecordingState recordingState = state.recording;
         state = SessionState{};
         state.recording = recordingState;
+        state.speedCap = limits.tcpSpeed;
         state.controlReason = tr("Not connected to a robot.");
         readRecording();
         return;
@@ -64,8 +65,8 @@ void RobotSession::Backend::readLink() {
     state.quality.ageMs = everReceived ? static_cast<double>(age) / kNsPerMs : 0.0;
     state.robotName = address.name;
     state.address = address.host;
-    state.simulated = address.simulated;
     state.portOffset = address.portOffset;
+    state.simulated = address.simulated;
     state.version = receiver.version();
     if (link->primary) {
         if (const auto configuration = link->primary->configuration()) {
@@ -110,7 +111,7 @@ void RobotSession::Backend::readSample() {
 
 void RobotSession::Backend::readControl() {
     const control::ControllerStatus status = link->controller->status();
-    state.speedCap = link->controller->limits().tcpSpeed;
+    state.speedCap = limits.tcpSpeed;
     state.quality.roundTripMs = status.roundTripMs;
     state.limiter = status.limiter;
     state.lastStop = status.lastStop;

@@ -47,8 +47,8 @@ struct RobotSession::Backend {
     std::int64_t reportAskedNs = 0;
     bool reportAsked = false;
     bool takingControl = false;
-    control::MotionLimits limits;  ///< for the next connection
-    QString refusal;               ///< why taking control failed last
+    control::MotionLimits limits;
+    QString refusal;  ///< why taking control failed last
     QString linkReason;
 
     RobotSession::MotionId moveMotion = 0;  ///< the newest motion that is a move, to refresh it as one

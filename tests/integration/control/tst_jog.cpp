@@ -75,6 +75,41 @@ private Q_SLOTS:
         QVERIFY(std::abs(stop.distanceMm - distance) < 0.3);
     }
 
+    void anotherCapEndsWhatMovesAndHoldsForWhatComes() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        const auto speed = [&] { return cell.robot.truth().tcpSpeed.linear.norm(); };
+        const auto jog = cell.controller->startJog(linearJog(0, 0, 0.2));
+        QVERIFY(cell.hold(*jog, 600));
+        QVERIFY(speed() > 0.19);
+        QVERIFY(cell.controller->setSpeedCap(0.05).ok());
+        QCOMPARE(cell.controller->limits().tcpSpeed, 0.05);
+        QVERIFY2(!cell.controller->refreshJog(*jog), "it takes a new press");
+        QCOMPARE(cell.controller->motionState(*jog).cause, StopCause::SelectionChanged);
+        QVERIFY(cell.ticksToStandstill(1000) >= 0);
+
+        // What comes asks for more, and gets no more.
+        const auto next = cell.controller->startJog(linearJog(0, 0, -0.2));
+        QVERIFY(next.ok());
+        QVERIFY(cell.hold(*next, 400));
+        QVERIFY2(std::abs(speed() - 0.05) < 0.003, qPrintable(QString::number(speed())));
+        QCOMPARE(cell.controller->status().limiter.kind, LimiterKind::TcpSpeed);
+        // The same cap again is no other one.
+        QVERIFY(cell.controller->setSpeedCap(0.05).ok());
+        QVERIFY(cell.controller->refreshJog(*next));
+        // A higher one makes nothing faster that moves already.
+        QVERIFY(cell.controller->setSpeedCap(0.25).ok());
+        QVERIFY(!cell.controller->refreshJog(*next));
+        QVERIFY(cell.ticksToStandstill(1000) >= 0);
+
+        const auto refused = cell.controller->moveL(cell.tcp(), {0.3, 0.5, Holding::Held});
+        QCOMPARE(refused.error().code, ErrorCode::LimitExceeded);
+        for (const double nonsense : {0.0, -0.1, std::numeric_limits<double>::quiet_NaN()}) {
+            QCOMPARE(cell.controller->setSpeedCap(nonsense).error().code, ErrorCode::InvalidArgument);
+        }
+        QCOMPARE(cell.controller->limits().tcpSpeed, 0.25);
+    }
+
     void aSilentHolderEndsTheJogAndItStaysEnded() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
