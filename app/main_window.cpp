@@ -111,7 +111,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
                                             "turn a joint. Space and Esc stop.")
                                        : tr("Keyboard jogging disarmed"));
     });
-    connectDevices();
+    connectDevices(clock);
     stops_ = new StopRecorder(*session_, this);
     connect(new SleepWatch(this), &SleepWatch::operatorLeaves, this,
             [this] { stopMotion(control::StopCause::Sleep); });
@@ -253,11 +253,24 @@ void MainWindow::connectParts() {
     });
 }
 
-void MainWindow::connectDevices() {
+void MainWindow::connectDevices(const Clock& clock) {
     devices_ = new DeviceJog(jog_->axisJog(), this);
     connect(devices_, &DeviceJog::lost, this, [this](const QString& name) {
         Q_EMIT session_->message(Severity::Warning,
                                  tr("%1 is gone. What it moved has been stopped.").arg(name));
+    });
+    devices_->setClock(clock);
+    connect(devices_, &DeviceJog::fellSilent, this, [this](const QString& name) {
+        Q_EMIT session_->message(Severity::Warning,
+                                 tr("%1 has gone silent while it moved the arm, which was stopped. Let go of "
+                                    "it; if it stays silent, plug it in again.")
+                                     .arg(name));
+    });
+    connect(devices_, &DeviceJog::tuned, this, [this](const QString& kind, const DeviceTuning& tuning) {
+        if (preferences_.devices.value(kind) != tuning) {
+            preferences_.devices[kind] = tuning;
+            settings_.setPreferences(preferences_);
+        }
     });
     connect(devices_, &DeviceJog::stopPressed, this, [this] { stopMotion(control::StopCause::StopButton); });
 }
@@ -268,10 +281,10 @@ void MainWindow::lookForDevices() {
     }
 }
 
-void MainWindow::showTrainer() {
+void MainWindow::showTrainer(QWidget* over) {
     stopMotion(control::StopCause::DialogOpened);
     auto* trainer = new DeviceTrainer(
-        *devices_, [this] { return jog_->selection(); }, [this] { return session_->limits(); }, this);
+        *devices_, [this] { return jog_->selection(); }, [this] { return session_->limits(); }, over);
     trainer->setAttribute(Qt::WA_DeleteOnClose);
     trainer->show();
 }

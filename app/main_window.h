@@ -95,8 +95,9 @@ private:
     void proportion();
     void connectParts();
     void followJog();
-    void connectDevices();
-    void showTrainer();
+    void connectDevices(const Clock& clock);
+    /// over  the window it stands in front of
+    void showTrainer(QWidget* over);
     void listRobots();
     void updateScene();
     void stopMotion(control::StopCause cause);

@@ -15,10 +15,11 @@
 #include "app/main_window.h"
 #include "app/settings_page.h"
 #include "widgets/common/theme.h"
+#include "widgets/jog/device_jog.h"
 #include "widgets/jog/jog_column.h"
 #include "widgets/session/stop_record.h"
-#include "widgets/status/header_bar.h"
 #include "widgets/session/texts.h"
+#include "widgets/status/header_bar.h"
 #include "widgets/status/recovery_page.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
@@ -36,13 +37,13 @@ QString needsNormalSafety(const SessionState& state) {
                                           : safetyWords(state.safety()).advice;
 }
 
-/// The program commands are for programs of the robot's own.
 /// What this robot has no way to be asked for stands first: nothing else would help.
 QString needsService(const SessionState& state, RobotCommand command) {
     const QString link = needsLink(state);
     return link.isEmpty() ? texts::serviceObstacle(state, command) : link;
 }
 
+/// The program commands are for programs of the robot's own.
 QString needsForeignProgram(const SessionState& state, RobotCommand command, bool running) {
     if (const QString service = needsService(state, command); !service.isEmpty()) {
         return service;
@@ -308,7 +309,7 @@ void MainWindow::addViewActions() {
                        (new CommandPalette(*actions_, this))->open();
                    }});
     actions_->add({"app.settings", tr("Settings…"),
-                   tr("Colours, sizes, units, the speed cap, and the key of every command."),
+                   tr("Colours, sizes, units, the speed cap, devices, and the key of every command."),
                    QKeySequence(Qt::CTRL | Qt::Key_Comma), [this] { showSettings(); }});
     actions_->add({"app.help", tr("Help"), tr("All commands with their keys, and the rules of jogging."),
                    QKeySequence(Qt::Key_F1), [this] { showHelp(); }});
@@ -347,7 +348,7 @@ void MainWindow::askForProgram() {
 void MainWindow::showSettings() {
     stopMotion(control::StopCause::DialogOpened);
     const QString theme = Theme::current().isDark() ? "dark" : "light";
-    auto* page = new SettingsPage(preferences_, theme, *actions_, this);
+    auto* page = new SettingsPage(preferences_, theme, *actions_, *devices_, this);
     page->setAttribute(Qt::WA_DeleteOnClose);
     connect(page, &SettingsPage::themeChosen, this, [this](const QString& chosen) {
         setTheme(chosen);
@@ -357,6 +358,7 @@ void MainWindow::showSettings() {
         applyPreferences(chosen);
         settings_.setPreferences(chosen);
     });
+    connect(page, &SettingsPage::trainerWanted, this, [this, page] { showTrainer(page); });
     page->open();
 }
 
@@ -373,6 +375,11 @@ void MainWindow::applyPreferences(const Preferences& preferences) {
         Q_EMIT session_->message(
             preferences.speedCap > Preferences::kOrdinaryCap ? Severity::Warning : Severity::Info,
             tr("Speed cap %1 mm/s").arg(preferences.speedCap * 1e3, 0, 'f', 0), Origin::Operator);
+    }
+    // A copy: whoever hears of it may write into the original.
+    const QMap<QString, DeviceTuning> tunings = preferences.devices;
+    for (auto it = tunings.constBegin(); it != tunings.constEnd(); ++it) {
+        devices_->tune(it.key(), *it);
     }
     actions_->setShortcuts(preferences.shortcuts);
 }

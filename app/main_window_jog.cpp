@@ -33,7 +33,7 @@ void MainWindow::addJogActions() {
                    tr("Gamepad and SpaceMouse…"),
                    tr("What each device says now, and which way it will go."),
                    {},
-                   [this] { showTrainer(); }});
+                   [this] { showTrainer(this); }});
     actions_->add({"jog.zero", tr("Zero here"),
                    tr("Counts the way of the TCP from where it is now; once more: since the press again."),
                    QKeySequence(Qt::Key_Z), [this] { jog_->zeroHere(); }});
@@ -69,6 +69,22 @@ void MainWindow::addJogActions() {
                        {},
                        [this, force] { jog_->setUntilContact(force); }});
     }
+    // As the last entries of the column's own menus, for those who have no second mouse button.
+    actions_->add({"jog.speed.other",
+                   tr("Jog speed, other…"),
+                   tr("Asks for the speed of the TCP in mm/s; turns and joints in proportion."),
+                   {},
+                   [this] { jog_->askFor(JogColumn::Entry::Speed); }});
+    actions_->add({"jog.step.other",
+                   tr("Jog step, other…"),
+                   tr("Asks for the length of a step in mm; turns make as many degrees."),
+                   {},
+                   [this] { jog_->askFor(JogColumn::Entry::Step); }});
+    actions_->add({"jog.contact.other",
+                   tr("Jog until contact, other force…"),
+                   tr("Asks for the force in N at which the motion ends."),
+                   {},
+                   [this] { jog_->askFor(JogColumn::Entry::ContactForce); }});
     index = 0;
     for (const FreedriveAxes axes : kFreedriveAxes) {
         actions_->add({QStringLiteral("jog.freedrive.%1").arg(index),

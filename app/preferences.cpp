@@ -41,6 +41,17 @@ Preferences readPreferences(const QString& file) {
         // A file cannot raise it: only a hand on the settings page can.
         preferences.speedCap = std::clamp(cap, Preferences::kLowestCap, Preferences::kOrdinaryCap);
     }
+    for (const auto& [kind, first] :
+         {std::pair{kGamepadKind, kGamepadTuning}, {kSpaceMouseKind, kSpaceMouseTuning}}) {
+        settings.beginGroup("devices/" + kind);
+        if (!settings.childKeys().isEmpty()) {
+            const DeviceTuning read{settings.value("deadZone", first.deadZone).toDouble(),
+                                    settings.value("exponent", first.exponent).toDouble(),
+                                    settings.value("dominantAxis", first.dominantAxis).toBool()};
+            preferences.devices[kind] = read.sane();
+        }
+        settings.endGroup();
+    }
     settings.beginGroup("shortcuts");
     const QStringList ids = settings.childKeys();
     for (const QString& id : ids) {
@@ -56,6 +67,13 @@ void writePreferences(const QString& file, const Preferences& preferences) {
     settings.setValue("look/lengths", kLengths[static_cast<int>(preferences.notation.length)]);
     settings.setValue("look/rotations", kRotations[static_cast<int>(preferences.notation.rotation)]);
     settings.setValue("motion/speedCap", std::min(preferences.speedCap, Preferences::kOrdinaryCap));
+    for (auto it = preferences.devices.constBegin(); it != preferences.devices.constEnd(); ++it) {
+        settings.beginGroup("devices/" + it.key());
+        settings.setValue("deadZone", it->deadZone);
+        settings.setValue("exponent", it->exponent);
+        settings.setValue("dominantAxis", it->dominantAxis);
+        settings.endGroup();
+    }
     settings.remove("shortcuts");
     settings.beginGroup("shortcuts");
     for (auto it = preferences.shortcuts.constBegin(); it != preferences.shortcuts.constEnd(); ++it) {

@@ -10,6 +10,7 @@
 
 #include "widgets/common/density.h"
 #include "widgets/common/notation.h"
+#include "widgets/jog/input_device.h"
 
 namespace tiller::app {
 
@@ -20,6 +21,9 @@ struct Preferences {
     double speedCap = kOrdinaryCap;
     /// By action id; only those that differ from the built-in ones. An empty one: no key.
     QMap<QString, QKeySequence> shortcuts;
+
+    /// By kind of device; only what was chosen.
+    QMap<QString, DeviceTuning> devices;
 
     static constexpr double kOrdinaryCap = 0.250;
     static constexpr double kLowestCap = 0.010;

@@ -15,6 +15,8 @@
 #include <QVBoxLayout>
 
 #include "app/action_table.h"
+#include "app/device_settings.h"
+#include "widgets/jog/device_jog.h"
 
 namespace tiller::app {
 namespace {
@@ -33,7 +35,7 @@ QLabel* note(const QString& text, const char* role) {
 }  // namespace
 
 SettingsPage::SettingsPage(const Preferences& preferences, const QString& theme, const ActionTable& actions,
-                           QWidget* parent)
+                           DeviceJog& devices, QWidget* parent)
     : QDialog(parent), preferences_(preferences), actions_(actions) {
     setObjectName("settingsPage");
     setWindowTitle(tr("Settings"));
@@ -44,6 +46,7 @@ SettingsPage::SettingsPage(const Preferences& preferences, const QString& theme,
     pages->tabBar()->setAccessibleName(tr("Settings"));
     pages->tabBar()->setDrawBase(false);
     pages->addTab(buildLook(theme), tr("Look and motion"));
+    pages->addTab(buildDevices(devices), tr("Devices"));
     pages->addTab(buildShortcuts(), tr("Keys"));
     auto* close = new QPushButton(tr("Close"));
     close->setObjectName("settingsClose");
@@ -140,6 +143,19 @@ void SettingsPage::showCap() {
                     "enabling device of the pendant. The header says so, and it ends with the program.")
                : tr("No motion of this program gets above it, at the TCP and at the elbow. It holds at once "
                     "and stops what moves."));
+}
+
+QWidget* SettingsPage::buildDevices(DeviceJog& devices) {
+    auto* page = new DeviceSettings(devices, preferences_.devices);
+    connect(page, &DeviceSettings::tuningChosen, this,
+            [this](const QString& kind, const DeviceTuning& tuning) {
+                preferences_.devices[kind] = tuning;
+                Q_EMIT preferencesChanged(preferences_);
+            });
+    connect(&devices, &DeviceJog::tuned, this,
+            [this](const QString& kind, const DeviceTuning& tuning) { preferences_.devices[kind] = tuning; });
+    connect(page, &DeviceSettings::trainerWanted, this, &SettingsPage::trainerWanted);
+    return page;
 }
 
 QWidget* SettingsPage::buildShortcuts() {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The settings: colours, sizes, how numbers are written, the speed cap, and the key of every command. What is
-// chosen holds at once; there is nothing to confirm.
+// The settings: colours, sizes, how numbers are written, the speed cap, devices, and the key of every
+// command. What is chosen holds at once; there is nothing to confirm.
 
 #include <QDialog>
 
@@ -13,6 +13,10 @@ class QDoubleSpinBox;
 class QLabel;
 class QTableWidget;
 
+namespace tiller {
+class DeviceJog;
+}
+
 namespace tiller::app {
 
 class ActionTable;
@@ -22,8 +26,9 @@ class SettingsPage : public QDialog {
 
 public:
     /// theme  "light" or "dark"
+    /// devices  whose switches and tuning it shows
     SettingsPage(const Preferences& preferences, const QString& theme, const ActionTable& actions,
-                 QWidget* parent = nullptr);
+                 DeviceJog& devices, QWidget* parent = nullptr);
 
     const Preferences& preferences() const { return preferences_; }
     /// Gives the command this key, as the key's editor does; an empty sequence takes its key away.
@@ -34,10 +39,13 @@ public:
 Q_SIGNALS:
     void preferencesChanged(const tiller::app::Preferences& preferences);
     void themeChosen(const QString& theme);
+    /// The page on which a device is tried out, in front of this one.
+    void trainerWanted();
 
 private:
     QWidget* buildLook(const QString& theme);
     QWidget* buildShortcuts();
+    QWidget* buildDevices(DeviceJog& devices);
     QComboBox* choice(const QString& name, const QString& accessible, const QStringList& texts, int current);
     void showShortcuts();
     void showCap();

@@ -105,7 +105,7 @@ private Q_SLOTS:
         bench.cell.advanceMs(300);
         int dialogs = 0;
         for (const char* id : {"robot.connect", "robot.check", "power.recover", "control.load",
-                               "app.settings", "app.palette", "app.help"}) {
+                               "app.settings", "app.palette", "app.help", "jog.devices"}) {
             QAction* action = bench.window.actions().find(QLatin1String(id));
             QVERIFY2(action != nullptr, id);
             action->setEnabled(true);
@@ -124,7 +124,7 @@ private Q_SLOTS:
                 }
             }
         }
-        QCOMPARE(dialogs, 7);
+        QCOMPARE(dialogs, 8);
     }
 
     void tabReachesEveryControlThatACommandDoesNot() {

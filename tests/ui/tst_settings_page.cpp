@@ -3,15 +3,20 @@
 // What is chosen on the settings page holds at once, is there again at the next start, and cannot be made
 // dangerous by a file: only a hand raises the speed cap, and then the header says so.
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QHeaderView>
+#include <QInputDialog>
 #include <QLabel>
 #include <QPushButton>
 #include <QSettings>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
+#include <memory>
+#include <optional>
+#include <utility>
 
 #include "app/action_table.h"
 #include "app/command_palette.h"
@@ -20,6 +25,8 @@
 #include "resources/resources.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/theme.h"
+#include "widgets/jog/device_jog.h"
+#include "widgets/jog/device_trainer.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -46,6 +53,33 @@ struct Bench {
         QTest::keyClick(&window, Qt::Key_Comma, Qt::ControlModifier);
         return window.findChild<app::SettingsPage*>();
     }
+};
+
+/// A gamepad that lies still.
+class OnePad : public DeviceSource {
+public:
+    std::vector<std::unique_ptr<InputDevice>> appeared() override {
+        class Pad : public InputDevice {
+        public:
+            QString name() const override { return QStringLiteral("Test pad"); }
+            DeviceShape shape() const override {
+                DeviceShape shape;
+                static_cast<DeviceTuning&>(shape) = kGamepadTuning;
+                shape.kind = kGamepadKind;
+                shape.deadManName = QStringLiteral("left shoulder");
+                return shape;
+            }
+            std::optional<DeviceReading> read() override { return DeviceReading(); }
+        };
+        std::vector<std::unique_ptr<InputDevice>> found;
+        if (!std::exchange(given_, true)) {
+            found.push_back(std::make_unique<Pad>());
+        }
+        return found;
+    }
+
+private:
+    bool given_ = false;
 };
 
 /// As a hand does: focus, arrow.
@@ -124,6 +158,7 @@ private Q_SLOTS:
         QCOMPARE(page->preferences().speedCap, 0.5);
         QVERIFY(page->findChild<QLabel*>("settings.speedCapNote")->text().contains("enabling device"));
         keepPicture(*page, "settings-cap");
+        QVERIFY2(banner->isVisible(), "at once");
         page->close();
         QCOMPARE(bench.window.session().limits().tcpSpeed, 0.5);
         QVERIFY(banner->isVisible());
@@ -133,41 +168,6 @@ private Q_SLOTS:
         QCOMPARE(app::Settings(bench.file).preferences().speedCap, Preferences::kOrdinaryCap);
     }
 
-    void aLoweredCapStays() {
-        QTemporaryDir folder;
-        app::Settings settings(folder.filePath("settings.ini"));
-        Preferences preferences;
-        preferences.speedCap = 0.1;
-        settings.setPreferences(preferences);
-        VirtualClock clock;
-        app::MainWindow window(settings, clock);
-        QCOMPARE(window.session().limits().tcpSpeed, 0.1);
-    }
-
-    void whateverTheFileSaysTheValuesAreSane_data() {
-        QTest::addColumn<QString>("key");
-        QTest::addColumn<QString>("value");
-        QVERIFY2(banner->isVisible(), "at once");
-        QTest::newRow("cap raised") << "motion/speedCap"
-                                    << "0.9";
-        QTest::newRow("cap no number") << "motion/speedCap"
-                                       << "nan";
-        QTest::newRow("cap negative") << "motion/speedCap"
-                                      << "-1";
-        QTest::newRow("cap words") << "motion/speedCap"
-                                   << "fast";
-        QTest::newRow("density") << "look/density"
-                                 << "huge";
-        QTest::newRow("lengths") << "look/lengths"
-                                 << "furlong";
-        QTest::newRow("rotations") << "look/rotations"
-                                   << "17";
-    }
-    void whateverTheFileSaysTheValuesAreSane() {
-        QFETCH(QString, key);
-        QFETCH(QString, value);
-        QTemporaryDir folder;
-        const QString file = folder.filePath("settings.ini");
     void aLoweredCapStopsTheJogAndHoldsForTheNextPress() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
@@ -195,18 +195,60 @@ private Q_SLOTS:
         bench.cell.advanceMs(200);
     }
 
+    void aLoweredCapStays() {
+        QTemporaryDir folder;
+        app::Settings settings(folder.filePath("settings.ini"));
+        Preferences preferences;
+        preferences.speedCap = 0.1;
+        settings.setPreferences(preferences);
+        VirtualClock clock;
+        app::MainWindow window(settings, clock);
+        QCOMPARE(window.session().limits().tcpSpeed, 0.1);
+    }
+
+    void whateverTheFileSaysTheValuesAreSane_data() {
+        QTest::addColumn<QString>("key");
+        QTest::addColumn<QString>("value");
+        QTest::newRow("cap raised") << "motion/speedCap"
+                                    << "0.9";
+        QTest::newRow("cap no number") << "motion/speedCap"
+                                       << "nan";
+        QTest::newRow("cap negative") << "motion/speedCap"
+                                      << "-1";
+        QTest::newRow("cap words") << "motion/speedCap"
+                                   << "fast";
+        QTest::newRow("density") << "look/density"
+                                 << "huge";
+        QTest::newRow("lengths") << "look/lengths"
+                                 << "furlong";
+        QTest::newRow("dead zone") << "devices/gamepad/deadZone"
+                                   << "nan";
+        QTest::newRow("curve") << "devices/spaceMouse/exponent"
+                               << "-3";
+        QTest::newRow("rotations") << "look/rotations"
+                                   << "17";
+    }
+    void whateverTheFileSaysTheValuesAreSane() {
+        QFETCH(QString, key);
+        QFETCH(QString, value);
+        QTemporaryDir folder;
+        const QString file = folder.filePath("settings.ini");
         QSettings(file, QSettings::IniFormat).setValue(key, value);
         const Preferences read = app::readPreferences(file);
         QVERIFY(read.speedCap >= Preferences::kLowestCap && read.speedCap <= Preferences::kOrdinaryCap);
         QVERIFY(static_cast<int>(read.density) >= 0 && static_cast<int>(read.density) <= 2);
         QVERIFY(static_cast<int>(read.notation.length) <= 1);
+        for (const DeviceTuning& tuning : read.devices) {
+            QVERIFY(tuning == tuning.sane());
+            QVERIFY(tuning.exponent >= 1);
+        }
         QVERIFY(static_cast<int>(read.notation.rotation) <= 1);
     }
 
     void aKeyIsChangedTakenAwayAndNeverGivenTwice() {
         Bench bench;
         app::SettingsPage* page = bench.open();
-        page->findChild<QTabBar*>()->setCurrentIndex(1);
+        page->findChild<QTabBar*>()->setCurrentIndex(2);
         keepPicture(*page, "settings-keys");
         QVERIFY(!page->setShortcut("app.palette", QKeySequence(Qt::Key_F1)));
         QVERIFY2(page->hint().contains("Help"), qPrintable(page->hint()));
@@ -231,10 +273,76 @@ private Q_SLOTS:
         QVERIFY(bench.window.actions().helpText().contains("Ctrl+P"));
     }
 
+    void aDeviceIsTunedSwitchedOnAndTriedOutFromThePage() {
+        Bench bench;
+        bench.window.devices().addSource(std::make_unique<OnePad>());
+        app::SettingsPage* page = bench.open();
+        page->findChild<QTabBar*>()->setCurrentIndex(1);
+        keepPicture(*page, "settings-devices");
+        auto* zone = page->findChild<QDoubleSpinBox*>("settings.gamepad.deadZone");
+        QCOMPARE(zone->value(), 8.0);
+        zone->setFocus();
+        zone->selectAll();
+        QTest::keyClicks(zone, "20");
+        QTest::keyClick(zone, Qt::Key_Return);
+        const InputDevice& pad = *bench.window.devices().devices().front();
+        QCOMPARE(bench.window.devices().shape(pad).deadZone, 0.2);
+        QCOMPARE(bench.window.devices().shape(pad).exponent, 2.2);
+        auto* dominant = page->findChild<QCheckBox*>("settings.gamepad.dominant");
+        dominant->setFocus();
+        QTest::keyClick(dominant, Qt::Key_Space);
+        QVERIFY(bench.window.devices().shape(pad).dominantAxis);
+        QVERIFY(app::Settings(bench.file).preferences().devices.value(kGamepadKind) ==
+                (DeviceTuning{0.2, 2.2, true}));
+
+        QVERIFY2(bench.window.devices().used() == nullptr, "never by itself");
+        choose(*page, "settings.device", Qt::Key_Down);
+        QVERIFY(bench.window.devices().used() == &pad);
+        choose(*page, "settings.device", Qt::Key_Up);
+        QVERIFY(bench.window.devices().used() == nullptr);
+
+        QTest::mouseClick(page->findChild<QPushButton*>("settings.trainer"), Qt::LeftButton);
+        auto* trainer = page->findChild<DeviceTrainer*>();
+        QVERIFY(trainer != nullptr && trainer->isVisible());
+        // What is chosen there shows here, and is remembered too.
+        trainer->findChild<QCheckBox*>("device.dominant")->click();
+        QVERIFY(!dominant->isChecked());
+        QVERIFY(!app::Settings(bench.file).preferences().devices.value(kGamepadKind).dominantAxis);
+        page->close();
+        QTRY_VERIFY(bench.window.findChild<app::SettingsPage*>() == nullptr);
+
+        VirtualClock clock;
+        app::MainWindow next(app::Settings(bench.file), clock);
+        next.devices().addSource(std::make_unique<OnePad>());
+        QCOMPARE(next.devices().shape(*next.devices().devices().front()).deadZone, 0.2);
+        QVERIFY2(next.devices().used() == nullptr, "never after a start");
+    }
+
+    void numbersOfTheJogColumnAreEnteredByCommandToo() {
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        const auto enter = [&bench](const char* id, double value) {
+            bench.window.actions().find(QLatin1String(id))->trigger();
+            auto* field = bench.window.findChild<QInputDialog*>("jogNumber");
+            QVERIFY2(field != nullptr, id);
+            field->setDoubleValue(value);
+            QTest::keyClick(field, Qt::Key_Return);
+            QTRY_VERIFY(bench.window.findChild<QInputDialog*>("jogNumber") == nullptr);
+        };
+        const JogSelection& selection = bench.window.jogColumn().selection();
+        enter("jog.speed.other", 33);
+        QVERIFY(selection.speed && std::abs(selection.speed->tcp - 0.033) < 1e-9);
+        enter("jog.step.other", 2.5);
+        QVERIFY(selection.step && std::abs(selection.step->length - 0.0025) < 1e-9);
+        enter("jog.contact.other", 25);
+        QCOMPARE(selection.contactForce, 25.0);
+        QCOMPARE(selection.motion, MotionChoice::UntilContact);
+    }
+
     void theWindowClosesWithThePageStillOpen() {
         Bench bench;
         app::SettingsPage* page = bench.open();
-        page->findChild<QTabBar*>()->setCurrentIndex(1);
+        page->findChild<QTabBar*>()->setCurrentIndex(2);
         page->findChild<QWidget*>("settings.key.app.help")->setFocus();
     }
 

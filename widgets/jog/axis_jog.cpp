@@ -56,6 +56,10 @@ void AxisJog::setClock(const Clock& clock) {
 void AxisJog::setInput(const Deflection& deflection, double factor) {
     input_ = deflection;
     factor_ = factor;
+    inputNs_ = clock_->nowNs();
+    if (id_ != 0) {
+        endIfStalled(inputNs_);
+    }
     if (deflection.isNeutral() || !deflection.deadMan) {
         if (id_ != 0) {
             stop(StopCause::Released);
@@ -112,13 +116,25 @@ void AxisJog::finish() {
     Q_EMIT ended(StopCause::None);
 }
 
+/// Nothing ran for so long: what the device asked for before it is too old to go on with.
+bool AxisJog::endIfStalled(std::int64_t nowNs) {
+    if (nowNs - pumpedNs_ <= HoldGuard::kStallMs * kNsPerMs) {
+        return false;
+    }
+    stop(StopCause::EventLoopStalled);
+    return true;
+}
+
 void AxisJog::pump() {
     if (id_ == 0) {
         return;
     }
     const std::int64_t now = clock_->nowNs();
-    if (now - pumpedNs_ > HoldGuard::kStallMs * kNsPerMs) {
-        stop(StopCause::EventLoopStalled);
+    if (endIfStalled(now)) {
+        return;
+    }
+    if (input_.polled && now - inputNs_ > HoldGuard::kStallMs * kNsPerMs) {
+        stop(StopCause::DeviceLost);
         return;
     }
     pumpedNs_ = now;

@@ -21,6 +21,7 @@ struct Deflection {
     Vector6 axes = Vector6::Zero();    ///< X Y Z Rx Ry Rz in the chosen frame
     Vector6 joints = Vector6::Zero();  ///< single joints; they count only while all axes are 0
     bool deadMan = false;
+    bool polled = false;  ///< comes again and again: once it does not, whoever reads the device hangs
 
     bool isNeutral() const { return axes.isZero() && joints.isZero(); }
 };
@@ -64,6 +65,7 @@ protected:
 private:
     void begin();
     void finish();
+    bool endIfStalled(std::int64_t nowNs);
 
     const JogPort& port_;
     const JogSelection& selection_;
@@ -74,6 +76,7 @@ private:
     double factor_ = 1.0;
     RobotSession::MotionId id_ = 0;
     std::int64_t pumpedNs_ = 0;
+    std::int64_t inputNs_ = 0;
     bool neutral_ = true;
 };
 

@@ -12,17 +12,26 @@ namespace {
 constexpr int kLookMs = 1000;
 }
 
-Vector6 shaped(const Vector6& axes, const DeviceShape& shape, bool dominantAxis) {
+DeviceTuning DeviceTuning::sane() const {
+    const auto within = [](double value, double least, double most, double otherwise) {
+        return std::isfinite(value) ? std::clamp(value, least, most) : otherwise;
+    };
+    const DeviceTuning first;
+    return {within(deadZone, kLeastDeadZone, kMostDeadZone, first.deadZone),
+            within(exponent, 1.0, kMostExponent, first.exponent), dominantAxis};
+}
+
+Vector6 shaped(const Vector6& axes, const DeviceTuning& tuning) {
     Vector6 wish = Vector6::Zero();
     for (int axis = 0; axis < 6; ++axis) {
         const double out = std::min(std::abs(axes[axis]), 1.0);
-        if (!(out > shape.deadZone)) {  // not a number is neutral too
+        if (!(out > tuning.deadZone)) {  // not a number is neutral too
             continue;
         }
-        const double beyond = (out - shape.deadZone) / (1 - shape.deadZone);
-        wish[axis] = std::copysign(std::pow(beyond, shape.exponent), axes[axis]);
+        const double beyond = (out - tuning.deadZone) / (1 - tuning.deadZone);
+        wish[axis] = std::copysign(std::pow(beyond, tuning.exponent), axes[axis]);
     }
-    if (dominantAxis) {
+    if (tuning.dominantAxis) {
         Eigen::Index most = 0;
         wish.cwiseAbs().maxCoeff(&most);
         const double value = wish[most];
@@ -75,17 +84,42 @@ void DeviceJog::use(const InputDevice* device) {
     }
     used_ = device;
     stopHeld_ = false;
+    wasNeutral_ = false;
+    silent_ = false;
+    heardNs_ = clock_->nowNs();
     if (device != nullptr) {
-        dominantAxis_ = device->shape().dominantAxis;
         // Whatever it says now: the first thing it has to do is to be neutral.
         jog_.requireNeutral();
     }
     Q_EMIT devicesChanged();
 }
 
-void DeviceJog::setDominantAxis(bool on) {
+void DeviceJog::setClock(const Clock& clock) {
     jog_.stop(StopCause::SelectionChanged);
-    dominantAxis_ = on;
+    clock_ = &clock;
+    heardNs_ = clock.nowNs();
+}
+
+DeviceShape DeviceJog::shape(const InputDevice& device) const {
+    DeviceShape shape = device.shape();
+    if (const auto chosen = tunings_.constFind(shape.kind); chosen != tunings_.constEnd()) {
+        static_cast<DeviceTuning&>(shape) = *chosen;
+    }
+    return shape;
+}
+
+void DeviceJog::tune(const QString& kind, const DeviceTuning& tuning) {
+    const DeviceTuning sane = tuning.sane();
+    if (const auto before = tunings_.constFind(kind); before != tunings_.constEnd() && *before == sane) {
+        return;
+    }
+    if (used_ != nullptr && used_->shape().kind == kind) {
+        // The same stick means another speed now.
+        jog_.stop(StopCause::SelectionChanged);
+        jog_.requireNeutral();
+    }
+    tunings_[kind] = sane;
+    Q_EMIT tuned(kind, sane);
 }
 
 DeviceReading DeviceJog::reading(const InputDevice* device) const {
@@ -101,8 +135,9 @@ Deflection DeviceJog::wish(const InputDevice* device) const {
     Deflection deflection;
     if (device != nullptr) {
         const DeviceReading now = reading(device);
-        deflection.axes = shaped(now.axes, device->shape(), dominantAxis_);
+        deflection.axes = shaped(now.axes, shape(*device));
         deflection.deadMan = now.deadMan;
+        deflection.polled = true;
     }
     return deflection;
 }
@@ -134,16 +169,43 @@ void DeviceJog::poll() {
     if (used_ == nullptr) {
         return;
     }
-    const bool stop = reading(used_).stop;
-    if (stop && !stopHeld_) {
+    follow(reading(used_));
+}
+
+void DeviceJog::follow(const DeviceReading& now) {
+    if (now.stop && !stopHeld_) {
         jog_.stop(StopCause::StopButton);
         Q_EMIT stopPressed();
     }
-    stopHeld_ = stop;
-    jog_.setInput(stop ? Deflection() : wish(used_));
-    if (stop) {
+    stopHeld_ = now.stop;
+    Deflection wanted = now.stop ? Deflection() : wish(used_);
+
+    const std::int64_t nowNs = clock_->nowNs();
+    if (now.fresh) {
+        heardNs_ = nowNs;
+    }
+    const bool wasSilent = silent_;
+    silent_ = !wanted.isNeutral() && nowNs - heardNs_ > std::chrono::nanoseconds(silenceAtMost()).count();
+    if (silent_) {
+        wanted = {};
+        if (!wasSilent && jog_.isActive()) {
+            jog_.stop(StopCause::DeviceLost);
+            Q_EMIT fellSilent(used_->name());
+        }
+    }
+    // A device that lies still does not disturb whoever else jogs.
+    const bool neutral = wanted.isNeutral();
+    if (!neutral || !wasNeutral_ || (jog_.waitsForNeutral() && !jog_.isActive())) {
+        jog_.setInput(wanted);
+    }
+    wasNeutral_ = neutral;
+    if (now.stop || silent_) {
         jog_.requireNeutral();
     }
+}
+
+std::chrono::milliseconds DeviceJog::silenceAtMost() const {
+    return used_->shape().silenceAtMost;
 }
 
 }  // namespace tiller

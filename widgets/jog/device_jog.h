@@ -5,8 +5,11 @@
 // while its dead-man is held, and after any stop only once it has come back to neutral; see AxisJog for the
 // rules.
 
+#include <QMap>
 #include <QObject>
 #include <QTimer>
+#include <chrono>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -30,8 +33,10 @@ public:
     /// The device that moves the arm, or null. Never remembered: after a start none does.
     const InputDevice* used() const { return used_; }
     void use(const InputDevice* device);
-    bool dominantAxis() const { return dominantAxis_; }
-    void setDominantAxis(bool on);
+    /// The device's shape, with what was chosen for its kind.
+    DeviceShape shape(const InputDevice& device) const;
+    /// Chooses for all devices of a kind, in sane(); ends their motion.
+    void tune(const QString& kind, const DeviceTuning& tuning);
 
     /// The newest reading of a device, and what it asks for.
     DeviceReading reading(const InputDevice* device) const;
@@ -40,25 +45,36 @@ public:
     /// Reads all devices once. A timer does this every 10 ms; tests in virtual time do it themselves.
     void poll();
     static constexpr int kPollMs = 10;
+    void setClock(const Clock& clock);
 
 Q_SIGNALS:
     /// Devices have come or gone, or another one is used.
     void devicesChanged();
     /// The device in use disappeared.
     void lost(const QString& name);
+    /// The device in use moved the arm and said nothing any more: what it moved was stopped. It is still
+    /// there, and has to come back to neutral.
+    void fellSilent(const QString& name);
+    void tuned(const QString& kind, const tiller::DeviceTuning& tuning);
     /// The stop key of the device in use.
     void stopPressed();
 
 private:
     void look();
+    void follow(const DeviceReading& now);
+    std::chrono::milliseconds silenceAtMost() const;
 
     AxisJog& jog_;
+    const Clock* clock_ = &SteadyClock::shared();
     std::vector<std::unique_ptr<DeviceSource>> sources_;
     std::vector<std::unique_ptr<InputDevice>> devices_;
     std::vector<DeviceReading> readings_;  ///< one for each device
     const InputDevice* used_ = nullptr;
-    bool dominantAxis_ = true;
+    QMap<QString, DeviceTuning> tunings_;  ///< by kind; what is not in it is as the device is at first
     bool stopHeld_ = false;
+    bool wasNeutral_ = false;   ///< what it asked for last
+    bool silent_ = false;       ///< deflected, and hangs
+    std::int64_t heardNs_ = 0;  ///< its last report
     QTimer pollTimer_;
     QTimer lookTimer_;
 };

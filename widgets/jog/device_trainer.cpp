@@ -156,7 +156,12 @@ DeviceTrainer::DeviceTrainer(DeviceJog& devices, std::function<JogSelection()> s
     connect(&devices_, &DeviceJog::devicesChanged, this, &DeviceTrainer::listDevices);
     connect(list_, &QComboBox::currentIndexChanged, this, &DeviceTrainer::refresh);
     connect(use_, &QCheckBox::clicked, this, [this](bool on) { devices_.use(on ? chosen() : nullptr); });
-    connect(dominant_, &QCheckBox::clicked, this, [this](bool on) { devices_.setDominantAxis(on); });
+    connect(dominant_, &QCheckBox::clicked, this, [this](bool on) {
+        if (const InputDevice* device = chosen()) {
+            const DeviceShape shape = devices_.shape(*device);
+            devices_.tune(shape.kind, {shape.deadZone, shape.exponent, on});
+        }
+    });
     timer_.setInterval(kRefreshMs);
     connect(&timer_, &QTimer::timeout, this, &DeviceTrainer::refresh);
     timer_.start();
@@ -189,7 +194,7 @@ void DeviceTrainer::refresh() {
     use_->setEnabled(device != nullptr);
     use_->setChecked(device != nullptr && devices_.used() == device);
     dominant_->setEnabled(device != nullptr);
-    dominant_->setChecked(devices_.dominantAxis());
+    dominant_->setChecked(device != nullptr && devices_.shape(*device).dominantAxis);
     if (device == nullptr) {
         hint_->setText(tr("No gamepad and no SpaceMouse is there. Plug one in: it appears by itself."));
         deadMan_->setText(QStringLiteral("–"));
@@ -197,7 +202,7 @@ void DeviceTrainer::refresh() {
         bars_->show(Vector6::Zero(), Vector6::Zero(), 0);
         return;
     }
-    const DeviceShape shape = device->shape();
+    const DeviceShape shape = devices_.shape(*device);
     const Deflection wish = devices_.wish(device);
     hint_->setText(shape.directions);
     deadMan_->setText(wish.deadMan ? tr("● held (%1)").arg(shape.deadManName)

@@ -6,7 +6,10 @@
 #include <SDL.h>
 
 #include <QCoreApplication>
+#include <array>
+#include <cstdint>
 #include <set>
+#include <utility>
 
 namespace tiller {
 
@@ -41,7 +44,8 @@ public:
         : pad_(pad)
         , owner_(std::move(owner))
         , id_(SDL_JoystickInstanceID(SDL_GameControllerGetJoystick(pad)))
-        , name_(QString::fromUtf8(SDL_GameControllerName(pad))) {}
+        , name_(QString::fromUtf8(SDL_GameControllerName(pad)))
+        , gyro_(SDL_GameControllerSetSensorEnabled(pad, SDL_SENSOR_GYRO, SDL_TRUE) == 0) {}
     ~Gamepad() override {
         SDL_GameControllerClose(pad_);
         owner_->open.erase(id_);
@@ -52,9 +56,11 @@ public:
     QString name() const override { return name_; }
     DeviceShape shape() const override {
         DeviceShape shape;
-        // Source: operator-interface.md, "Numbers".
-        shape.deadZone = 0.08;
-        shape.exponent = 2.2;
+        static_cast<DeviceTuning&>(shape) = kGamepadTuning;
+        shape.kind = kGamepadKind;
+        // SDL tells changes only. A pad with a sensor of its own turning always has some; the sticks of any
+        // other may stay the same for a while in a quiet hand.
+        shape.silenceAtMost = std::chrono::milliseconds(gyro_ ? 200 : 2000);
         shape.deadManName = QCoreApplication::translate("Gamepad", "left shoulder");
         shape.directions = QCoreApplication::translate(
             "Gamepad", "Left stick X and Y, right stick Z and turn. Right shoulder: the sticks turn.");
@@ -82,14 +88,39 @@ public:
         }
         now.deadMan = button(SDL_CONTROLLER_BUTTON_LEFTSHOULDER);
         now.stop = button(SDL_CONTROLLER_BUTTON_B);
+        now.fresh = isFresh();
         return now;
     }
 
 private:
+    /// Everything the pad says, to see whether it has said something new.
+    struct Raw {
+        std::array<std::int16_t, SDL_CONTROLLER_AXIS_MAX> axes{};
+        std::array<std::uint8_t, SDL_CONTROLLER_BUTTON_MAX> buttons{};
+        std::array<float, 3> turning{};
+        friend bool operator==(const Raw&, const Raw&) = default;
+    };
+
+    bool isFresh() {
+        Raw raw;
+        for (std::size_t i = 0; i < raw.axes.size(); ++i) {
+            raw.axes[i] = SDL_GameControllerGetAxis(pad_, static_cast<SDL_GameControllerAxis>(i));
+        }
+        for (std::size_t i = 0; i < raw.buttons.size(); ++i) {
+            raw.buttons[i] = SDL_GameControllerGetButton(pad_, static_cast<SDL_GameControllerButton>(i));
+        }
+        if (gyro_) {
+            SDL_GameControllerGetSensorData(pad_, SDL_SENSOR_GYRO, raw.turning.data(), 3);
+        }
+        return std::exchange(last_, raw) != raw;
+    }
+
     SDL_GameController* pad_;
     std::shared_ptr<Owner> owner_;
     SDL_JoystickID id_;
     QString name_;
+    bool gyro_;
+    Raw last_;
 };
 
 }  // namespace

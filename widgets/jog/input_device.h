@@ -5,6 +5,7 @@
 // dead-man say now. Tests bring their own.
 
 #include <QString>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -13,19 +14,40 @@
 
 namespace tiller {
 
-/// How raw axes become a wish.
-struct DeviceShape {
+/// How raw axes become a wish: what the operator may choose of it.
+struct DeviceTuning {
     double deadZone = 0.08;     ///< of the full deflection
     double exponent = 1.0;      ///< of the curve beyond the dead zone
     bool dominantAxis = false;  ///< only the axis that is out furthest counts
-    QString deadManName;        ///< what has to be held: "left shoulder"
-    QString directions;         ///< which stick moves what, in a sentence
+
+    static constexpr double kLeastDeadZone = 0.03;
+    static constexpr double kMostDeadZone = 0.50;
+    static constexpr double kMostExponent = 4.0;
+    /// Brought into the range of what makes sense; not a number becomes what it is at first.
+    DeviceTuning sane() const;
+    friend bool operator==(const DeviceTuning&, const DeviceTuning&) = default;
 };
+
+struct DeviceShape : DeviceTuning {
+    QString kind;         ///< what is chosen for one of a kind holds for all: "gamepad"
+    QString deadManName;  ///< what has to be held: "left shoulder"
+    QString directions;   ///< which stick moves what, in a sentence
+    /// A hand is never quite still: deflected and without a report for longer than this, the device or its
+    /// driver hangs, and what it said last is nobody's wish any more.
+    std::chrono::milliseconds silenceAtMost{200};
+};
+
+inline const QString kGamepadKind = QStringLiteral("gamepad");
+inline const QString kSpaceMouseKind = QStringLiteral("spaceMouse");
+/// As they are at first. Source: operator-interface.md, "Numbers".
+inline constexpr DeviceTuning kGamepadTuning{0.08, 2.2, false};
+inline constexpr DeviceTuning kSpaceMouseTuning{0.10, 1.0, true};
 
 struct DeviceReading {
     Vector6 axes = Vector6::Zero();  ///< X Y Z Rx Ry Rz of the jog frame, -1 ... 1, as the device gives them
     bool deadMan = false;
     bool stop = false;  ///< a key that stops whatever moves
+    bool fresh = true;  ///< the device has reported something since it was read last
 };
 
 /// Threads  GUI
@@ -47,6 +69,6 @@ public:
 };
 
 /// A reading with dead zone, curve and dominant axis applied.
-Vector6 shaped(const Vector6& axes, const DeviceShape& shape, bool dominantAxis);
+Vector6 shaped(const Vector6& axes, const DeviceTuning& tuning);
 
 }  // namespace tiller

@@ -64,6 +64,9 @@ public:
     void setFreeStep(const StepSize& step);
     /// Moves until the tool touches something with this force [N].
     void setUntilContact(double force);
+    enum class Entry { Step, Speed, ContactForce };
+    /// Opens the field in which the operator enters one of these by hand.
+    void askFor(Entry entry);
     /// What freedrive leaves free.
     void setFreedriveAxes(FreedriveAxes axes);
     /// Counts the way from here; once more: since the press again.

@@ -220,29 +220,18 @@ void JogColumn::fillStepMenu(QMenu& menu) {
         const StepSize step{preset.millimetres / 1e3, preset.degrees * kRadPerDeg};
         menu.addAction(stepText(step), this, [this, step] { setFreeStep(step); });
     }
-    menu.addAction(tr("Other step…"), this, [this] {
-        askForNumber(tr("Step in mm (turns: the same number in degrees)"), 2, 0.01, 500, 2,
-                     [this](double value) {
-                         setFreeStep({value / 1e3, std::min(value, 180.0) * kRadPerDeg});
-                     });
-    });
+    menu.addAction(tr("Other step…"), this, [this] { askFor(Entry::Step); });
     menu.addSeparator();
     menu.addAction(tr("Until contact, %1 N").arg(selection_.contactForce, 0, 'f', 0), this,
                    [this] { setUntilContact(selection_.contactForce); });
-    menu.addAction(tr("Until contact, other force…"), this, [this] {
-        askForNumber(tr("Force that ends the motion, in N"), selection_.contactForce, kLeastContactForce,
-                     kMostContactForce, 0, [this](double value) { setUntilContact(value); });
-    });
+    menu.addAction(tr("Until contact, other force…"), this, [this] { askFor(Entry::ContactForce); });
 }
 
 void JogColumn::fillSpeedMenu(QMenu& menu) {
     menu.addAction(QStringLiteral("1 mm/s"), this, [this] { setFreeSpeed(0.001); });
     menu.addAction(tr("%1 mm/s").arg(speedClasses().back().tcp * 1e3, 0, 'f', 0), this,
                    [this] { setSpeedClass(kSpeedClassCount - 1); });
-    menu.addAction(tr("Other speed…"), this, [this] {
-        askForNumber(tr("Speed of the TCP in mm/s"), chosenSpeed(selection_).tcp * 1e3, 0.5,
-                     port_.limits().tcpSpeed * 1e3, 1, [this](double value) { setFreeSpeed(value / 1e3); });
-    });
+    menu.addAction(tr("Other speed…"), this, [this] { askFor(Entry::Speed); });
 }
 
 void JogColumn::fillFreedriveMenu(QMenu& menu) {
@@ -257,6 +246,26 @@ void JogColumn::fillFreedriveMenu(QMenu& menu) {
                                     [this] { payloadChecked_ = !payloadChecked_; });
     check->setCheckable(true);
     check->setChecked(payloadChecked_);
+}
+
+void JogColumn::askFor(Entry entry) {
+    switch (entry) {
+        case Entry::Step:
+            askForNumber(tr("Step in mm (turns: the same number in degrees)"), 2, 0.01, 500, 2,
+                         [this](double value) {
+                             setFreeStep({value / 1e3, std::min(value, 180.0) * kRadPerDeg});
+                         });
+            break;
+        case Entry::Speed:
+            askForNumber(tr("Speed of the TCP in mm/s"), chosenSpeed(selection_).tcp * 1e3, 0.5,
+                         port_.limits().tcpSpeed * 1e3, 1,
+                         [this](double value) { setFreeSpeed(value / 1e3); });
+            break;
+        case Entry::ContactForce:
+            askForNumber(tr("Force that ends the motion, in N"), selection_.contactForce, kLeastContactForce,
+                         kMostContactForce, 0, [this](double value) { setUntilContact(value); });
+            break;
+    }
 }
 
 void JogColumn::askForNumber(const QString& text, double value, double least, double most, int digits,

@@ -20,9 +20,8 @@ public:
     QString name() const override { return QStringLiteral("SpaceMouse"); }
     DeviceShape shape() const override {
         DeviceShape shape;
-        // Source: operator-interface.md, "Numbers".
-        shape.deadZone = 0.10;
-        shape.dominantAxis = true;
+        static_cast<DeviceTuning&>(shape) = kSpaceMouseTuning;
+        shape.kind = kSpaceMouseKind;  // it reports all the time while the cap is out
         shape.deadManName = QCoreApplication::translate("SpaceMouse", "left key");
         shape.directions =
             QCoreApplication::translate("SpaceMouse", "The cap moves and turns as the tool shall.");
@@ -30,7 +29,9 @@ public:
     }
     std::optional<DeviceReading> read() override {
         spnav_event event{};
+        now_.fresh = false;
         while (spnav_poll_event(&event) != 0) {
+            now_.fresh = true;
             if (event.type == SPNAV_EVENT_MOTION) {
                 const spnav_event_motion& m = event.motion;
                 // The driver has Y up and Z towards the hand; the jog frame Y away from it and Z up.

@@ -5,6 +5,7 @@
 #include <QCheckBox>
 #include <QSignalSpy>
 #include <QTest>
+#include <functional>
 #include <map>
 
 #include "widgets/jog/device_jog.h"
@@ -26,6 +27,7 @@ struct Stick {
     DeviceReading reading;
     DeviceShape shape;
     bool plugged = true;
+    std::function<void()> duringRead;  ///< what its driver does meanwhile
 };
 
 class FakeDevice : public InputDevice {
@@ -34,6 +36,9 @@ public:
     QString name() const override { return QStringLiteral("Test pad"); }
     DeviceShape shape() const override { return stick_.shape; }
     std::optional<DeviceReading> read() override {
+        if (stick_.duringRead) {
+            stick_.duringRead();
+        }
         return stick_.plugged ? std::optional(stick_.reading) : std::nullopt;
     }
 
@@ -88,6 +93,7 @@ struct Bench {
         };
         port.limits = [] { return control::MotionLimits(); };
         jog.setClock(clock);
+        devices.setClock(clock);
         window.show();
         window.activateWindow();
         if (!QTest::qWaitForWindowActive(&window)) {
@@ -95,6 +101,7 @@ struct Bench {
         }
         stick.shape.deadManName = QStringLiteral("left shoulder");
         stick.shape.exponent = 2.2;
+        stick.shape.kind = kGamepadKind;
         devices.addSource(std::make_unique<FakeSource>(stick));
     }
     const InputDevice* device() const { return devices.devices().front().get(); }
@@ -103,6 +110,16 @@ struct Bench {
         stick.reading.axes[axis] = out;
         stick.reading.deadMan = deadMan;
         devices.poll();
+    }
+    /// Time goes on as timers would have it: the device is read, the motion refreshed.
+    void run(int ms) {
+        for (int t = 0; t < ms; t += 10) {
+            clock.advanceNs(10 * kNsPerMs);
+            devices.poll();
+            if (t % 20 == 0) {
+                jog.pump();
+            }
+        }
     }
 };
 
@@ -118,7 +135,7 @@ private Q_SLOTS:
         shape.exponent = 2.2;
         Vector6 raw;
         raw << 0.079, 1.0, -1.0, 0.54, -0.54, 2.0;
-        const Vector6 wish = shaped(raw, shape, false);
+        const Vector6 wish = shaped(raw, shape);
         QCOMPARE(wish[0], 0.0);
         QCOMPARE(wish[1], 1.0);
         QCOMPARE(wish[2], -1.0);
@@ -126,12 +143,14 @@ private Q_SLOTS:
         QCOMPARE(wish[4], -wish[3]);
         QCOMPARE(wish[5], 1.0);
         raw << 0.5, -0.9, 0.3, 0, 0, 0;
-        const Vector6 one = shaped(raw, shape, true);
+        shape.dominantAxis = true;
+        const Vector6 one = shaped(raw, shape);
         QCOMPARE(one[0], 0.0);
         QVERIFY(one[1] < -0.7);
         QCOMPARE(one[2], 0.0);
         raw[1] = std::numeric_limits<double>::quiet_NaN();
-        QCOMPARE(shaped(raw, shape, false)[1], 0.0);
+        shape.dominantAxis = false;
+        QCOMPARE(shaped(raw, shape)[1], 0.0);
     }
 
     void aDeviceThatIsNotSwitchedOnMovesNothing() {
@@ -182,6 +201,117 @@ private Q_SLOTS:
         QCOMPARE(lost.count(), 1);
         QVERIFY(b.devices.devices().empty());
         QVERIFY(b.devices.used() == nullptr);
+    }
+
+    void aDeviceThatHangsWhileDeflectedStopsTheArm() {
+        Bench b;
+        QSignalSpy silent(&b.devices, &DeviceJog::fellSilent);
+        b.devices.use(b.device());
+        b.push(0, 0.0);
+        b.push(0, 1.0);
+        b.run(500);
+        QVERIFY2(b.ends.isEmpty(), "it reports all the time");
+        // From here on the driver says nothing new; what it said last still stands.
+        b.stick.reading.fresh = false;
+        b.run(190);
+        QVERIFY(b.ends.isEmpty());
+        b.run(30);
+        QCOMPARE(b.ends, QList<StopCause>{StopCause::DeviceLost});
+        QCOMPARE(silent.count(), 1);
+        b.run(1000);
+        QCOMPARE(b.next, 1U);
+        QCOMPARE(silent.count(), 1);
+        QVERIFY2(b.devices.used() == b.device(), "it is still there");
+        // Back again, it has to be let go first.
+        b.stick.reading.fresh = true;
+        b.run(100);
+        QCOMPARE(b.next, 1U);
+        b.push(0, 0.0);
+        b.push(0, 1.0);
+        QCOMPARE(b.next, 2U);
+    }
+
+    void aDeviceThatLiesStillMaySayNothing() {
+        Bench b;
+        b.devices.use(b.device());
+        b.push(0, 0.0);
+        b.stick.reading.fresh = false;
+        b.run(5000);
+        b.stick.reading.fresh = true;
+        b.push(0, 1.0);
+        QCOMPARE(b.next, 1U);
+        b.run(100);
+        QVERIFY(b.ends.isEmpty());
+    }
+
+    void aDriverThatBlocksStopsTheArm() {
+        Bench b;
+        b.devices.use(b.device());
+        b.push(0, 0.0);
+        b.push(0, 1.0);
+        b.run(100);
+        // One read takes 150 ms: nothing else ran meanwhile.
+        b.stick.duringRead = [&b] { b.clock.advanceNs(150 * kNsPerMs); };
+        b.devices.poll();
+        b.stick.duringRead = nullptr;
+        QCOMPARE(b.ends, QList<StopCause>{StopCause::EventLoopStalled});
+        b.run(300);
+        QCOMPARE(b.next, 1U);
+    }
+
+    void aReaderThatNeverComesBackStopsTheArm() {
+        Bench b;
+        b.devices.use(b.device());
+        b.push(0, 0.0);
+        b.push(0, 1.0);
+        // The motion is still refreshed, but nobody reads the device any more.
+        for (int t = 0; t < 100; t += 20) {
+            b.clock.advanceNs(20 * kNsPerMs);
+            b.jog.pump();
+        }
+        QVERIFY(b.ends.isEmpty());
+        b.clock.advanceNs(20 * kNsPerMs);
+        b.jog.pump();
+        QCOMPARE(b.ends, QList<StopCause>{StopCause::DeviceLost});
+    }
+
+    void aDeviceThatLiesStillDoesNotDisturbTheKeyboard() {
+        Bench b;
+        b.devices.use(b.device());
+        b.push(0, 0.0);
+        b.run(50);
+        Deflection keys;
+        keys.deadMan = true;
+        keys.axes[1] = 1;
+        b.jog.setInput(keys);
+        QCOMPARE(b.next, 1U);
+        b.run(500);
+        QVERIFY(b.ends.isEmpty());
+        b.jog.setInput({});
+        QCOMPARE(b.ends, QList<StopCause>{StopCause::Released});
+    }
+
+    void anotherTuningStopsTheArmAndHoldsForTheKind() {
+        Bench b;
+        QSignalSpy tuned(&b.devices, &DeviceJog::tuned);
+        b.devices.use(b.device());
+        b.push(0, 0.0);
+        b.push(0, 0.3);
+        QCOMPARE(b.next, 1U);
+        b.devices.tune(kSpaceMouseKind, {0.2, 1, true});
+        QVERIFY2(b.ends.isEmpty(), "of another kind");
+        b.devices.tune(kGamepadKind, {0.4, 1, false});
+        QCOMPARE(b.ends, QList<StopCause>{StopCause::SelectionChanged});
+        QCOMPARE(tuned.count(), 2);
+        b.push(0, 0.0);
+        b.push(0, 0.3);
+        QVERIFY2(b.next == 1U, "inside the new dead zone");
+        b.push(0, 0.7);
+        QCOMPARE(b.next, 2U);
+        QVERIFY(std::abs(b.targets.last().twist.linear.x() - 0.025) < 1e-9);
+        b.devices.tune(kGamepadKind, {-1, 99, false});
+        QCOMPARE(b.devices.shape(*b.device()).deadZone, DeviceTuning::kLeastDeadZone);
+        QCOMPARE(b.devices.shape(*b.device()).exponent, DeviceTuning::kMostExponent);
     }
 
     void theStopKeyStopsAndAsksForNeutral() {
@@ -259,13 +389,17 @@ private Q_SLOTS:
         SDL_JoystickSetVirtualAxis(joystick, SDL_CONTROLLER_AXIS_LEFTY, -32767);
         SDL_JoystickSetVirtualButton(joystick, SDL_CONTROLLER_BUTTON_LEFTSHOULDER, 1);
         std::optional<DeviceReading> now = pad->read();
-        QVERIFY(now.has_value());
+        QVERIFY(now.has_value() && now->fresh);
+        now = pad->read();
+        QVERIFY2(now && !now->fresh, "nothing new was said");
         QCOMPARE(now->axes[0], 1.0);
         QCOMPARE(now->axes[1], 1.0);
         QVERIFY(now->deadMan && !now->stop);
+        QVERIFY(pad->shape().silenceAtMost <= std::chrono::seconds(2));
         SDL_JoystickSetVirtualButton(joystick, SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, 1);
         SDL_JoystickSetVirtualButton(joystick, SDL_CONTROLLER_BUTTON_B, 1);
         now = pad->read();
+        QVERIFY(now->fresh);
         QCOMPARE(now->axes[0], 0.0);
         QCOMPARE(now->axes[3], 1.0);
         QVERIFY(now->stop);

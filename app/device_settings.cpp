@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/device_settings.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "widgets/jog/device_jog.h"
+
+namespace tiller::app {
+namespace {
+
+QLabel* secondary(const QString& text) {
+    auto* label = new QLabel(text);
+    label->setWordWrap(true);
+    label->setProperty("role", QStringLiteral("secondary"));
+    return label;
+}
+
+/// The names of all fields of the page are as wide, so that the fields stand in one line.
+QLabel* fieldName(const QString& text) {
+    constexpr int kWidth = 116;
+    auto* label = new QLabel(text);
+    label->setMinimumWidth(kWidth);
+    return label;
+}
+
+QDoubleSpinBox* numberField(const QString& name, const QString& accessible, double least, double most,
+                            double step, int digits, const QString& suffix) {
+    auto* box = new QDoubleSpinBox;
+    box->setObjectName(name);
+    box->setAccessibleName(accessible);
+    box->setDecimals(digits);
+    box->setRange(least, most);
+    box->setSingleStep(step);
+    box->setSuffix(suffix);
+    // A number is taken when it is finished.
+    box->setKeyboardTracking(false);
+    return box;
+}
+
+}  // namespace
+
+DeviceSettings::DeviceSettings(DeviceJog& devices, const QMap<QString, DeviceTuning>& chosen, QWidget* parent)
+    : QWidget(parent), devices_(devices), chosen_(chosen), used_(new QComboBox), there_(secondary({})) {
+    used_->setObjectName("settings.device");
+    used_->setAccessibleName(tr("Device that moves the arm"));
+    there_->setObjectName("settings.deviceNote");
+    auto* trainer = new QPushButton(tr("Try it out…"));
+    trainer->setObjectName("settings.trainer");
+    trainer->setAutoDefault(false);
+    trainer->setToolTip(tr("What each device says now, and which way it will go."));
+
+    auto* form = new QFormLayout;
+    form->setVerticalSpacing(10);
+    form->setHorizontalSpacing(20);
+    form->addRow(fieldName(tr("Moves the arm")), used_);
+    form->addRow(QString(), there_);
+    auto* row = new QHBoxLayout;
+    row->addWidget(trainer);
+    row->addStretch(1);
+    form->addRow(QString(), row);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 16, 0, 0);
+    layout->setSpacing(14);
+    layout->addLayout(form);
+    layout->addWidget(buildKind(kGamepadKind, tr("Gamepad"), kGamepadTuning));
+    layout->addWidget(buildKind(kSpaceMouseKind, tr("SpaceMouse"), kSpaceMouseTuning));
+    layout->addStretch(1);
+
+    connect(trainer, &QPushButton::clicked, this, &DeviceSettings::trainerWanted);
+    connect(used_, &QComboBox::activated, this, [this](int index) {
+        const auto& all = devices_.devices();
+        const bool device = index > 0 && index <= static_cast<int>(all.size());
+        devices_.use(device ? all[static_cast<std::size_t>(index - 1)].get() : nullptr);
+    });
+    connect(&devices_, &DeviceJog::devicesChanged, this, &DeviceSettings::listDevices);
+    listDevices();
+}
+
+QWidget* DeviceSettings::buildKind(const QString& kind, const QString& title, const DeviceTuning& first) {
+    const DeviceTuning now = chosen_.value(kind, first);
+    auto* zone =
+        numberField("settings." + kind + ".deadZone", tr("Dead zone of the %1").arg(title),
+                    DeviceTuning::kLeastDeadZone * 100, DeviceTuning::kMostDeadZone * 100, 1, 0, tr(" %"));
+    zone->setToolTip(tr("So far a stick may be out without moving anything."));
+    auto* curve = numberField("settings." + kind + ".exponent", tr("Curve of the %1").arg(title), 1,
+                              DeviceTuning::kMostExponent, 0.1, 1, {});
+    curve->setPrefix(tr("exponent "));
+    curve->setToolTip(tr("1: even. Higher: gentle near the middle, fast at the end of the way."));
+    auto* dominant = new QCheckBox(tr("Only the axis that is out furthest"));
+    dominant->setObjectName("settings." + kind + ".dominant");
+    dominant->setAccessibleName(tr("%1: only the axis that is out furthest").arg(title));
+    const auto show = [zone, curve, dominant](const DeviceTuning& tuning) {
+        const QSignalBlocker quietZone(zone);
+        const QSignalBlocker quietCurve(curve);
+        zone->setValue(tuning.deadZone * 100);
+        curve->setValue(tuning.exponent);
+        dominant->setChecked(tuning.dominantAxis);
+    };
+    show(now);
+    const auto choose = [this, kind, zone, curve, dominant] {
+        const DeviceTuning tuning{zone->value() / 100, curve->value(), dominant->isChecked()};
+        chosen_[kind] = tuning;
+        Q_EMIT tuningChosen(kind, tuning);
+    };
+    connect(zone, &QDoubleSpinBox::valueChanged, this, choose);
+    connect(curve, &QDoubleSpinBox::valueChanged, this, choose);
+    connect(dominant, &QCheckBox::clicked, this, choose);
+    // The page for trying it out changes it too.
+    connect(&devices_, &DeviceJog::tuned, this,
+            [this, kind, show](const QString& of, const DeviceTuning& tuning) {
+                if (of == kind) {
+                    chosen_[kind] = tuning;
+                    show(tuning);
+                }
+            });
+
+    auto* box = new QWidget;
+    auto* form = new QFormLayout(box);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->setVerticalSpacing(8);
+    form->setHorizontalSpacing(20);
+    auto* name = new QLabel(title);
+    name->setProperty("role", QStringLiteral("strong"));
+    form->addRow(name);
+    form->addRow(fieldName(tr("Dead zone")), zone);
+    form->addRow(fieldName(tr("Curve")), curve);
+    form->addRow(QString(), dominant);
+    return box;
+}
+
+void DeviceSettings::listDevices() {
+    used_->clear();
+    used_->addItem(tr("None"));
+    int current = 0;
+    for (const auto& device : devices_.devices()) {
+        used_->addItem(device->name());
+        if (device.get() == devices_.used()) {
+            current = used_->count() - 1;
+        }
+    }
+    used_->setCurrentIndex(current);
+    used_->setEnabled(!devices_.devices().empty());
+    there_->setText(devices_.devices().empty()
+                        ? tr("No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.")
+                        : tr("Only while its dead-man is held. It is not remembered: after a start no device "
+                             "moves the arm."));
+}
+
+}  // namespace tiller::app
