@@ -78,12 +78,14 @@ void CommandPalette::list(const QString& words) {
             text += QStringLiteral("   ") + keys;
         }
         auto* item = new QListWidgetItem(text, list_);
-        item->setToolTip(ActionTable::helpOf(*action));
+        QString tip = ActionTable::helpOf(*action);
         if (!action->isEnabled()) {
             const QString why = ActionTable::obstacleOf(*action);
             item->setText(text + QStringLiteral(" – ") + (why.isEmpty() ? tr("not possible now") : why));
             item->setFlags(item->flags() & ~Qt::ItemIsEnabled);
+            tip.prepend(item->text() + QLatin1Char('\n'));
         }
+        item->setToolTip(tip);
         listed_.append(action);
     }
     list_->setCurrentRow(listed_.isEmpty() ? -1 : 0);

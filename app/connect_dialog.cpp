@@ -11,6 +11,8 @@
 #include <QRegularExpression>
 #include <QVBoxLayout>
 
+#include "widgets/common/room.h"
+
 namespace tiller::app {
 
 QString hostProblem(const QString& host) {
@@ -130,6 +132,11 @@ ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* p
     updateButtons();
 }
 
+void ConnectDialog::showEvent(QShowEvent* event) {
+    QDialog::showEvent(event);
+    makeRoom(*this);
+}
+
 void ConnectDialog::choose(Choice choice) {
     choice_ = choice;
     accept();
@@ -139,6 +146,9 @@ void ConnectDialog::updateButtons() {
     const QString problem = hostProblem(host_->text().trimmed());
     connect_->setEnabled(problem.isEmpty());
     hint_->setText(problem);
+    if (isVisible()) {
+        makeRoom(*this);
+    }
 }
 
 RobotAddress ConnectDialog::address() const {

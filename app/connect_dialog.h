@@ -27,6 +27,9 @@ public:
     /// Name and host as entered; the port offset of "host:+100" understood.
     RobotAddress address() const;
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
     void updateButtons();
     void choose(Choice choice);

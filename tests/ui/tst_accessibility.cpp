@@ -196,12 +196,11 @@ private Q_SLOTS:
                 continue;
             }
             looked.insert(focus);
-            const bool painted = qobject_cast<QAbstractItemView*>(focus) == nullptr;
             const QImage with = focus->grab().toImage();
             focus->clearFocus();
             const QImage without = focus->grab().toImage();
             focus->setFocus(Qt::TabFocusReason);
-            if (painted && with == without) {
+            if (with == without) {
                 invisible << QStringLiteral("%1 \"%2\"")
                                  .arg(QLatin1String(focus->metaObject()->className()), focus->objectName());
             }

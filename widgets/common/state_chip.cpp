@@ -63,8 +63,9 @@ void StateChip::setCaption(const QString& caption) {
 }
 
 void StateChip::setState(const QString& text, Shape shape, Emphasis emphasis, const QString& advice) {
-    setToolTip(advice);
+    advice_ = advice;
     if (text == text_ && shape == shape_ && emphasis == emphasis_) {
+        showTip();
         return;
     }
     const bool resized = text.size() != text_.size() || emphasis != emphasis_ || shape != shape_ || !figures_;
@@ -75,7 +76,21 @@ void StateChip::setState(const QString& text, Shape shape, Emphasis emphasis, co
     if (resized) {
         updateGeometry();
     }
+    showTip();
     update();
+}
+
+void StateChip::showTip() {
+    const bool whole = width() >= sizeHint().width();
+    const QString tip = whole ? advice_ : advice_.isEmpty() ? text_ : text_ + QLatin1Char('\n') + advice_;
+    if (tip != toolTip()) {
+        setToolTip(tip);
+    }
+}
+
+void StateChip::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    showTip();
 }
 
 void StateChip::setMark(const QString& mark) {

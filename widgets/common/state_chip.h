@@ -43,7 +43,8 @@ public:
     QString text() const { return text_; }
     Emphasis emphasis() const { return emphasis_; }
     Shape shape() const { return shape_; }
-    /// advice  what it means and what to do, as the tooltip
+    /// advice  what it means and what to do, as the tooltip; the text itself stands there too where it is
+    /// elided
     void setState(const QString& text, Shape shape, Emphasis emphasis, const QString& advice = {});
     /// Up to two letters in (octagon) or beside the shape, which tell apart states that share it.
     void setMark(const QString& mark);
@@ -65,6 +66,7 @@ Q_SIGNALS:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
@@ -72,10 +74,12 @@ private:
     QFont valueFont() const;
     int widthFor(const QString& value, const QString& caption) const;
     int shapeRoom() const;
+    void showTip();
 
     QString caption_;
     QString text_;
     QString mark_;
+    QString advice_;
     Shape shape_ = Shape::None;
     Emphasis emphasis_ = Emphasis::Normal;
     bool figures_ = false;

@@ -59,12 +59,13 @@ QTabBar::tab:selected { color: @text; font-weight: bold; border-bottom: 3px soli
 QTabBar::tab:hover:!selected { color: @text; }
 
 QTableView, QTreeView, QListView { background: transparent; alternate-background-color: transparent;
-    color: @text; border: none; outline: none; gridline-color: @border; font-size: 15px;
+    color: @text; border: 1px solid transparent; border-radius: 3px; outline: none; gridline-color: @border; font-size: 15px;
     selection-background-color: @movingTint; selection-color: @text; }
 QTableView::item, QTreeView::item, QListView::item { border: none; border-bottom: 1px solid @border;
     padding: 0 10px; }
 QTableView::item:selected, QTreeView::item:selected, QListView::item:selected { background: @movingTint;
     color: @text; }
+QTableView:focus, QTreeView:focus, QListView:focus { border-color: @moving; }
 QHeaderView { background: transparent; border: none; }
 QHeaderView::section { background: transparent; color: @secondary; border: none;
     border-bottom: 1px solid @border; padding: 6px 10px; font-size: 13px; font-weight: normal; }

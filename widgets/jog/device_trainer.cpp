@@ -13,6 +13,7 @@
 #include <numbers>
 
 #include "widgets/common/format.h"
+#include "widgets/common/room.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
@@ -210,6 +211,7 @@ void DeviceTrainer::refresh() {
     const QString way = whichWay(selection_(), wish, limits_());
     direction_->setText(way.isEmpty() ? tr("nothing: neutral") : way);
     bars_->show(devices_.reading(device).axes, wish.axes, shape.deadZone);
+    makeRoom(*this);
 }
 
 }  // namespace tiller

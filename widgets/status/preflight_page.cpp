@@ -104,7 +104,7 @@ PreflightPage::PreflightPage(const doctor::Patient& patient, QWidget* parent)
     setObjectName(QStringLiteral("preflightPage"));
     setWindowTitle(tr("Before you connect to %1").arg(patient.host));
     setAttribute(Qt::WA_DeleteOnClose);
-    resize(760, 700);
+    resize(760, 660);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(24, 20, 24, 20);
     layout->setSpacing(10);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "widgets/common/format.h"
+#include "widgets/common/room.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
@@ -21,15 +22,6 @@ namespace {
 constexpr double kLeastForce = 20.0;   // [N]
 constexpr double kLeastCurrent = 2.0;  // [A]
 constexpr double kLeastSpeed = 0.020;  // [m/s]
-
-/// Makes room for what came in; words that wrap need it, because they tell their height only for a width.
-void makeRoom(QWidget& page) {
-    page.layout()->activate();
-    const int needed = page.layout()->totalHeightForWidth(page.width());
-    if (needed > page.height()) {
-        page.resize(page.width(), needed);
-    }
-}
 
 }  // namespace
 
@@ -230,6 +222,7 @@ void RecoveryPage::showChecks() {
         auto* box = new QCheckBox(text, this);
         box->setObjectName(QStringLiteral("recoveryCheck%1").arg(checks_.size()));
         box->setAccessibleName(text);
+        box->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);  // never narrower than its words
         connect(box, &QCheckBox::toggled, this, &RecoveryPage::showKey);
         checkLayout_->addWidget(box);
         checks_.append(box);

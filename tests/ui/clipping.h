@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Finds words that are cut off: on labels, buttons, fields, tabs and table headers, and whatever reaches out
+// of the widget it is in. A text may be shortened only where the whole of it is in the tool tip.
+
+#include <QAbstractButton>
+#include <QAbstractScrollArea>
+#include <QAbstractSpinBox>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QRegularExpression>
+#include <QStyle>
+#include <QStyleOptionComboBox>
+#include <QTabBar>
+#include <QTextDocument>
+#include <QToolButton>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/common/state_chip.h"
+
+namespace tiller::test {
+
+namespace clipping {
+
+inline QString nameOf(const QWidget& widget) {
+    return QStringLiteral("%1 \"%2\" in \"%3\"")
+        .arg(QLatin1String(widget.metaObject()->className()), widget.objectName(),
+             widget.parentWidget() != nullptr ? widget.parentWidget()->objectName() : QString());
+}
+
+inline int widthOf(const QWidget& widget, const QString& text) {
+    return static_cast<int>(std::ceil(QFontMetricsF(widget.font()).horizontalAdvance(text)));
+}
+
+/// Words that are longer than the line they are in.
+inline bool wordsFit(const QLabel& label, int room) {
+    QString text = label.text();
+    if (Qt::mightBeRichText(text)) {
+        QTextDocument document;
+        document.setHtml(text);
+        text = document.toPlainText();
+    }
+    const QStringList words = text.split(QRegularExpression(QStringLiteral("[\\s/-]+")));
+    return std::all_of(words.begin(), words.end(),
+                       [&](const QString& word) { return widthOf(label, word) <= room; });
+}
+
+inline QString problemOfLabel(const QLabel& label) {
+    if (label.text().isEmpty() || label.toolTip().contains(label.text())) {
+        return {};
+    }
+    const int room = label.contentsRect().width();
+    if (label.wordWrap()) {
+        const int needed = label.heightForWidth(label.width());
+        return needed > label.height() + 1
+                   ? QStringLiteral("needs a height of %1, has %2").arg(needed).arg(label.height())
+               : !wordsFit(label, room) ? QStringLiteral("a word is longer than %1").arg(room)
+                                        : QString();
+    }
+    const QSize hint = label.sizeHint();
+    const bool shortened = label.text().contains(QChar(0x2026)) && !label.toolTip().isEmpty();
+    return !shortened && (hint.width() > label.width() + 1 || hint.height() > label.height() + 1)
+               ? QStringLiteral("needs %1 x %2, has %3 x %4")
+                     .arg(hint.width())
+                     .arg(hint.height())
+                     .arg(label.width())
+                     .arg(label.height())
+               : QString();
+}
+
+inline QString problemOfButton(const QAbstractButton& button) {
+    // Keys that paint themselves say themselves how small they can be.
+    const bool ordinary = button.inherits("QPushButton") || button.inherits("QToolButton") ||
+                          button.inherits("QCheckBox") || button.inherits("QRadioButton");
+    const QSize needed = ordinary ? button.sizeHint() : button.minimumSizeHint();
+    const bool inTip = !button.text().isEmpty() && button.toolTip().contains(button.text());
+    return !inTip && (needed.width() > button.width() + 1 || needed.height() > button.height() + 1)
+               ? QStringLiteral("\"%1\" needs %2 x %3, has %4 x %5")
+                     .arg(button.text())
+                     .arg(needed.width())
+                     .arg(needed.height())
+                     .arg(button.width())
+                     .arg(button.height())
+               : QString();
+}
+
+inline QString problemOfField(const QString& text, const QWidget& field, int room) {
+    return widthOf(field, text) > room
+               ? QStringLiteral("\"%1\" needs %2, has %3").arg(text).arg(widthOf(field, text)).arg(room)
+               : QString();
+}
+
+inline QString problemOfTabs(const QTabBar& bar) {
+    for (int i = 0; i < bar.count(); ++i) {
+        const QRect tab = bar.tabRect(i);
+        if (!bar.rect().contains(tab) || widthOf(bar, bar.tabText(i)) > tab.width()) {
+            return QStringLiteral("tab \"%1\"").arg(bar.tabText(i));
+        }
+    }
+    return {};
+}
+
+class Header : public QHeaderView {
+public:
+    using QHeaderView::sectionSizeFromContents;
+};
+
+inline QString problemOfHeader(const QHeaderView& header) {
+    if (header.orientation() != Qt::Horizontal || header.model() == nullptr) {
+        return {};
+    }
+    for (int i = 0; i < header.count(); ++i) {
+        const QString text = header.model()->headerData(i, Qt::Horizontal).toString();
+        const QString tip = header.model()->headerData(i, Qt::Horizontal, Qt::ToolTipRole).toString();
+        if (!header.isSectionHidden(i) && !tip.contains(text) &&
+            widthOf(header, text) > header.sectionSize(i)) {
+            return QStringLiteral("column \"%1\" is %2 wide").arg(text).arg(header.sectionSize(i));
+        }
+    }
+    return {};
+}
+
+inline QString problemOfList(const QListWidget& list) {
+    for (int i = 0; i < list.count(); ++i) {
+        const QListWidgetItem* item = list.item(i);
+        if (widthOf(list, item->text()) + 20 > list.viewport()->width() &&
+            !item->toolTip().contains(item->text())) {
+            return QStringLiteral("item \"%1\"").arg(item->text());
+        }
+    }
+    return {};
+}
+
+/// What is wrong with this one widget; empty when nothing is.
+inline QString problemOf(const QWidget& widget) {
+    if (const auto* chip = qobject_cast<const StateChip*>(&widget)) {
+        return chip->width() < chip->sizeHint().width() && !chip->toolTip().contains(chip->text())
+                   ? QStringLiteral("\"%1\" is shortened, and the tool tip has it not").arg(chip->text())
+                   : QString();
+    }
+    if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
+        return problemOfLabel(*label);
+    }
+    if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) {
+        return problemOfButton(*button);
+    }
+    if (const auto* box = qobject_cast<const QComboBox*>(&widget)) {
+        QStyleOptionComboBox option;
+        option.initFrom(box);
+        const QRect field =
+            box->style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, box);
+        return problemOfField(box->currentText(), *box, field.width());
+    }
+    if (const auto* box = qobject_cast<const QAbstractSpinBox*>(&widget)) {
+        const auto* field = box->findChild<QLineEdit*>();
+        return field == nullptr ? QString() : problemOfField(box->text(), *field, field->width() - 2);
+    }
+    if (const auto* field = qobject_cast<const QLineEdit*>(&widget)) {
+        return problemOfField(field->placeholderText(), *field, field->width() - 8);
+    }
+    if (const auto* bar = qobject_cast<const QTabBar*>(&widget)) {
+        return problemOfTabs(*bar);
+    }
+    if (const auto* header = qobject_cast<const QHeaderView*>(&widget)) {
+        return problemOfHeader(*header);
+    }
+    if (const auto* list = qobject_cast<const QListWidget*>(&widget)) {
+        return problemOfList(*list);
+    }
+    return {};
+}
+
+/// Qt's own inner parts, which arrange themselves.
+inline bool isInner(const QWidget& widget) {
+    const QWidget* parent = widget.parentWidget();
+    return widget.objectName().startsWith(QLatin1String("qt_")) || widget.inherits("QScrollBar") ||
+           widget.inherits("QLineEditIconButton") || widget.inherits("QTableCornerButton") ||
+           qobject_cast<const QTabBar*>(parent) != nullptr ||
+           qobject_cast<const QAbstractSpinBox*>(parent) != nullptr ||
+           qobject_cast<const QComboBox*>(parent) != nullptr;
+}
+
+inline bool isViewport(const QWidget& widget) {
+    const auto* area = qobject_cast<const QAbstractScrollArea*>(widget.parentWidget());
+    return area != nullptr && area->viewport() == &widget;
+}
+
+}  // namespace clipping
+
+/// All that is cut off in a window that is shown.
+inline QStringList clipped(const QWidget& window) {
+    QStringList found;
+    for (const QWidget* widget : window.findChildren<QWidget*>()) {
+        if (!widget->isVisibleTo(&window) || widget->window() != &window || clipping::isInner(*widget)) {
+            continue;
+        }
+        const QWidget* parent = widget->parentWidget();
+        // What scrolls may be longer than what shows it, but not wider.
+        const QRect place = clipping::isViewport(*parent)
+                                ? QRect(widget->x(), 0, widget->width(), std::min(1, parent->height()))
+                                : widget->geometry();
+        const bool cell = parent->parentWidget() != nullptr && parent->parentWidget()->inherits("QTableView");
+        if (!cell && !place.isEmpty() && !parent->rect().contains(place)) {
+            found << clipping::nameOf(*widget) + QStringLiteral(" reaches out of it");
+        }
+        if (const QString problem = clipping::problemOf(*widget); !problem.isEmpty()) {
+            found << clipping::nameOf(*widget) + QStringLiteral(": ") + problem;
+        }
+    }
+    return found;
+}
+
+}  // namespace tiller::test

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Nothing is cut off: every dialog and every page of the window, on the smallest screen, in both densities.
+// The same again at 150 and 200 %: see CMakeLists.txt.
+
+#include <QDialog>
+#include <QInputDialog>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/action_table.h"
+#include "app/connect_dialog.h"
+#include "app/main_window.h"
+#include "resources/resources.h"
+#include "tests/ui/clipping.h"
+#include "tests/ui/jog_fixture.h"
+#include "widgets/common/density.h"
+#include "widgets/common/theme.h"
+#include "widgets/jog/device_jog.h"
+#include "widgets/status/preflight_page.h"
+#include "widgets/waypoints/waypoints_tab.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+namespace {
+
+constexpr QSize kSmallest{1280, 720};
+
+struct Bench {
+    VirtualClock clock;
+    QTemporaryDir folder;
+    app::Settings settings = dense(folder.filePath("settings.ini"));
+    app::MainWindow window{settings, clock};
+    VirtualCell cell{clock, window.session()};
+
+    /// With the size of keys the data row names: "mouse" or "touch".
+    static app::Settings dense(const QString& file) {
+        app::Settings settings(file);
+        app::Preferences preferences;
+        const QByteArray row = QTest::currentDataTag();
+        preferences.density = row == "touch" ? Density::Touch : Density::Mouse;
+        settings.setPreferences(preferences);
+        return settings;
+    }
+    Bench() {
+        window.resize(kSmallest);
+        window.show();
+        window.activateWindow();
+        if (!QTest::qWaitForWindowActive(&window)) {
+            qFatal("the window did not become active");
+        }
+    }
+    QAction* action(const char* id) const { return window.actions().find(QLatin1String(id)); }
+    /// The dialog a command opens.
+    QDialog* open(const char* id) {
+        action(id)->setEnabled(true);
+        action(id)->trigger();
+        QCoreApplication::processEvents();
+        for (QWidget* top : QApplication::topLevelWidgets()) {
+            if (auto* dialog = qobject_cast<QDialog*>(top); dialog != nullptr && dialog->isVisible()) {
+                return dialog;
+            }
+        }
+        return nullptr;
+    }
+};
+
+/// A gamepad with a long name.
+class LongPad : public DeviceSource {
+public:
+    std::vector<std::unique_ptr<InputDevice>> appeared() override {
+        class Pad : public InputDevice {
+        public:
+            QString name() const override { return QStringLiteral("8BitDo Ultimate Wireless Controller"); }
+            DeviceShape shape() const override {
+                DeviceShape shape;
+                static_cast<DeviceTuning&>(shape) = kGamepadTuning;
+                shape.kind = kGamepadKind;
+                shape.deadManName = QStringLiteral("left shoulder");
+                shape.directions = QStringLiteral(
+                    "Left stick X and Y, right stick Z and turn. Right shoulder: the sticks turn.");
+                return shape;
+            }
+            std::optional<DeviceReading> read() override {
+                DeviceReading now;
+                now.axes << 0.7, -0.7, 0.7, 0.7, -0.7, 0.7;
+                return now;
+            }
+        };
+        std::vector<std::unique_ptr<InputDevice>> found;
+        if (!std::exchange(given_, true)) {
+            found.push_back(std::make_unique<Pad>());
+        }
+        return found;
+    }
+
+private:
+    bool given_ = false;
+};
+
+void keepPicture(QWidget& widget, const QString& name) {
+    const QString to = qEnvironmentVariable("TILLER_SCREENSHOTS");
+    if (!to.isEmpty()) {
+        QVERIFY(widget.grab().save(QStringLiteral("%1/clipping-%2.png").arg(to, name)));
+    }
+}
+
+}  // namespace
+
+class TestClipping : public QObject {
+    Q_OBJECT
+
+private:
+    static QString densityName() {
+        return currentDensity() == Density::Touch ? QStringLiteral("touch") : QStringLiteral("mouse");
+    }
+    static void look(QWidget& window, const QString& name) {
+        // Layouts settle once the words are in.
+        QTest::qWait(50);
+        keepPicture(window, name + '-' + densityName());
+        const QStringList found = clipped(window);
+        QVERIFY2(found.isEmpty(), qPrintable(name + ":\n" + found.join('\n')));
+        QVERIFY2(window.width() <= kSmallest.width() && window.height() <= kSmallest.height() - 40,
+                 qPrintable(QStringLiteral("%1 is %2 x %3: larger than the smallest screen")
+                                .arg(name)
+                                .arg(window.width())
+                                .arg(window.height())));
+    }
+    static void densities() {
+        QTest::addColumn<bool>("named");
+        QTest::newRow("mouse") << true;
+        QTest::newRow("touch") << true;
+    }
+
+private Q_SLOTS:
+    void initTestCase() { initResources(); }
+    void init() { applyTheme(*qApp, Theme::light()); }
+    void cleanupTestCase() { applyDensity(*qApp, Density::Mouse); }
+
+    void theFinderFindsWhatIsCutOff() {
+        QWidget window;
+        auto* label = new QLabel(QStringLiteral("A sentence that needs more room than this"), &window);
+        label->setGeometry(0, 0, 60, 20);
+        auto* button = new QPushButton(QStringLiteral("A key with many words"), &window);
+        button->setGeometry(0, 30, 60, 40);
+        auto* outside = new QLabel(QStringLiteral("x"), &window);
+        outside->setGeometry(290, 80, 40, 20);
+        window.resize(300, 200);
+        window.show();
+        QCOMPARE(clipped(window).size(), 3);
+        label->setToolTip(label->text());
+        button->resize(button->sizeHint());
+        outside->move(200, 80);
+        QVERIFY2(clipped(window).isEmpty(), qPrintable(clipped(window).join('\n')));
+    }
+
+    void noPageOfTheWindowIsCutOff_data() { densities(); }
+    void noPageOfTheWindowIsCutOff() {
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.window.waypoints().teach();
+        bench.cell.advanceMs(300);
+        for (const char* tab : {"waypoints", "io", "log"}) {
+            bench.window.showTab(tab);
+            bench.cell.advanceMs(50);
+            QTest::qWait(50);
+            keepPicture(bench.window, QStringLiteral("window-%1-%2").arg(tab, densityName()));
+            const QStringList found = clipped(bench.window);
+            QVERIFY2(found.isEmpty(), qPrintable(QLatin1String(tab) + ":\n" + found.join('\n')));
+        }
+    }
+
+    void noDialogIsCutOff_data() { densities(); }
+    void noDialogIsCutOff() {
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.cell.advanceMs(100);
+        for (const char* id : {"app.palette", "app.help", "control.load", "jog.devices", "jog.step.other",
+                               "jog.speed.other", "jog.contact.other"}) {
+            QDialog* dialog = bench.open(id);
+            QVERIFY2(dialog != nullptr, id);
+            look(*dialog, QLatin1String(id));
+            dialog->close();
+            QTRY_VERIFY(QApplication::activeModalWidget() == nullptr);
+        }
+        bench.window.devices().addSource(std::make_unique<LongPad>());
+        QDialog* trainer = bench.open("jog.devices");
+        bench.window.devices().poll();
+        QTest::qWait(100);
+        look(*trainer, "trainer");
+        trainer->close();
+    }
+
+    void noSettingIsCutOff_data() { densities(); }
+    void noSettingIsCutOff() {
+        Bench bench;
+        bench.window.devices().addSource(std::make_unique<LongPad>());
+        QDialog* page = bench.open("app.settings");
+        QVERIFY(page != nullptr);
+        auto* pages = page->findChild<QTabWidget*>("settingsPages");
+        for (int i = 0; i < pages->count(); ++i) {
+            pages->setCurrentIndex(i);
+            look(*page, QStringLiteral("settings-%1").arg(i));
+        }
+        pages->setCurrentIndex(0);
+        auto* cap = page->findChild<QAbstractSpinBox*>("settings.speedCap");
+        cap->selectAll();
+        QTest::keyClicks(cap, "1000");
+        QTest::keyClick(cap, Qt::Key_Return);
+        look(*page, "settings-cap");
+        page->close();
+    }
+
+    void noWayToARobotIsCutOff_data() { densities(); }
+    void noWayToARobotIsCutOff() {
+        Bench bench;
+        QDialog* first = bench.open("robot.connect");
+        look(*first, "first-run");
+        first->close();
+        for (int i = 0; i < 8; ++i) {
+            const QString host = QStringLiteral("192.168.100.%1").arg(100 + i);
+            bench.settings.rememberRobot({QStringLiteral("UR10e of the second line"), host, 0, false});
+        }
+        QDialog* later = bench.open("robot.connect");
+        later->findChild<QLineEdit*>("robotHost")->setText(QStringLiteral("300.1"));
+        look(*later, "connect");
+        later->close();
+        // A robot with many troubles has the longest page.
+        bench.window.showPreflight({QStringLiteral("Nobody"), QStringLiteral("127.0.0.254"), 0, false});
+        auto* page = bench.window.findChild<PreflightPage*>();
+        QTRY_VERIFY_WITH_TIMEOUT(page->isFinished(), 60'000);
+        look(*page, "preflight");
+        page->close();
+    }
+
+    void noWayBackFromAStopIsCutOff_data() { densities(); }
+    void noWayBackFromAStopIsCutOff() {
+        const std::pair<const char*, void (*)(simulator::Controller&)> stops[] = {
+            {"protective", [](simulator::Controller& robot) { robot.protectiveStop(); }},
+            {"emergency", [](simulator::Controller& robot) { robot.emergencyStop(true); }},
+            {"fault", [](simulator::Controller& robot) { robot.fault(); }}};
+        for (const auto& [name, stop] : stops) {
+            Bench bench;
+            QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+            bench.cell.advanceMs(200);
+            stop(bench.cell.robot);
+            bench.cell.advanceMs(300);
+            QDialog* page = bench.open("power.recover");
+            QVERIFY2(page != nullptr, name);
+            bench.cell.advanceMs(100);
+            look(*page, QStringLiteral("recovery-") + QLatin1String(name));
+            page->close();
+        }
+    }
+};
+
+QTEST_MAIN(TestClipping)
+#include "tst_clipping.moc"
