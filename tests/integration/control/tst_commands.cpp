@@ -9,21 +9,13 @@
 #include "robot/control/tool_setup.h"
 #include "robot/kinematics/arm_kinematics.h"
 #include "tests/integration/control/cell.h"
+#include "tests/support/waiting.h"
 
 using namespace tiller;
 using namespace tiller::control;
 using namespace tiller::test;
 
 namespace {
-
-Deadline patience() {
-    return Deadline::after(std::chrono::seconds(60));
-}
-
-template <class R>
-QByteArray why(const R& result) {
-    return result.error().toString().toUtf8();
-}
 
 double apart(const JointPositions& a, const JointPositions& b) {
     return (a.values - b.values).cwiseAbs().maxCoeff();

@@ -22,6 +22,7 @@
 #include "tests/integration/control/cell.h"
 #include "tests/support/raw_peer.h"
 #include "tests/support/rtde_peer.h"
+#include "tests/support/waiting.h"
 
 using namespace tiller;
 using namespace tiller::control;
@@ -31,10 +32,6 @@ using std::chrono::milliseconds;
 namespace {
 
 const QString kHere = QStringLiteral("127.0.0.1");
-
-Deadline patience() {
-    return Deadline::after(std::chrono::seconds(60));
-}
 
 Error openRtde(int port, const Deadline& deadline, rtde::SessionRequest request = {}) {
     rtde::ConnectionOptions options;

@@ -5,23 +5,11 @@
 #include "robot/control/motions.h"
 #include "robot/control/packet_loop.h"
 #include "tests/integration/control/cell.h"
+#include "tests/support/waiting.h"
 
 using namespace tiller;
 using namespace tiller::control;
 using namespace tiller::test;
-
-namespace {
-
-Deadline patience() {
-    return Deadline::after(std::chrono::seconds(60));
-}
-
-template <class R>
-QByteArray why(const R& result) {
-    return result.error().toString().toUtf8();
-}
-
-}  // namespace
 
 class TestSetpoints : public QObject {
     Q_OBJECT

@@ -12,6 +12,7 @@
 #include "robot/control/programs.h"
 #include "robot/control/tool_setup.h"
 #include "tests/integration/control/cell.h"
+#include "tests/support/waiting.h"
 
 using namespace tiller;
 using namespace tiller::control;
@@ -19,18 +20,9 @@ using namespace tiller::test;
 
 namespace {
 
-Deadline patience() {
-    return Deadline::after(std::chrono::seconds(60));
-}
-
 bool isAsleep(pid_t thread) {
     QFile stat(QStringLiteral("/proc/self/task/%1/stat").arg(thread));
     return stat.open(QIODevice::ReadOnly) && stat.readAll().contains(") S ");
-}
-
-template <class R>
-QByteArray why(const R& result) {
-    return result.error().toString().toUtf8();
 }
 
 }  // namespace
