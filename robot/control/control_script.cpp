@@ -36,14 +36,17 @@ bool isSince(const SoftwareVersion& version, const QString& since) {
     return version >= SoftwareVersion{parts.value(0).toUInt(), parts.value(1).toUInt(), 0, 0};
 }
 
-/// Empties the lines that are not for this software; none is taken out, so that numbers stay what they are.
-QString linesFor(const SoftwareVersion& version, const QString& source) {
+/// Empties the lines that are not for this software or this section; none is taken out, so that numbers stay
+/// what they are.
+QString linesFor(const SoftwareVersion& version, const QString& source, const QString& section) {
     QStringList lines = source.split(QLatin1Char('\n'));
     bool wanted = true;
     for (QString& line : lines) {
         const QString mark = line.trimmed();
         if (mark.startsWith(QLatin1String("#{{SINCE "))) {
             wanted = isSince(version, mark.mid(9).chopped(2));
+        } else if (mark.startsWith(QLatin1String("#{{USES "))) {
+            wanted = section.contains(mark.mid(8).chopped(2));
         } else if (mark == QLatin1String("#{{ELSE}}")) {
             wanted = !wanted;
         } else if (mark == QLatin1String("#{{END}}")) {
@@ -109,7 +112,7 @@ ControlScript controlScript(const SoftwareVersion& version, RegisterRange range,
     // Ports that take scripts also take single lines: what stands in front of the program must not be sent.
     const qsizetype begin = source.indexOf(QLatin1String("def "));
     ControlScript script;
-    script.text = prefixed(linesFor(version, source.mid(begin)));
+    script.text = prefixed(linesFor(version, source.mid(begin), section));
     script.firstLine = static_cast<int>(source.left(begin).count(QLatin1Char('\n'))) + 1;
     const auto fill = [&](const char* name, const QString& value) {
         script.text.replace(QStringLiteral("{{%1}}").arg(QLatin1String(name)), value);

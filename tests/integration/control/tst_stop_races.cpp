@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stops, losses and errors that come while a call is under way.
+// Stops, losses and errors that come while a call is under way, and what must not outlive it.
 #include <unistd.h>
 
 #include <QFile>
@@ -72,6 +72,50 @@ private Q_SLOTS:
         QCOMPARE(functions[1]->error().code, ErrorCode::Stopped);
         QVERIFY(cell.stepMs(300));
         QVERIFY((cell.robot.truth().digitalOutputs & 8U) == 0);
+        QVERIFY(cell.controller->status().inControl);
+    }
+
+    // What goes on by itself once it has begun: a stop is meant for it too, and it does not outlive its
+    // function.
+    void aFunctionLeavesNothingMoving_data() {
+        QTest::addColumn<QString>("body");
+        QTest::addColumn<bool>("stopped");
+        const std::pair<const char*, QString> bodies[] = {
+            {"thread",
+             QStringLiteral("thread rise():\n  while True:\n    speedl([0,0,0.1,0,0,0], 0.5, 0.002)\n"
+                            "  end\nend\nrun rise()\n")},
+            {"conveyor", QStringLiteral("encoder_enable_pulse_decode(0, 1, 0, 1)\n"
+                                        "track_conveyor_linear(p[0,0,1,0,0,0], 10000, 0)\n")},
+            {"path offset", QStringLiteral("thread offset():\n  local z = 0.0\n  while True:\n"
+                                           "    z = z + 0.0001\n    path_offset_set(p[0,0,z,0,0,0], 1)\n"
+                                           "    sync()\n  end\nend\npath_offset_enable()\nrun offset()\n")}};
+        for (const auto& [name, body] : bodies) {
+            QTest::addRow("%s, stopped", name) << body + QStringLiteral("sleep(100)") << true;
+            QTest::addRow("%s, at its end", name) << body + QStringLiteral("sleep(0.4)") << false;
+        }
+    }
+    void aFunctionLeavesNothingMoving() {
+        QFETCH(QString, body);
+        QFETCH(bool, stopped);
+        Cell cell;
+        cell.robot.changeWorld([](simulator::arm::Environment& world) { world.setConveyorSpeed(0, 1000); });
+        QVERIFY(cell.takeControl().ok());
+        const auto function = cell.during([&] {
+            return Programs(*cell.controller).startFunction(QStringLiteral("go_on"), body, patience());
+        });
+        QVERIFY2(function.ok(), why(function));
+        QVERIFY(cell.stepMs(300));
+        QVERIFY(!cell.isStanding());
+        if (stopped) {
+            cell.controller->stop(StopCause::StopButton);
+        } else {
+            const auto ended = cell.during([&] { return function->wait(patience()); });
+            QVERIFY2(ended.ok(), why(ended));
+        }
+        QVERIFY(cell.standsWithinMs(150));
+        const Pose stands = cell.tcp();
+        QVERIFY(cell.stepMs(500));
+        QVERIFY((cell.tcp().position - stands.position).norm() < 1e-4);
         QVERIFY(cell.controller->status().inControl);
     }
 
