@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+// A program that takes control and moves the arm until somebody kills it:
+//     moving_helper <host> <primary port> <rtde port> <way of moving>
+#include <QCoreApplication>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <thread>
+
+#include "robot/control/compliance.h"
+#include "robot/control/controller.h"
+#include "robot/control/motions.h"
+#include "robot/control/packet_loop.h"
+#include "robot/control/programs.h"
+#include "tests/support/waiting.h"
+
+using namespace tiller;
+using namespace tiller::control;
+using namespace tiller::test;
+
+namespace {
+
+/// Called over and over: begins its motion when there is none, and holds the one there is. On a busy machine
+/// the holder may come late; then it begins anew.
+using Way = std::function<void()>;
+
+constexpr double kSpeed = 0.1;         ///< of the tool, the jog contract's [m/s]
+constexpr double kAcceleration = 0.5;  ///< [m/s2]
+constexpr double kTurn = 0.4;          ///< of a joint [rad/s]
+
+/// Says what went wrong, if anything did.
+template <class T>
+bool well(const Result<T>& result) {
+    if (!result) {
+        std::fprintf(stderr, "%s\n", why(result).constData());
+    }
+    return result.ok();
+}
+
+template <class T>
+T begun(const Result<T>& result, T otherwise = {}) {
+    return well(result) ? *result : otherwise;
+}
+
+Way jog(Controller& controller, const JogTarget& target) {
+    return [&controller, target, id = kNoMotion]() mutable {
+        if (!controller.refreshJog(id)) {
+            id = begun(controller.startJog(target));
+        }
+    };
+}
+
+Way held(Controller& controller, const std::function<Result<Motion>()>& begin) {
+    return [&controller, begin, motion = Motion()]() mutable {
+        if (!controller.refreshMove(motion.id())) {
+            motion = begun(begin());
+        }
+    };
+}
+
+Way section(Controller& controller, const char* body) {
+    return held(controller, [&controller, body] {
+        return Programs(controller)
+            .startFunction(QStringLiteral("killed"), QString::fromLatin1(body), patience(), Holding::Held);
+    });
+}
+
+JogTarget up(double contactForce = 0) {
+    JogTarget target;
+    target.twist.linear.z() = kSpeed;
+    target.contactForce = contactForce;
+    return target;
+}
+
+Pose raised(const ControllerStatus& status, double by) {
+    Pose pose = Pose::fromArray(status.tcpPose);
+    pose.position.z() += by;
+    return pose;
+}
+
+JointPositions turned(const ControllerStatus& status, double by) {
+    JointPositions q(status.q);
+    q[0] += by;
+    return q;
+}
+
+/// To and fro around where a stream began, at this speed where it is fastest.
+double swing(double time, double speed) {
+    constexpr double kRate = 0.5;  // [rad/s]: a quarter takes three seconds
+    return speed / kRate * std::sin(kRate * time);
+}
+
+bool pushUpwards(Controller& controller) {
+    ForceMode mode;
+    mode.compliant[2] = true;
+    mode.wrench.force.z() = 30;
+    mode.limits = {0.1, 0.1, kSpeed, 0.5, 0.5, 0.5};
+    return well(Compliance(controller).setForceMode(mode, patience()));
+}
+
+std::map<QString, Way> everyWay(Controller& c) {
+    std::map<QString, Way> ways;
+    ways["jog"] = jog(c, up());
+    ways["jog a joint"] = jog(c, [] {
+        JogTarget target;
+        target.kind = JogTarget::Kind::Joint;
+        target.qd[0] = kTurn;
+        return target;
+    }());
+    ways["jog until contact"] = jog(c, up(30));
+    ways["move until contact"] = [&c, motion = Motion()]() mutable {
+        if (!motion.isActive()) {
+            motion = begun(Motions(c).moveUntilContact(up().twist, {}, kAcceleration, patience()));
+        }
+    };
+
+    ways["moveJ"] = held(c, [&c, by = 0.8]() mutable {
+        by = -by;
+        return Motions(c).moveJ(turned(c.status(), by), {kTurn, 1.4, Holding::Held});
+    });
+    ways["moveL"] = held(c, [&c, by = -0.2]() mutable {
+        by = -by;
+        return Motions(c).moveL(raised(c.status(), by), {kSpeed, kAcceleration, Holding::Held});
+    });
+    ways["path"] = held(c, [&c] {
+        const auto to = [&c](double by) {
+            return PathEntry{PathEntry::Kind::MoveL, raised(c.status(), by), {}, kSpeed, kAcceleration, 0};
+        };
+        return Motions(c).movePath({to(0.2), to(0), to(0.2), to(0)}, patience(), Holding::Held);
+    });
+
+    ways["servoJ"] = [&c] {
+        const JointPositions from = turned(c.status(), 0);
+        well(PacketLoop(c).servoJ(
+            [&from](const CycleState& now) -> std::optional<JointPositions> {
+                JointPositions q = from;
+                q[0] += swing(now.time, kTurn);
+                return q;
+            },
+            {}, Deadline::never()));
+    };
+    ways["servoL"] = [&c] {
+        const Pose from = raised(c.status(), 0);
+        well(PacketLoop(c).servoL(
+            [&from](const CycleState& now) -> std::optional<Pose> {
+                Pose pose = from;
+                pose.position.z() += swing(now.time, kSpeed);
+                return pose;
+            },
+            {}, Deadline::never()));
+    };
+    ways["servoC"] = [&c, servo = CircularServo(), target = Pose()]() mutable {
+        if (!servo.isActive()) {
+            target = raised(c.status(), 0.2);
+            servo = begun(Motions(c).startServoC({kSpeed, kAcceleration, 0}));
+        }
+        (void)servo.send(target);
+    };
+    ways["speedJ"] = [&c] {
+        well(PacketLoop(c).speedJ(
+            [](const CycleState&) -> std::optional<JointVelocities> {
+                return JointVelocities(kTurn, 0, 0, 0, 0, 0);
+            },
+            {}, Deadline::never()));
+    };
+    ways["speedL"] = [&c] {
+        well(PacketLoop(c).speedL([](const CycleState&) -> std::optional<Twist> { return up().twist; }, {},
+                                  Deadline::never()));
+    };
+
+    ways["freedrive"] = held(c, [&c] { return Compliance(c).startFreedrive({}, Holding::Held); });
+    ways["teach mode"] = held(c, [&c] { return Compliance(c).startTeachMode(Holding::Held); });
+    ways["force mode"] = [&c, on = false]() mutable { on = on || pushUpwards(c); };
+    ways["jog in force mode"] = [&c, on = false, moves = jog(c, up())]() mutable {
+        on = on || pushUpwards(c);
+        moves();
+    };
+
+    ways["section"] = section(c,
+                              "while True:\n"
+                              "  movel(pose_add(get_target_tcp_pose(), p[0,0,0.2,0,0,0]), a=0.5, v=0.1)\n"
+                              "  movel(pose_add(get_target_tcp_pose(), p[0,0,-0.2,0,0,0]), a=0.5, v=0.1)\n"
+                              "end");
+    ways["section with a thread"] = section(c,
+                                            "thread rise():\n"
+                                            "  while True:\n"
+                                            "    speedl([0,0,0.1,0,0,0], 0.5, 0.002)\n"
+                                            "  end\n"
+                                            "end\n"
+                                            "run rise()\n"
+                                            "sleep(1000)");
+    // One that runs at 0.1 m/s where 1000 ticks come in a second.
+    ways["section on a conveyor"] = section(c,
+                                            "encoder_enable_pulse_decode(0, 1, 0, 1)\n"
+                                            "track_conveyor_linear(p[0,0,1,0,0,0], 10000, 0)\n"
+                                            "sleep(1000)");
+    ways["section in force mode"] = section(c,
+                                            "force_mode(p[0,0,0,0,0,0], [0,0,1,0,0,0], [0,0,30,0,0,0], 2, "
+                                            "[0.1,0.1,0.1,0.5,0.5,0.5])\n"
+                                            "sleep(1000)");
+    ways["section in freedrive"] = section(c, "freedrive_mode()\nsleep(1000)");
+    return ways;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const QCoreApplication app(argc, argv);
+    ControllerOptions options;
+    options.host = app.arguments().at(1);
+    options.primaryPort = app.arguments().at(2).toInt();
+    options.rtdePort = app.arguments().at(3).toInt();
+    options.priority = 0;
+    Controller controller(options);
+    if (!well(controller.takeControl(patience()))) {
+        return 1;
+    }
+    const Way move = everyWay(controller).at(app.arguments().at(4));
+    while (true) {
+        move();
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+}
