@@ -12,7 +12,7 @@
 #include <optional>
 
 #include "tests/integration/clients/register_script.h"
-#include "tests/integration/simulator/raw_client.h"
+#include "tests/support/raw_client.h"
 
 namespace tiller::test {
 

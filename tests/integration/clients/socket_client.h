@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "tests/integration/clients/socket_script.h"
-#include "tests/integration/simulator/raw_client.h"
+#include "tests/support/raw_client.h"
 
 namespace tiller::test {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <map>
 
-#include "tests/integration/simulator/raw_client.h"
+#include "tests/support/raw_client.h"
 
 using namespace tiller;
 using namespace tiller::test;

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/integration/simulator/raw_client.h"
+#include "tests/support/raw_client.h"
 
 namespace tiller::test {
 

@@ -10,7 +10,7 @@
 #include <map>
 
 #include "robot/core/modes.h"
-#include "tests/integration/simulator/raw_client.h"
+#include "tests/support/raw_client.h"
 
 namespace tiller::test {
 

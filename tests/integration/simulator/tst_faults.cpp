@@ -2,7 +2,7 @@
 
 #include <QTest>
 
-#include "tests/integration/simulator/raw_client.h"
+#include "tests/support/raw_client.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -360,8 +360,7 @@ private Q_SLOTS:
     }
 
     void aSlowBootGoesThroughItsModesAndRestartsTheServicesOnce() {
-        auto options = VirtualRobot::options();
-        options.poweredOn = false;
+        auto options = VirtualRobot::poweredOff();
         options.bootTime = 4;
         VirtualRobot robot(options);
         QCOMPARE(robot.controller.truth().robotMode, RobotMode::Disconnected);

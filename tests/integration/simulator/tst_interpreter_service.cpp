@@ -3,7 +3,7 @@
 
 #include <QTest>
 
-#include "tests/integration/simulator/raw_client.h"
+#include "tests/support/raw_client.h"
 
 using namespace tiller;
 using namespace tiller::test;

@@ -8,7 +8,7 @@
 #include <QTest>
 
 #include "robot/simulator/personality.h"
-#include "tests/integration/simulator/raw_client.h"
+#include "tests/support/raw_client.h"
 
 using namespace tiller;
 using namespace tiller::test;

@@ -1,164 +1,16 @@
 // SPDX-License-Identifier: MIT
-
+// Programs and command words sent to the primary, secondary and realtime ports, and what is said of them.
 #include <QTest>
 
-#include "tests/integration/simulator/raw_client.h"
+#include "tests/support/primary_listener.h"
 
 using namespace tiller;
 using namespace tiller::test;
 
-namespace {
-
-enum MessageKind {
-    kText = 0,
-    kPopup = 2,
-    kVersion = 3,
-    kSafetyMode = 5,
-    kErrorCode = 6,
-    kKey = 7,
-    kException = 10
-};
-
-/// KEY messages as "STARTED name".
-QByteArrayList keysOf(const std::vector<QByteArray>& messages) {
-    QByteArrayList keys;
-    for (const QByteArray& body : messages) {
-        const int length = static_cast<unsigned char>(body[8]);
-        keys << body.mid(9, length).mid(12) + ' ' + body.mid(9 + length);
-    }
-    return keys;
-}
-
-/// Everything a test may want to know of a stretch of the primary stream.
-struct Heard {
-    QByteArrayList keys, texts;
-    std::vector<QByteArray> errors, exceptions, safetyModes;
-    int states = 0;
-
-    explicit Heard(RawPrimary& primary) {
-        std::vector<QByteArray> keyBodies;
-        for (const QByteArray& package : primary.packages()) {
-            if (package[4] == 16) {
-                ++states;
-                continue;
-            }
-            const QByteArray body = package.mid(15);
-            switch (package[14]) {
-                case kText:
-                    texts << body;
-                    break;
-                case kKey:
-                    keyBodies.push_back(body);
-                    break;
-                case kErrorCode:
-                    errors.push_back(body);
-                    break;
-                case kException:
-                    exceptions.push_back(body);
-                    break;
-                case kSafetyMode:
-                    safetyModes.push_back(body);
-                    break;
-                default:
-                    break;
-            }
-        }
-        keys = keysOf(keyBodies);
-    }
-};
-
-/// Sub-packages of a RobotState as type -> whole sub-package.
-QMap<int, QByteArray> partsOf(const QByteArray& state) {
-    QMap<int, QByteArray> parts;
-    for (qsizetype at = 5; at + 5 <= state.size();) {
-        const qsizetype length = wordAt(state, at);
-        if (length < 5 || at + length > state.size()) {
-            return {};
-        }
-        parts.insert(state[at + 4], state.mid(at, length));
-        at += length;
-    }
-    return parts;
-}
-
-}  // namespace
-
 class TestPrimaryService : public QObject {
     Q_OBJECT
 
-    /// Sends a script and steps until nothing more is to be expected.
-    static Heard run(VirtualRobot& robot, RawPrimary& primary, const QByteArray& script, double seconds) {
-        primary.takeAll();
-        primary.send(script);
-        robot.controller.drainSockets();
-        robot.controller.stepSeconds(seconds);
-        return Heard(primary);
-    }
-
 private Q_SLOTS:
-    void theVersionComesFirst() {
-        VirtualRobot robot;
-        RawPrimary primary = robot.primary();
-        const QByteArray message = primary.next();
-        QCOMPARE(message.size(), 55);
-        QCOMPARE(int(message[4]), 20);
-        QCOMPARE(int(message[13]), -2);
-        QCOMPARE(int(message[14]), int(kVersion));
-        QCOMPARE(message.mid(15, 10), QByteArray("\x09URControl"));
-        QCOMPARE(int(message[25]), 5);
-        QCOMPARE(int(message[26]), 22);
-        QCOMPARE(intAt(message, 27), 1);
-    }
-
-    void theFirstStateDescribesTheArmAndLaterOnesDoNot() {
-        auto options = VirtualRobot::options();
-        options.software = {5, 8, 0, 0};  // the one that was recorded
-        VirtualRobot robot(options);
-        RawPrimary primary = robot.primary();
-        primary.next();
-        robot.controller.stepSeconds(0.21);
-        const QByteArray first = primary.next();
-        QCOMPARE(first.size(), 1386);
-        const auto parts = partsOf(first);
-        QCOMPARE(parts.keys(), (QList<int>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}));
-        const int sizes[] = {47, 251, 37, 75, 101, 225, 445, 61, 9, 53, 43, 26, 8};
-        for (int type = 0; type <= 12; ++type) {
-            QCOMPARE(parts[type].size(), sizes[type]);
-        }
-        // The order of the vendor's simulator.
-        QCOMPARE(int(first[5 + 4]), 0);
-        QCOMPARE(int(first[52 + 4]), 1);
-        QCOMPARE(int(first[303 + 4]), 4);
-        QCOMPARE(int(first[404 + 4]), 5);
-        QCOMPARE(int(first[629 + 4]), 9);
-        QCOMPARE(int(first[682 + 4]), 3);
-        QCOMPARE(int(first[757 + 4]), 2);
-        QCOMPARE(int(first[794 + 4]), 6);
-
-        const QByteArray mode = parts[0];
-        QCOMPARE(mode.mid(13, 7), QByteArray("\1\1\1\0\0\0\0", 7));
-        QCOMPARE(int(mode[20]), 7);
-        QCOMPARE(doubleAt(mode, 22), 1.0);
-        QCOMPARE(doubleAt(mode, 38), 1.0);
-        QVERIFY(std::abs(doubleAt(parts[1], 5) - -1.6007) < 1e-3);
-        QCOMPARE(int(parts[1][5 + 40]), int(char(253)));
-        QCOMPARE(doubleAt(parts[5], 77 + 8), -0.425);
-        QCOMPARE(intAt(parts[6], 437), 1);
-        QCOMPARE(intAt(parts[6], 441), 3);
-        QCOMPARE(int(parts[3][65]), 1);
-
-        QCOMPARE(primary.next().size(), 716);
-    }
-
-    void statesComeTenTimesASecond() {
-        VirtualRobot robot;
-        RawPrimary primary = robot.primary();
-        primary.next();
-        robot.controller.drainSockets();
-        robot.controller.stepSeconds(2.0);
-        QCOMPARE(Heard(primary).states, 20);
-    }
-
     void theSecondaryPortSaysNothingButItsVersionAndStates() {
         VirtualRobot robot;
         RawPrimary secondary(robot.host(), robot.controller.ports().secondary);
@@ -301,9 +153,7 @@ private Q_SLOTS:
     }
 
     void commandWordsPowerTheArm() {
-        auto options = VirtualRobot::options();
-        options.poweredOn = false;
-        VirtualRobot robot(options);
+        VirtualRobot robot(VirtualRobot::poweredOff());
         RawPrimary primary = robot.primary();
         const auto send = [&](const char* words) {
             primary.send(QByteArray(words) + '\n');
@@ -432,100 +282,6 @@ private Q_SLOTS:
         robot.controller.step(5);
         QCOMPARE(robot.controller.truth().digitalOutputs, 2ULL);
         QCOMPARE(robot.dashboard().ask("power off"), QByteArray("Powering off\n"));
-    }
-
-    void newerSoftwareAddsToTheState() {
-        VirtualRobot robot;
-        RawPrimary primary = robot.primary();
-        primary.next();
-        robot.controller.stepSeconds(0.21);
-        const auto parts = partsOf(primary.next());
-        QCOMPARE(parts[6].size(), 449);
-        QCOMPARE(parts[13].size(), 7);
-    }
-
-    void theProgramsVariablesAreToldOnceAndWhenTheyChange() {
-        VirtualRobot robot;
-        RawPrimary primary = robot.primary();
-        primary.send(
-            "def p():\n  global n = 1\n  global where = p[1,0,0,0,0,0]\n  global words = \"hi\"\n"
-            "  global all = [True, False]\n  sleep(0.5)\n  n = 7\n  sleep(100)\nend\n");
-        robot.controller.drainSockets();
-        const auto variables = [&] {
-            QList<QByteArray> found;
-            for (const QByteArray& package : primary.packages()) {
-                if (package[4] == 25) {
-                    found << package.mid(13);
-                }
-            }
-            return found;
-        };
-        robot.controller.stepSeconds(0.4);
-        const QList<QByteArray> first = variables();
-        QVERIFY(first.size() >= 2);
-        QCOMPARE(first[0], QByteArray("\0\0\0", 3) + "n\nwhere\nwords\nall\n");
-        QByteArray expected("\1\0\0", 3);
-        expected += QByteArray("\5\0\0\0\1", 5);
-        expected += QByteArray("\3\x3f\x80\0\0", 5) + QByteArray(20, '\0');
-        expected += QByteArray("\1\0\2hi", 5);
-        expected += QByteArray("\2\0\2\4\1\4\0", 7);
-        QCOMPARE(first.back(), expected);
-        robot.controller.stepSeconds(0.5);
-        const QList<QByteArray> changed = variables();
-        QCOMPARE(changed.size(), qsizetype(1));
-        QCOMPARE(changed[0].mid(3, 5), QByteArray("\5\0\0\0\7", 5));
-        robot.controller.stepSeconds(0.5);
-        QVERIFY(variables().isEmpty());
-    }
-
-    void theRealtimeRecordHasTheSizeOfItsSoftware_data() {
-        QTest::addColumn<int>("major");
-        QTest::addColumn<int>("minor");
-        QTest::addColumn<int>("size");
-        QTest::newRow("3.0") << 3 << 0 << 1044;
-        QTest::newRow("3.2") << 3 << 2 << 1060;
-        QTest::newRow("3.5") << 3 << 5 << 1108;
-        QTest::newRow("3.10") << 3 << 10 << 1116;
-        QTest::newRow("3.15") << 3 << 15 << 1140;
-        QTest::newRow("5.3") << 5 << 3 << 1108;
-        QTest::newRow("5.8") << 5 << 8 << 1116;
-        QTest::newRow("5.9") << 5 << 9 << 1140;
-        QTest::newRow("5.22") << 5 << 22 << 1220;
-    }
-    void theRealtimeRecordHasTheSizeOfItsSoftware() {
-        QFETCH(int, major);
-        QFETCH(int, minor);
-        QFETCH(int, size);
-        auto options = VirtualRobot::options();
-        options.software = {static_cast<quint32>(major), static_cast<quint32>(minor), 0, 0};
-        options.model = major == 3 ? RobotModelId::UR5 : RobotModelId::UR5e;
-        VirtualRobot robot(options);
-        RawPrimary realtime(robot.host(), robot.controller.ports().realtime);
-        robot.controller.drainSockets();
-        robot.controller.step(2);
-        const QByteArray first = realtime.next();
-        QCOMPARE(first.size(), size);
-        const QByteArray second = realtime.next();
-        QVERIFY(std::abs(doubleAt(second, 4) - doubleAt(first, 4) - robot.controller.stepTime()) < 1e-9);
-        QVERIFY(std::abs(doubleAt(first, 252) - -1.6007) < 1e-3);  // q actual
-        QCOMPARE(doubleAt(first, 756), 7.0);                       // robot mode
-        QCOMPARE(doubleAt(first, 812), 1.0);                       // safety mode
-    }
-
-    void aRealtimeClientThatNeverReadsKeepsItsConnection() {
-        VirtualRobot robot;
-        RawClient deaf(robot.host(), robot.controller.ports().realtime);
-        deaf.socket().setReadBufferSize(64);
-        RawRtde rtde = robot.rtde();
-        QVERIFY(rtde.useVersion());
-        rtde.setupOutputs(10, "timestamp");
-        QVERIFY(rtde.start());
-        robot.controller.step(10'000);  // some twelve megabytes
-        QCOMPARE(rtde.packages().size(), std::size_t(200));
-        deaf.send("def p():\n  set_standard_digital_out(0, True)\nend\n");
-        robot.controller.drainSockets();
-        robot.controller.step(5);
-        QCOMPARE(robot.controller.truth().digitalOutputs, 1ULL);
     }
 };
 

@@ -10,9 +10,9 @@
 #include <QElapsedTimer>
 #include <QFile>
 #include <QTest>
-#include <random>
 
-#include "tests/integration/simulator/raw_client.h"
+#include "tests/support/broken_inputs.h"
+#include "tests/support/raw_client.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -41,312 +41,6 @@ qint64 residentMemory() {
     }
     return 0;
 }
-
-class Inputs {
-public:
-    explicit Inputs(quint64 number) : random_(number) {}
-    int upTo(int most) { return int(random_() % quint64(most + 1)); }
-    QByteArray any(const QList<QByteArray>& from) { return from[upTo(int(from.size()) - 1)]; }
-    QByteArray bytes(int most) {
-        QByteArray out(upTo(most), '\0');
-        for (char& c : out) {
-            c = char(random_());
-        }
-        return out;
-    }
-    /// Words in any order, now and then damaged.
-    QByteArray soup(const QList<QByteArray>& words, int most) {
-        QByteArray out;
-        for (int i = upTo(most); i >= 0; --i) {
-            out += any(words);
-        }
-        return damaged(out);
-    }
-    QByteArray damaged(QByteArray text) {
-        switch (text.isEmpty() ? 9 : upTo(9)) {
-            case 0:
-                text[upTo(int(text.size()) - 1)] = char(random_());
-                break;
-            case 1:
-                text.truncate(upTo(int(text.size())));
-                break;
-            case 2:
-                text.insert(upTo(int(text.size())), bytes(8));
-                break;
-            case 3:
-                text += text;
-                break;
-            default:
-                break;
-        }
-        return text;
-    }
-
-private:
-    std::mt19937_64 random_;
-};
-
-QByteArray dashboardInput(Inputs& in) {
-    // `shutdown` would end the game.
-    static const QList<QByteArray> words{"load ",
-                                         "play",
-                                         "stop",
-                                         "pause",
-                                         "running",
-                                         "programState",
-                                         "get ",
-                                         "loaded program",
-                                         "isProgramSaved",
-                                         "installation ",
-                                         "robotmode",
-                                         "power on",
-                                         "power off",
-                                         "brake release",
-                                         "unlock protective stop",
-                                         "close ",
-                                         "safety popup",
-                                         "popup",
-                                         "restart safety",
-                                         "safetymode",
-                                         "safetystatus",
-                                         "quit",
-                                         "addToLog ",
-                                         "saveLog",
-                                         "setUserRole ",
-                                         "getUserRole",
-                                         "PolyscopeVersion",
-                                         "version",
-                                         "serial number",
-                                         "robot model",
-                                         "is in remote control",
-                                         "set operational mode ",
-                                         "manual",
-                                         "generate flight report ",
-                                         "generate support file ",
-                                         "../",
-                                         "\"",
-                                         " ",
-                                         "\r",
-                                         "\0",
-                                         "x.urp",
-                                         "%n%s",
-                                         "\xff\xfe"};
-    return in.soup(words, 4) + '\n';
-}
-
-QByteArray rtdeInput(Inputs& in) {
-    static const QList<QByteArray> names{"timestamp",
-                                         "actual_q",
-                                         "input_int_register_0",
-                                         "speed_slider_mask",
-                                         "payload",
-                                         ",",
-                                         ",,",
-                                         "input_double_register_47",
-                                         "output_bit_register_64",
-                                         "no_such_field",
-                                         "",
-                                         "standard_digital_output_mask",
-                                         "standard_digital_output"};
-    QByteArray payload;
-    const char type = "VvMUOISPx\0\xff"[in.upTo(10)];
-    switch (type) {
-        case 'V':
-            payload = bigEndian(quint16(in.upTo(3)));
-            break;
-        case 'O':
-            payload = bigEndian(double(in.upTo(2000)) - 500) + in.any(names) + ',' + in.any(names);
-            break;
-        case 'I':
-            payload = in.any(names) + ',' + in.any(names);
-            break;
-        case 'U':
-            payload = char(in.upTo(6)) + in.bytes(40);
-            break;
-        default:
-            payload = in.bytes(12);
-    }
-    QByteArray package = RawRtde::package(type, in.damaged(payload));
-    return in.upTo(50) == 0 ? in.damaged(package) : package;
-}
-
-QByteArray scriptInput(Inputs& in) {
-    static const QList<QByteArray> words{"def p():\n",
-                                         "end\n",
-                                         "sec s():\n",
-                                         "movej(",
-                                         "[0,-1.5,-2,0,0,0]",
-                                         "p[0.1,0.2,0.3,0,0,0]",
-                                         ")",
-                                         "(",
-                                         ",",
-                                         "a=1",
-                                         "1e308",
-                                         "-",
-                                         "+",
-                                         "*",
-                                         "/",
-                                         "%",
-                                         "\"text\"",
-                                         "'",
-                                         "[",
-                                         "]",
-                                         "{",
-                                         "}",
-                                         "if ",
-                                         "True",
-                                         ":\n",
-                                         "else:\n",
-                                         "elif ",
-                                         "return ",
-                                         "global x=",
-                                         "x",
-                                         "textmsg(",
-                                         "popup(",
-                                         "set_digital_out(",
-                                         "0",
-                                         "9999999999999",
-                                         "sleep(",
-                                         "sync()",
-                                         "\n",
-                                         "#",
-                                         "\\",
-                                         "$ 1 2\n",
-                                         "power on\n",
-                                         "power off\n",
-                                         "stop program\n",
-                                         "set robotmode run\n",
-                                         "struct(",
-                                         ".",
-                                         "!",
-                                         "thread t():\n",
-                                         "run t()",
-                                         "kill ",
-                                         "break\n",
-                                         "and ",
-                                         "not ",
-                                         "==",
-                                         "socket_close(",
-                                         "\xc3\x28"};
-    return in.soup(words, 12) + '\n';
-}
-
-QByteArray interpreterInput(Inputs& in) {
-    static const QList<QByteArray> lines{"statelastexecuted",
-                                         "stateunexecuted",
-                                         "statelastcleared",
-                                         "skipbuffer",
-                                         "abort",
-                                         "clear_interpreter()",
-                                         "x = 1",
-                                         "x = x + 1",
-                                         "textmsg(x)",
-                                         "sleep(0.01)",
-                                         "def f(a): return a end",
-                                         "f(2)",
-                                         "movej([0,-1.5,-2,0,0,0])",
-                                         "x = [1,2",
-                                         "y",
-                                         "set_digital_out(0, True)"};
-    return in.upTo(3) == 0 ? scriptInput(in) : in.damaged(in.any(lines)) + '\n';
-}
-
-QByteArray httpInput(Inputs& in) {
-    static const QList<QByteArray> words{
-        "GET ",
-        "PUT ",
-        "POST ",
-        "HEAD ",
-        "DELETE ",
-        "/universal-robots/robot-api",
-        "/programs/v1/",
-        "/program/v1/state",
-        "/robotstate/v1/state",
-        "/openapi.json",
-        "..%2f..",
-        "%zz",
-        "%00",
-        " HTTP/1.1\r\n",
-        " HTTP/1.0\r\n",
-        " HTTP/9.9\r\n",
-        "Content-Length: 5\r\n",
-        "Content-Length: -1\r\n",
-        "Content-Length: 999999999999999999999\r\n",
-        "Transfer-Encoding: chunked\r\n",
-        "5\r\nhello\r\n",
-        "0\r\n\r\n",
-        "ffffffffffffffff\r\n",
-        "Expect: 100-continue\r\n",
-        "Connection: close\r\n",
-        "Content-Type: multipart/form-data; boundary=x\r\n",
-        "--x\r\nContent-Disposition: form-data; name=\"file\"; filename=\"a\"\r\n\r\n{}\r\n--x--\r\n",
-        "{\"action\":\"POWER_ON\"}",
-        "{\"name\":",
-        "\r\n",
-        "\r\n\r\n",
-        ":",
-        "\0",
-        "\xff"};
-    static const QList<QByteArray> proper{
-        "GET /universal-robots/robot-api/robotstate/v1/robotmode HTTP/1.1\r\n\r\n",
-        "PUT /universal-robots/robot-api/program/v1/state HTTP/1.1\r\nContent-Length: "
-        "17\r\n\r\n{\"action\":\"play\"}",
-        "POST /universal-robots/robot-api/programs/v1/ HTTP/1.1\r\nTransfer-Encoding: "
-        "chunked\r\n\r\n3\r\nabc\r\n0\r\n\r\n"};
-    return in.upTo(1) == 0 ? in.damaged(in.any(proper)) : in.soup(words, 8);
-}
-
-QByteArray gripperInput(Inputs& in) {
-    static const QList<QByteArray> words{"SET ", "GET ", "ACT ", "GTO ", "POS ", "SPE ", "FOR ",
-                                         "ATR ", "ARD ", "1 ",   "0 ",   "255 ", "-1 ",  "99999999999 ",
-                                         "x",    "STA",  "OBJ",  "?",    "\r",   "\t",   "\xff"};
-    return in.soup(words, 6) + '\n';
-}
-
-QByteArray faultInput(Inputs& in) {
-    static const QList<QByteArray> words{"safeguard ",
-                                         "on",
-                                         "off",
-                                         "delay ",
-                                         "0 ",
-                                         "1e9 ",
-                                         "nan",
-                                         "reduced ",
-                                         "status",
-                                         "help",
-                                         "hold-registers ",
-                                         "lower",
-                                         "release-registers",
-                                         "popup ",
-                                         "speed ",
-                                         "0.5",
-                                         "hand ",
-                                         "clear",
-                                         "calibration ",
-                                         "gripper-object ",
-                                         "none",
-                                         "digital-input ",
-                                         "7 ",
-                                         "\xff",
-                                         "\0"};
-    return in.soup(words, 4) + '\n';
-}
-
-struct Service {
-    const char* name;
-    std::uint16_t simulator::Ports::*port;
-    QByteArray (*input)(Inputs&);
-};
-const Service kServices[] = {
-    {"dashboard", &simulator::Ports::dashboard, dashboardInput},
-    {"RTDE", &simulator::Ports::rtde, rtdeInput},
-    {"primary", &simulator::Ports::primary, scriptInput},
-    {"realtime", &simulator::Ports::realtime, scriptInput},
-    {"interpreter", &simulator::Ports::interpreter, interpreterInput},
-    {"Robot API", &simulator::Ports::robotApi, httpInput},
-    {"gripper", &simulator::Ports::gripper, gripperInput},
-    {"faults", &simulator::Ports::faults, faultInput},
-};
 
 /// A proper client gets what it has always got.
 bool servesAsBefore(VirtualRobot& robot) {
@@ -384,13 +78,14 @@ class TestServerEndurance : public QObject {
 private Q_SLOTS:
     void brokenInputsHarmNoService_data() {
         QTest::addColumn<int>("index");
-        for (int i = 0; i < int(std::size(kServices)); ++i) {
-            QTest::newRow(kServices[i].name) << i;
+        int index = 0;
+        for (const AttackedService& service : attackedServices()) {
+            QTest::newRow(service.name) << index++;
         }
     }
     void brokenInputsHarmNoService() {
         QFETCH(int, index);
-        const Service& service = kServices[index];
+        const AttackedService& service = attackedServices()[std::size_t(index)];
         auto options = VirtualRobot::options();
         options.fastTransitions = true;
         if (service.port == &simulator::Ports::robotApi) {
@@ -406,7 +101,7 @@ private Q_SLOTS:
             robot.controller.step(3);
         }
         const int descriptors = openDescriptors();
-        Inputs in(seed + quint64(index));
+        Chances in(seed + quint64(index));
         std::unique_ptr<RawClient> client;
         int connections = 0;
         for (int done = 0; done < inputCount;) {
@@ -444,7 +139,8 @@ private Q_SLOTS:
         VirtualRobot robot;
         QVERIFY(servesAsBefore(robot));
         const int descriptors = openDescriptors();
-        Inputs in(seed);
+        Chances in(seed);
+        const int lastService = int(attackedServices().size()) - 1;
         std::vector<std::unique_ptr<RawClient>> clients;
         QElapsedTimer timer;
         timer.start();
@@ -459,7 +155,7 @@ private Q_SLOTS:
             return churnSeconds > 0 ? timer.elapsed() < qint64(churnSeconds) * 1000 : connections < 600;
         };
         while (goesOn()) {
-            const Service& service = kServices[in.upTo(int(std::size(kServices)) - 1)];
+            const AttackedService& service = attackedServices()[std::size_t(in.upTo(lastService))];
             const quint16 port = robot.controller.ports().*service.port;
             if (port != 0) {
                 clients.push_back(std::make_unique<RawClient>(robot.host(), port));

@@ -213,6 +213,11 @@ struct VirtualRobot {
         options.poweredOn = true;
         return options;
     }
+    static simulator::ControllerOptions poweredOff() {
+        auto options = VirtualRobot::options();
+        options.poweredOn = false;
+        return options;
+    }
     explicit VirtualRobot(const simulator::ControllerOptions& given = options()) : controller(given) {
         started = controller.start().ok();
     }
@@ -229,6 +234,10 @@ struct VirtualRobot {
             controller.step();
         }
         return condition();
+    }
+    /// Steps until the dashboard tells this mode, five seconds at most.
+    bool untilMode(RawDashboard& dashboard, const QByteArray& robotMode) {
+        return stepUntil([&] { return dashboard.ask("robotmode") == "Robotmode: " + robotMode + '\n'; }, 5);
     }
     RuntimeState programState() const { return controller.truth().runtimeState; }
 

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What a simulated robot says on its primary interface, sorted by kind.
+
+#include <vector>
+
+#include "tests/support/raw_client.h"
+
+namespace tiller::test {
+
+/// Of robot messages.
+enum MessageKind {
+    kText = 0,
+    kPopup = 2,
+    kVersion = 3,
+    kSafetyMode = 5,
+    kErrorCode = 6,
+    kKey = 7,
+    kException = 10
+};
+
+/// KEY messages as "STARTED name".
+inline QByteArrayList keysOf(const std::vector<QByteArray>& messages) {
+    QByteArrayList keys;
+    for (const QByteArray& body : messages) {
+        const int length = static_cast<unsigned char>(body[8]);
+        keys << body.mid(9, length).mid(12) + ' ' + body.mid(9 + length);
+    }
+    return keys;
+}
+
+/// Everything a test may want to know of a stretch of the primary stream.
+struct Heard {
+    QByteArrayList keys, texts;
+    std::vector<QByteArray> errors, exceptions, safetyModes;
+    int states = 0;
+
+    explicit Heard(RawPrimary& primary) {
+        std::vector<QByteArray> keyBodies;
+        for (const QByteArray& package : primary.packages()) {
+            if (package[4] == 16) {
+                ++states;
+                continue;
+            }
+            const QByteArray body = package.mid(15);
+            switch (package[14]) {
+                case kText:
+                    texts << body;
+                    break;
+                case kKey:
+                    keyBodies.push_back(body);
+                    break;
+                case kErrorCode:
+                    errors.push_back(body);
+                    break;
+                case kException:
+                    exceptions.push_back(body);
+                    break;
+                case kSafetyMode:
+                    safetyModes.push_back(body);
+                    break;
+                default:
+                    break;
+            }
+        }
+        keys = keysOf(keyBodies);
+    }
+};
+
+/// Sends a script and steps until nothing more is to be expected.
+inline Heard run(VirtualRobot& robot, RawPrimary& primary, const QByteArray& script, double seconds) {
+    primary.takeAll();
+    primary.send(script);
+    robot.controller.drainSockets();
+    robot.controller.stepSeconds(seconds);
+    return Heard(primary);
+}
+
+}  // namespace tiller::test
