@@ -3,6 +3,8 @@
 
 #include <QRegularExpression>
 
+#include "tests/support/ur_rtde_recipes.h"
+
 namespace tiller::test {
 
 namespace {
@@ -58,35 +60,13 @@ bool RegisterClient::connect() {
     if (!askVersion()) {
         return fail("version again");
     }
-    const QByteArray outputs = "robot_status_bits,safety_status_bits,runtime_state," +
-                               names("output_int_register_", 0, 3) + names("output_double_register_", 0, 6);
+    const QByteArray outputs = urRtdeControlOutputs(offset_);
     const QByteArray types = rtde_->setupOutputs(major > 3 ? 500 : 125, outputs);
     if (types.isEmpty() || types.contains("NOT_FOUND") || types.count(',') + 1 != outputs.count(',')) {
         return fail("output recipe");
     }
-    const QByteArray I0 = ints(0, 1);
-    const std::vector<QByteArray> recipes = {I0 + doubles(0, 8) + ints(1, 1),
-                                             I0 + doubles(0, 11),
-                                             ints(0, 8) + doubles(0, 18),
-                                             I0,
-                                             I0 + doubles(0, 9),
-                                             I0 + doubles(0, 6),
-                                             I0 + doubles(0, 4),
-                                             I0 + doubles(0, 1),
-                                             ints(0, 2),
-                                             I0 + doubles(0, 14),
-                                             I0,
-                                             I0 + doubles(0, 12),
-                                             I0 + doubles(0, 8),
-                                             I0 + doubles(0, 14),
-                                             ints(0, 2),
-                                             I0 + doubles(0, 13),
-                                             ints(0, 7) + doubles(0, 6),
-                                             I0 + "external_force_torque,",
-                                             ints(0, 2) + doubles(0, 7),
-                                             I0 + doubles(0, 1) + ints(1, 1)};
     int id = 0;
-    for (const QByteArray& recipe : recipes) {
+    for (const QByteArray& recipe : urRtdeControlRecipes(offset_)) {
         const auto reply = rtde_->request('I', recipe);
         if (reply.type != 'I' || reply.payload.contains("IN_USE") || reply.payload[0] != ++id) {
             return fail("input recipe");

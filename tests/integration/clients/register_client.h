@@ -12,13 +12,11 @@
 #include <optional>
 
 #include "tests/integration/clients/register_script.h"
-#include "tests/support/raw_client.h"
+#include "tests/support/stepped_client.h"
 
 namespace tiller::test {
 
-using Six = std::array<double, 6>;
-
-class RegisterClient {
+class RegisterClient : public SteppedClient {
 public:
     enum Recipe : char {
         kMove = 1,
@@ -50,7 +48,7 @@ public:
         Six doubles{};
     };
 
-    RegisterClient(VirtualRobot& robot, int offset = 0) : robot_(robot), offset_(offset) {}
+    RegisterClient(VirtualRobot& robot, int offset = 0) : SteppedClient(robot), offset_(offset) {}
 
     /// The start-up, step by step; false, with `trouble` telling the step, where ur_rtde would give up.
     bool connect();
@@ -67,17 +65,7 @@ public:
     bool send(Recipe recipe, int id, const std::vector<double>& doubles, const std::vector<int>& ints);
     bool clear() { return send(kNothing, 0, {}, {}); }
     /// Moves on one control period.
-    void step(int ticks = 1);
-    template <class Condition>
-    bool until(Condition condition, double seconds) {
-        for (int n = static_cast<int>(seconds / robot_.controller.stepTime()); n > 0; --n) {
-            if (condition()) {
-                return true;
-            }
-            step();
-        }
-        return condition();
-    }
+    void step(int ticks = 1) override;
     /// Ends the script as its path and custom-script functions do.
     bool stopScript();
     void disconnect();
@@ -87,26 +75,10 @@ public:
     RawDashboard& dashboard() { return *dashboard_; }
     RawClient& scriptSocket() { return *script_; }
 
-    QByteArray trouble;
-
 private:
     bool waitReady();
-    bool fail(const char* step) {
-        trouble = step;
-        return false;
-    }
-    QByteArray ints(int first, int count) const { return names("input_int_register_", first, count); }
-    QByteArray doubles(int first, int count) const { return names("input_double_register_", first, count); }
-    QByteArray names(const char* prefix, int first, int count) const {
-        QByteArray list;
-        for (int i = first; i < first + count; ++i) {
-            list += prefix + QByteArray::number(i + offset_) + ',';
-        }
-        return list;
-    }
     bool inMode(quint32 safetyBit) const { return (state_.safetyBits >> safetyBit & 1U) != 0; }
 
-    VirtualRobot& robot_;
     int offset_;
     std::unique_ptr<RawDashboard> dashboard_;
     std::unique_ptr<RawRtde> rtde_;

@@ -13,11 +13,9 @@
 #include <vector>
 
 #include "tests/integration/clients/socket_script.h"
-#include "tests/support/raw_client.h"
+#include "tests/support/stepped_client.h"
 
 namespace tiller::test {
-
-using Six = std::array<double, 6>;
 
 /// What the primary interface told.
 struct PrimaryNews {
@@ -37,7 +35,7 @@ struct PrimaryNews {
     QByteArray malformed;  ///< the first package that is not what the protocol says
 };
 
-class SocketClient {
+class SocketClient : public SteppedClient {
 public:
     enum Mode {
         kStopped = -2,
@@ -64,7 +62,7 @@ public:
         int toolVoltage = 0;
     };
 
-    explicit SocketClient(VirtualRobot& robot) : robot_(robot) {}
+    explicit SocketClient(VirtualRobot& robot) : SteppedClient(robot) {}
 
     /// RTDE, primary, the three servers, the script; false, with `trouble` telling the step, where the
     /// library would throw.
@@ -94,22 +92,10 @@ public:
     std::optional<int> commandReply(double seconds);
     bool isReverseConnected();
 
-    void step(int ticks = 1);
-    template <class Condition>
-    bool until(Condition condition, double seconds) {
-        for (int n = static_cast<int>(seconds / robot_.controller.stepTime()); n > 0; --n) {
-            if (condition()) {
-                return true;
-            }
-            step();
-        }
-        return condition();
-    }
+    void step(int ticks = 1) override;
     const Data& data() const { return data_; }
     const PrimaryNews& news() const { return news_; }
     PrimaryNews& news() { return news_; }
-
-    QByteArray trouble;
 
 private:
     struct Server {
@@ -119,10 +105,6 @@ private:
         bool listen() { return server.listen(QHostAddress::LocalHost, 0); }
         void service();
     };
-    bool fail(const char* step) {
-        trouble = step;
-        return false;
-    }
     bool connectRtde();
     bool deliver(Server& server, const QByteArray& bytes);
     std::optional<int> answer(Server& server, double seconds);
@@ -131,7 +113,6 @@ private:
     void readState(const QByteArray& package);
     void readMessage(const QByteArray& package);
 
-    VirtualRobot& robot_;
     std::unique_ptr<RawRtde> rtde_;
     std::unique_ptr<QTcpSocket> primary_;
     QByteArray primaryBytes_;

@@ -5,72 +5,10 @@
 #include <QTest>
 
 #include "tests/support/raw_client.h"
+#include "tests/support/ur_rtde_recipes.h"
 
 using namespace tiller;
 using namespace tiller::test;
-
-namespace {
-
-QByteArray names(const QByteArray& prefix, int first, int count) {
-    QByteArray list;
-    for (int i = first; i < first + count; ++i) {
-        list += prefix + QByteArray::number(i) + ',';
-    }
-    return list;
-}
-QByteArray ints(int first, int count) {
-    return names("input_int_register_", first, count);
-}
-QByteArray doubles(int first, int count) {
-    return names("input_double_register_", first, count);
-}
-
-/// The 20 input recipes of ur_rtde's control interface, each list ending with a comma.
-std::vector<QByteArray> urRtdeControlRecipes() {
-    const QByteArray I0 = ints(0, 1);
-    return {I0 + doubles(0, 8) + ints(1, 1),
-            I0 + doubles(0, 11),
-            ints(0, 8) + doubles(0, 18),
-            I0,
-            I0 + doubles(0, 9),
-            I0 + doubles(0, 6),
-            I0 + doubles(0, 4),
-            I0 + doubles(0, 1),
-            ints(0, 2),
-            I0 + doubles(0, 14),
-            I0,
-            I0 + doubles(0, 12),
-            I0 + doubles(0, 8),
-            I0 + doubles(0, 14),
-            ints(0, 2),
-            I0 + doubles(0, 13),
-            ints(0, 7) + doubles(0, 6),
-            I0 + "external_force_torque,",
-            ints(0, 2) + doubles(0, 7),
-            I0 + doubles(0, 1) + ints(1, 1)};
-}
-
-std::vector<QByteArray> urRtdeIoRecipes() {
-    const QByteArray I23 = ints(23, 1);
-    std::vector<QByteArray> recipes = {
-        I23,
-        I23 + "standard_digital_output_mask,standard_digital_output,",
-        I23 + "tool_digital_output_mask,tool_digital_output,",
-        I23 + "speed_slider_mask,speed_slider_fraction,",
-        I23 +
-            "standard_analog_output_mask,standard_analog_output_type,standard_analog_output_0,"
-            "standard_analog_output_1,",
-        I23 + "configurable_digital_output_mask,configurable_digital_output,"};
-    for (int i = 18; i <= 22; ++i) {
-        recipes.push_back(I23 + ints(i, 1));
-    }
-    for (int i = 18; i <= 22; ++i) {
-        recipes.push_back(I23 + doubles(i, 1));
-    }
-    return recipes;
-}
-
-}  // namespace
 
 class TestRtdeHandshakes : public QObject {
     Q_OBJECT
@@ -100,10 +38,7 @@ private Q_SLOTS:
         RawClient script(robot.host(), robot.controller.ports().realtime);
         QVERIFY(script.isConnected());
 
-        const QByteArray outputs = "robot_status_bits,safety_status_bits,runtime_state," +
-                                   names("output_int_register_", 0, 3) +
-                                   names("output_double_register_", 0, 6);
-        QCOMPARE(rtde.setupOutputs(500, outputs),
+        QCOMPARE(rtde.setupOutputs(500, urRtdeControlOutputs()),
                  QByteArray("\x01UINT32,UINT32,UINT32,INT32,INT32,INT32,DOUBLE,DOUBLE,DOUBLE,DOUBLE,DOUBLE,"
                             "DOUBLE"));
         int id = 0;

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A client in virtual time: whatever it waits for, it waits for by moving the controller on.
+
+#include <array>
+
+#include "tests/support/raw_client.h"
+
+namespace tiller::test {
+
+using Six = std::array<double, 6>;
+
+class SteppedClient {
+public:
+    explicit SteppedClient(VirtualRobot& robot) : robot_(robot) {}
+    virtual ~SteppedClient() = default;
+
+    /// Moves on so many control periods, and takes in what the robot says in each.
+    virtual void step(int ticks = 1) = 0;
+    /// Steps until the condition holds, at most so long in virtual time.
+    template <class Condition>
+    bool until(Condition condition, double seconds) {
+        for (int n = static_cast<int>(seconds / robot_.controller.stepTime()); n > 0; --n) {
+            if (condition()) {
+                return true;
+            }
+            step();
+        }
+        return condition();
+    }
+
+    QByteArray trouble;  ///< the step that went wrong
+
+protected:
+    bool fail(const char* step) {
+        trouble = step;
+        return false;
+    }
+
+    VirtualRobot& robot_;
+};
+
+}  // namespace tiller::test
