@@ -5,34 +5,22 @@
 
 #include <QTest>
 
-#include "tests/integration/ur_rtde/face_cell.h"
+#include "tests/support/face_control_test.h"
 
 using namespace tiller;
 using ur_rtde::AsyncOperationStatus;
 using ur_rtde::RTDEControlInterface;
 using List = std::vector<double>;
 
-class TestFaceCompatibility : public QObject {
+class TestFaceCompatibility : public test::FaceControlTest {
     Q_OBJECT
 
 private:
-    std::unique_ptr<test::FaceCell> cell_;
-    std::unique_ptr<RTDEControlInterface> control_;
-
     bool until(const std::function<bool()>& condition) {
         return cell_->until([&](const simulator::Truth&) { return condition(); });
     }
 
 private Q_SLOTS:
-    void init() {
-        cell_ = std::make_unique<test::FaceCell>();
-        control_ = std::make_unique<RTDEControlInterface>(cell_->host());
-    }
-    void cleanup() {
-        control_.reset();
-        cell_.reset();
-    }
-
     void itKnowsWhomItTalksTo() {
         const auto& options = cell_->robot.options();
         QCOMPARE(control_->versions().major, options.software.major);

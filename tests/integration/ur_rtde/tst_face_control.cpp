@@ -8,7 +8,7 @@
 #include <fstream>
 #include <future>
 
-#include "tests/integration/ur_rtde/face_cell.h"
+#include "tests/support/face_control_test.h"
 
 using namespace tiller;
 using ur_rtde::AsyncOperationStatus;
@@ -55,13 +55,10 @@ bool stands(const simulator::Truth& truth) {
 
 }  // namespace
 
-class TestFaceControl : public QObject {
+class TestFaceControl : public test::FaceControlTest {
     Q_OBJECT
 
 private:
-    std::unique_ptr<test::FaceCell> cell_;
-    std::unique_ptr<RTDEControlInterface> control_;
-
     List joints() const { return jointsOf(cell_->robot.truth()); }
     List pose() const { return poseOf(cell_->robot.truth()); }
     bool untilStanding() { return cell_->until(stands); }
@@ -74,15 +71,6 @@ private:
     }
 
 private Q_SLOTS:
-    void init() {
-        cell_ = std::make_unique<test::FaceCell>();
-        control_ = std::make_unique<RTDEControlInterface>(cell_->host());
-    }
-    void cleanup() {
-        control_.reset();
-        cell_.reset();
-    }
-
     // ---- life -------------------------------------------------------------------------------------------
 
     void connectsAndRunsTheProgram() {
