@@ -25,6 +25,21 @@ Command servo(ScriptCommand kind, std::int32_t epoch, bool target) {
     return command;
 }
 
+Command stopJ(std::int32_t epoch, double deceleration) {
+    Command stop;
+    stop.epoch = epoch;
+    stop.choice = 1;
+    stop.acceleration = deceleration;
+    return stop;
+}
+
+/// A stream along a line, and stops that take long.
+void moveInEpoch2(Bench& bench) {
+    bench.host.moveFrames = 1000;
+    bench.hold(ScriptCommand::Idle, 1, 2);
+    bench.hold(ScriptCommand::SpeedL, 2, 5, {0, 0, 0.1, 0, 0, 0});
+}
+
 bool called(const Bench& bench, const std::string& what) {
     return std::find(bench.host.calls.begin(), bench.host.calls.end(), what) != bench.host.calls.end();
 }
@@ -125,14 +140,8 @@ private Q_SLOTS:
 
     void aStopBrakesAsItWasAskedTo() {
         Bench bench;
-        bench.host.moveFrames = 1000;
-        bench.hold(ScriptCommand::Idle, 1, 2);
-        bench.hold(ScriptCommand::SpeedL, 2, 5, {0, 0, 0.1, 0, 0, 0});
-        Command stop;
-        stop.epoch = 3;
-        stop.choice = 1;  // stopj
-        stop.acceleration = 0.7;
-        bench.send(stop);
+        moveInEpoch2(bench);
+        bench.send(stopJ(3, 0.7));
         bench.frame();
         QVERIFY(bench.last<urscript::StopJ>() != nullptr);
         QCOMPARE(bench.last<urscript::StopJ>()->deceleration, 0.7);
@@ -185,6 +194,19 @@ private Q_SLOTS:
             QVERIFY2(line.contains(QString::fromLatin1(sought).remove(QStringLiteral("tiller_"))),
                      qPrintable(line));
         }
+    }
+
+    void whatASectionDoesNotUseIsNotInItsProgram() {
+        const auto text = [](const char* section) {
+            return controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {}, kJointSpeeds,
+                                 QString::fromLatin1(section))
+                .text;
+        };
+        QVERIFY(!text("sync()").contains(QLatin1String("stop_conveyor_tracking(")));
+        QVERIFY(!text("sync()").contains(QLatin1String("path_offset_disable(")));
+        QVERIFY(text("track_conveyor_linear(p[1,0,0,0,0,0], 1000)")
+                    .contains(QLatin1String("stop_conveyor_tracking(")));
+        QVERIFY(text("path_offset_enable()").contains(QLatin1String("path_offset_disable(")));
     }
 
     void contactEndsTheMoveAndGoesBackToWhereItBegan() {
@@ -299,25 +321,15 @@ private Q_SLOTS:
 
     void aLaterStopNeverBrakesMoreSoftly() {
         Bench bench;
-        bench.host.moveFrames = 1000;
-        bench.hold(ScriptCommand::Idle, 1, 2);
-        bench.hold(ScriptCommand::SpeedL, 2, 5, {0, 0, 0.1, 0, 0, 0});
-        Command stop;
-        stop.epoch = 3;
-        stop.choice = 1;  // stopj
-        stop.acceleration = 8;
-        bench.send(stop);
+        moveInEpoch2(bench);
+        bench.send(stopJ(3, 8));
         bench.frame();
         QCOMPARE(bench.last<urscript::StopJ>()->deceleration, 8.0);
-        stop.epoch = 4;
-        stop.acceleration = 0.2;
-        bench.send(stop);
+        bench.send(stopJ(4, 0.2));
         bench.frame(2);
         bench.hold(ScriptCommand::Idle, 5, 2);  // the stop key brakes with 4
         QCOMPARE(bench.count<urscript::StopJ>(), 1);
-        stop.epoch = 6;
-        stop.acceleration = 12;
-        bench.send(stop);
+        bench.send(stopJ(6, 12));
         bench.frame(2);
         QCOMPARE(bench.last<urscript::StopJ>()->deceleration, 12.0);
     }
