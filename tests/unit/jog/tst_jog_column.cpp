@@ -1,115 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The jog column with real mouse events against doors that only write down what they are asked.
+// What the jog column commands: every key, every selection, every way of moving.
 #include <QApplication>
-#include <QDir>
 #include <QSignalSpy>
 #include <QTest>
-#include <numbers>
 
-#include "widgets/common/hold_button.h"
-#include "widgets/common/segmented_control.h"
+#include "tests/support/jog_scene.h"
 #include "widgets/common/theme.h"
-#include "widgets/jog/jog_column.h"
-#include "widgets/jog/jog_pad.h"
-#include "widgets/jog/joint_rows.h"
-#include "widgets/jog/limiter_line.h"
-#include "widgets/jog/pose_view.h"
 
 using namespace tiller;
+using namespace tiller::test;
 using control::JogFrame;
 using control::JogTarget;
 using control::StopCause;
-
-namespace {
-
-struct FakeSession {
-    std::uint64_t next = 0;
-    std::uint64_t running = 0;
-    QList<JogTarget> jogs;
-    QList<MoveRequest> moves;
-    QList<control::Freedrive> freedrives;
-    QList<StopCause> ends;
-
-    JogPort port() {
-        return {.beginJog = [this](const JogTarget& target) -> Result<RobotSession::MotionId> {
-                    jogs.append(target);
-                    return running = ++next;
-                },
-                .beginMove = [this](const MoveRequest& request) -> Result<RobotSession::MotionId> {
-                    moves.append(request);
-                    return running = ++next;
-                },
-                .hold = [this](RobotSession::MotionId id) { return id == running; },
-                .endMotion =
-                    [this](RobotSession::MotionId id, StopCause cause) {
-                        if (id == running) {
-                            running = 0;
-                        }
-                        ends.append(cause);
-                    },
-                .limits = [] { return control::MotionLimits(); },
-                .beginFreedrive = [this](const control::Freedrive& f) -> Result<RobotSession::MotionId> {
-                    freedrives.append(f);
-                    return running = ++next;
-                },
-                .holdWith = [this](RobotSession::MotionId id, const JogTarget&) { return id == running; }};
-    }
-};
-
-SessionState readyState() {
-    constexpr double kDeg = std::numbers::pi / 180.0;
-    SessionState state;
-    state.link = LinkState::Live;
-    state.robotMode = RobotMode::Running;
-    state.safetyMode = SafetyMode::Normal;
-    state.control = ControlState::InControl;
-    state.sequence = 1;
-    state.q = JointPositions(-88.24 * kDeg, -104.91 * kDeg, -147.60 * kDeg, -33.80 * kDeg, 91.67 * kDeg,
-                             1.32 * kDeg);
-    state.tcpPose = Pose(-0.1435, -0.43501, 0.2, 0, 0, 0);
-    state.tcpPose.rotation = rotationVectorFromRpy({179.94 * kDeg, 0.02 * kDeg, 2.29 * kDeg});
-    return state;
-}
-
-struct Scene {
-    FakeSession session;
-    VirtualClock clock;
-    JogColumn column{session.port()};
-    SessionState state = readyState();
-
-    explicit Scene(QSize size = {390, 948}) {
-        for (HoldButton* key : column.holdKeys()) {
-            key->guard().setClock(clock);
-        }
-        column.resize(size);
-        column.show();
-        column.activateWindow();
-        if (!QTest::qWaitForWindowActive(&column)) {
-            qFatal("the window did not become active");
-        }
-        column.applyState(state);
-    }
-    HoldButton* key(const char* name) { return column.findChild<HoldButton*>(QLatin1String(name)); }
-    void press(const char* name, Qt::KeyboardModifiers modifiers = {}) {
-        QTest::mousePress(key(name), Qt::LeftButton, modifiers);
-    }
-    void release(const char* name) { QTest::mouseRelease(key(name), Qt::LeftButton); }
-    void choose(const char* control, int index) {
-        auto* segments = column.findChild<SegmentedControl*>(QLatin1String(control));
-        QTest::mouseClick(segments->segment(index), Qt::LeftButton);
-    }
-};
-
-/// With TILLER_SCREENSHOTS=<folder> the pictures are kept for people to look at.
-void keepPicture(QWidget& widget, const QString& name) {
-    const QString folder = qEnvironmentVariable("TILLER_SCREENSHOTS");
-    if (!folder.isEmpty()) {
-        QDir().mkpath(folder);
-        widget.grab().save(folder + QLatin1Char('/') + name + QStringLiteral(".png"));
-    }
-}
-
-}  // namespace
 
 class TestJogColumn : public QObject {
     Q_OBJECT
@@ -133,7 +35,7 @@ private Q_SLOTS:
         QFETCH(QByteArray, name);
         QFETCH(int, axis);
         QFETCH(int, direction);
-        Scene s;
+        JogScene s;
         s.press(name.constData());
         QCOMPARE(s.session.jogs.size(), 1);
         const Vector6 twist = s.session.jogs.first().twist.vector();
@@ -146,7 +48,7 @@ private Q_SLOTS:
     }
 
     void jointKeysMoveTheirJoint() {
-        Scene s;
+        JogScene s;
         for (int joint = 0; joint < 6; ++joint) {
             for (const bool plus : {false, true}) {
                 const QByteArray name = "joint." + QByteArray::number(joint) + (plus ? ".plus" : ".minus");
@@ -163,7 +65,7 @@ private Q_SLOTS:
     }
 
     void frameChoiceReachesTheTarget() {
-        Scene s;
+        JogScene s;
         s.choose("jogFrame", 1);
         s.press("jog.X+");
         QCOMPARE(s.session.jogs.last().frame, JogFrame::Tool);
@@ -179,7 +81,7 @@ private Q_SLOTS:
     }
 
     void taughtFrameCanBeChosenOnceThereIsOne() {
-        Scene s;
+        JogScene s;
         auto* slot = s.column.findChild<QAbstractButton*>(QStringLiteral("jogFrame.3"));
         QVERIFY(!slot->isEnabled());
         QVERIFY(!slot->toolTip().isEmpty());
@@ -204,7 +106,7 @@ private Q_SLOTS:
     void everySelectionStopsTheMotion() {
         QFETCH(QByteArray, control);
         QFETCH(int, index);
-        Scene s;
+        JogScene s;
         s.press("jog.Z-");
         s.column.findChild<SegmentedControl*>(QLatin1String(control))->setCurrentIndex(index);
         QCOMPARE(s.session.ends, QList<StopCause>{StopCause::SelectionChanged});
@@ -214,7 +116,7 @@ private Q_SLOTS:
     }
 
     void turningTheViewStopsAJogInIt() {
-        Scene s;
+        JogScene s;
         s.column.setViewRotation(Eigen::Matrix3d::Identity());
         s.choose("jogFrame", 2);
         s.press("jog.X+");
@@ -226,7 +128,7 @@ private Q_SLOTS:
     }
 
     void stepMakesOneBoundedMovePerPress() {
-        Scene s;
+        JogScene s;
         s.choose("jogMotion", 2);
         s.press("jog.X+");
         s.release("jog.X+");
@@ -242,7 +144,7 @@ private Q_SLOTS:
     }
 
     void escapeEndsAStep() {
-        Scene s;
+        JogScene s;
         s.choose("jogMotion", 3);
         s.press("jog.X+");
         s.release("jog.X+");
@@ -251,7 +153,7 @@ private Q_SLOTS:
     }
 
     void homeMovesWhileHeldOnly() {
-        Scene s;
+        JogScene s;
         s.choose("jogMotion", 2);  // even then
         s.press("homeKey");
         QCOMPARE(s.session.moves.size(), 1);
@@ -262,7 +164,7 @@ private Q_SLOTS:
     }
 
     void freedriveLooksAtTheForcesFirst() {
-        Scene s;
+        JogScene s;
         s.state.tcpForce.force = {0, 0, -24};
         s.state.payloadMass = 0.5;
         s.column.applyState(s.state);
@@ -283,7 +185,7 @@ private Q_SLOTS:
     }
 
     void freedriveIsFreeOnlyAlongTheChosenAxes() {
-        Scene s;
+        JogScene s;
         s.choose("jogFrame", 1);
         s.column.setFreedriveAxes(FreedriveAxes::Line);
         s.press("freedriveKey");
@@ -295,7 +197,7 @@ private Q_SLOTS:
     }
 
     void untilContactIsSlowHeldAndNamesItsForce() {
-        Scene s;
+        JogScene s;
         s.column.setSpeedClass(4);
         s.column.setUntilContact(15);
         s.press("jog.Z-", Qt::ShiftModifier);
@@ -311,7 +213,7 @@ private Q_SLOTS:
     }
 
     void aLongStepShowsItsGhostAndRunsOnlyWhileHeld() {
-        Scene s;
+        JogScene s;
         s.column.setFreeStep({0.05, 0.1});
         QSignalSpy wanted(&s.column, &JogColumn::ghostWanted);
         QSignalSpy gone(&s.column, &JogColumn::ghostGone);
@@ -327,245 +229,14 @@ private Q_SLOTS:
         QVERIFY(gone.count() >= 1);
     }
 
-    void theKeysSayWhatIsLeftTheirWay() {
-        Scene s;
-        for (int i = 0; i < 12; ++i) {
-            s.column.lookAround();
-        }
-        const QString up = s.column.findChild<JogKey*>(QStringLiteral("jog.Z+"))->travel();
-        QVERIFY2(up.endsWith(QStringLiteral(" mm")), qPrintable(up));
-        QVERIFY(up.chopped(3).toDouble() > 10);
-        s.state.link = LinkState::Lost;
-        s.column.applyState(s.state);
-        s.column.lookAround();
-        QVERIFY(s.column.findChild<JogKey*>(QStringLiteral("jog.Z+"))->travel().isEmpty());
-    }
-
     void modifiersChangeTheSpeed() {
-        Scene s;
+        JogScene s;
         s.press("jog.X+", Qt::ControlModifier);
         QVERIFY(std::abs(s.session.jogs.last().twist.linear.x() - 0.005) < 1e-12);
         s.release("jog.X+");
         s.press("jog.X+", Qt::ShiftModifier);
         QVERIFY(std::abs(s.session.jogs.last().twist.linear.x() - 0.150) < 1e-12);
         s.release("jog.X+");
-    }
-
-    void keyLightsUpOnlyWhenTheRobotConfirms() {
-        Scene s;
-        s.press("jog.X+");
-        QVERIFY(!s.key("jog.X+")->isConfirmed());
-        s.state.moving = true;
-        s.column.applyState(s.state);
-        QVERIFY(s.key("jog.X+")->isConfirmed());
-        QVERIFY(!s.key("jog.Y+")->isConfirmed());
-        s.release("jog.X+");
-        QVERIFY(!s.key("jog.X+")->isConfirmed());
-        s.column.applyState(s.state);  // still coasting, but nobody holds
-        QVERIFY(!s.key("jog.X+")->isConfirmed());
-    }
-
-    void nothingMovesWhenTheArmCannotAndTheReasonIsShown_data() {
-        QTest::addColumn<int>("which");
-        QTest::addColumn<StopCause>("cause");
-        QTest::newRow("stale data") << 0 << StopCause::DataStale;
-        QTest::newRow("no data") << 1 << StopCause::LinkLost;
-        QTest::newRow("protective stop") << 2 << StopCause::UnsafeMode;
-        QTest::newRow("emergency stop") << 3 << StopCause::UnsafeMode;
-        QTest::newRow("power off") << 4 << StopCause::UnsafeMode;
-        QTest::newRow("not in control") << 5 << StopCause::ControlLost;
-        QTest::newRow("said by the session") << 6 << StopCause::ControlLost;
-        QTest::newRow("disconnected") << 7 << StopCause::LinkLost;
-    }
-    void nothingMovesWhenTheArmCannotAndTheReasonIsShown() {
-        QFETCH(int, which);
-        QFETCH(StopCause, cause);
-        Scene s;
-        s.press("jog.X+");
-        SessionState state = s.state;
-        state.control = which == 6 ? ControlState::InControl : ControlState::None;
-        switch (which) {
-            case 0:
-                state.link = LinkState::Stale;
-                break;
-            case 1:
-                state.link = LinkState::Lost;
-                break;
-            case 2:
-                state.safetyMode = SafetyMode::ProtectiveStop;
-                break;
-            case 3:
-                state.safetyMode = SafetyMode::RobotEmergencyStop;
-                break;
-            case 4:
-                state.robotMode = RobotMode::PowerOff;
-                break;
-            case 6:
-                state.controlReason = QStringLiteral("The robot is in Local control.");
-                break;
-            case 7:
-                state.link = LinkState::Disconnected;
-                break;
-            default:
-                break;
-        }
-        s.column.applyState(state);
-        QCOMPARE(s.session.ends, QList<StopCause>{cause});
-        auto* pad = s.column.findChild<JogPad*>();
-        QVERIFY(!pad->reason().isEmpty());
-        QVERIFY(pad->findChild<QWidget*>(QStringLiteral("jogReason"))->isVisible());
-        for (HoldButton* key : s.column.holdKeys()) {
-            QVERIFY2(!key->isEnabled(), qPrintable(key->objectName()));
-            QVERIFY(!key->toolTip().isEmpty());
-            QTest::mousePress(key, Qt::LeftButton);
-            QTest::mouseRelease(key, Qt::LeftButton);
-        }
-        QCOMPARE(s.session.jogs.size(), 1);
-        QVERIFY(s.session.moves.isEmpty());
-        // Ready again: the old press is over, a new one moves.
-        s.column.applyState(s.state);
-        QCOMPARE(s.session.jogs.size(), 1);
-        QVERIFY(pad->reason().isEmpty());
-        s.press("jog.X+");
-        QCOMPARE(s.session.jogs.size(), 2);
-        s.release("jog.X+");
-    }
-
-    void refusalOfTheSessionIsShown() {
-        FakeSession session;
-        JogPort port = session.port();
-        port.beginJog = [](const JogTarget&) -> Result<RobotSession::MotionId> {
-            return Error{ErrorCode::LimitExceeded, QStringLiteral("jog"), {}};
-        };
-        JogColumn column(port);
-        column.applyState(readyState());
-        QSignalSpy refused(&column, &JogColumn::refused);
-        auto* key = column.findChild<HoldButton*>(QStringLiteral("jog.X+"));
-        QTest::mousePress(key, Qt::LeftButton);
-        QTest::mouseRelease(key, Qt::LeftButton);
-        QCOMPARE(refused.count(), 1);
-        QVERIFY(!column.isHolding());
-        QCOMPARE(column.findChild<LimiterLine*>()->limiter().what, refused.first().first().toString());
-    }
-
-    void unconnectedSessionIsExplainedAndNothingMoves() {
-        RobotSession session;
-        JogColumn column(session);
-        column.show();
-        QVERIFY(!column.findChild<JogPad*>()->reason().isEmpty());
-        auto* key = column.findChild<HoldButton*>(QStringLiteral("jog.X+"));
-        QTest::mousePress(key, Qt::LeftButton);
-        QVERIFY(!column.isHolding());
-        QTest::mouseRelease(key, Qt::LeftButton);
-        // The column follows what the session tells.
-        Q_EMIT session.stateChanged(readyState());
-        QVERIFY(key->isEnabled());
-        QVERIFY(column.findChild<JogPad*>()->reason().isEmpty());
-    }
-
-    void poseShowsMillimetresDegreesAndTheWaySinceThePress() {
-        Scene s;
-        auto* pose = s.column.findChild<PoseView*>();
-        QCOMPARE(pose->positionText(0), QStringLiteral("−143.50"));
-        QCOMPARE(pose->positionText(2), QStringLiteral("+200.00"));
-        QCOMPARE(pose->rotationText(0), QStringLiteral("179.94°"));
-        s.press("jog.X+");
-        s.state.tcpPose.position.x() += 0.0124;
-        s.column.applyState(s.state);
-        QCOMPARE(pose->deltaText(0), QStringLiteral("+12.40"));
-        QCOMPARE(pose->deltaText(1), QStringLiteral("0.00"));
-        s.release("jog.X+");
-        QTest::mouseClick(pose, Qt::LeftButton);  // zero here
-        QCOMPARE(pose->deltaText(0), QStringLiteral("0.00"));
-        s.state.link = LinkState::Lost;
-        s.column.applyState(s.state);
-        QCOMPARE(pose->positionText(0), QStringLiteral("–"));
-    }
-
-    void jointNearItsLimitIsAmber() {
-        Scene s;
-        auto* bar = s.column.findChild<JointBar*>(QStringLiteral("joint.2.bar"));
-        QVERIFY(!bar->isNearLimit());
-        s.state.q[2] = -6.25;
-        s.column.applyState(s.state);
-        QVERIFY(bar->isNearLimit());
-        QVERIFY(s.column.findChild<LimiterLine*>()->limiter().what.contains(QStringLiteral("Elbow")));
-    }
-
-    void smallWindowFoldsTheJointsButNeverThePad() {
-        Scene s({360, 580});
-        auto* joints = s.column.findChild<JointRows*>();
-        auto* pose = s.column.findChild<PoseView*>();
-        QVERIFY(pose->isVisible());
-        QVERIFY(!joints->isVisible());
-        s.choose("jogDetail", 1);
-        QVERIFY(joints->isVisible());
-        QVERIFY(!pose->isVisible());
-        s.press("joint.5.plus");
-        QVERIFY(std::abs(s.session.jogs.last().qd[5]) > 0);
-        s.choose("jogDetail", 0);
-        QVERIFY(!s.column.isHolding());
-        for (JogKey* key : s.column.findChild<JogPad*>()->keys()) {
-            QVERIFY(key->isVisible());
-            QVERIFY2(key->height() >= 56 && key->width() >= 56, qPrintable(key->objectName()));
-        }
-    }
-
-    void nothingLiesOutsideTheColumn_data() {
-        QTest::addColumn<QSize>("size");
-        QTest::newRow("1920x1080") << QSize(390, 948);
-        QTest::newRow("1280x720") << QSize(360, 588);
-        QTest::newRow("least") << QSize(352, 560);
-    }
-    void nothingLiesOutsideTheColumn() {
-        QFETCH(QSize, size);
-        Scene s(size);
-        QCOMPARE(s.column.size(), size);
-        for (int tab = 0; tab < 2; ++tab) {
-            s.choose("jogDetail", tab);
-            QCoreApplication::processEvents();
-            for (const QAbstractButton* button : s.column.findChildren<QAbstractButton*>()) {
-                if (!button->isVisible()) {
-                    continue;
-                }
-                const QRect place(button->mapTo(&s.column, QPoint(0, 0)), button->size());
-                QVERIFY2(s.column.rect().contains(place), qPrintable(button->objectName()));
-                QVERIFY2(button->width() >= button->minimumSizeHint().width(),
-                         qPrintable(button->objectName()));
-            }
-        }
-    }
-
-    void looksAsDesigned() {
-        for (const Theme* theme : {&Theme::light(), &Theme::dark()}) {
-            applyTheme(*qApp, *theme);
-            const QString scheme = theme->isDark() ? QStringLiteral("dark") : QStringLiteral("light");
-            Scene s;
-            s.press("jog.X+");
-            s.state.moving = true;
-            s.state.tcpPose.position.x() += 0.0124;
-            s.state.q[2] = -351 * std::numbers::pi / 180;
-            s.column.applyState(s.state);
-            QTest::qWait(150);  // the digits follow ten times a second
-            QVERIFY(!s.column.grab().isNull());
-            keepPicture(s.column, QStringLiteral("jog-") + scheme);
-            s.release("jog.X+");
-            s.state.moving = false;
-            s.state.q[2] = -2.5;
-            s.state.lastStop = {StopCause::Released, 62, 3.1, 1};
-            s.column.applyState(s.state);
-            keepPicture(s.column, QStringLiteral("jog-idle-") + scheme);
-            s.state.controlReason = QStringLiteral(
-                "The robot is in Local control. Switch it to Remote control on the teach pendant, at the top "
-                "right.");
-            s.column.applyState(s.state);
-            keepPicture(s.column, QStringLiteral("jog-reason-") + scheme);
-            Scene small({360, 588});
-            keepPicture(small.column, QStringLiteral("jog-small-") + scheme);
-            small.choose("jogDetail", 1);
-            keepPicture(small.column, QStringLiteral("jog-small-joints-") + scheme);
-        }
-        applyTheme(*qApp, Theme::light());
     }
 };
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
-#include <QDir>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
 
+#include "tests/support/pictures.h"
 #include "widgets/common/state_chip.h"
 #include "widgets/common/theme.h"
 #include "widgets/status/header_bar.h"
@@ -15,6 +15,7 @@
 #include "widgets/status/stop_button.h"
 
 using namespace tiller;
+using namespace tiller::test;
 using control::StopCause;
 
 namespace {
@@ -63,14 +64,6 @@ SessionState longestState() {
     state.lastStop = {StopCause::Released, 1062, 103.1, 1};
     state.robotName = QStringLiteral("UR10e at the far end of hall 12");
     return state;
-}
-
-void keepPicture(QWidget& widget, const QString& name) {
-    const QString folder = qEnvironmentVariable("TILLER_SCREENSHOTS");
-    if (!folder.isEmpty()) {
-        QDir().mkpath(folder);
-        widget.grab().save(folder + QLatin1Char('/') + name + QStringLiteral(".png"));
-    }
 }
 
 }  // namespace

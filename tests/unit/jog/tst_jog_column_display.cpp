@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the jog column shows: what moves, what is left, why nothing moves, and all of it at every size.
+#include <QApplication>
+#include <QSignalSpy>
+#include <QTest>
+#include <numbers>
+
+#include "tests/support/jog_scene.h"
+#include "tests/support/pictures.h"
+#include "widgets/common/theme.h"
+#include "widgets/jog/jog_pad.h"
+#include "widgets/jog/joint_rows.h"
+#include "widgets/jog/limiter_line.h"
+#include "widgets/jog/pose_view.h"
+
+using namespace tiller;
+using namespace tiller::test;
+using control::JogTarget;
+using control::StopCause;
+
+class TestJogColumnDisplay : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { applyTheme(*qApp, Theme::light()); }
+
+    void theKeysSayWhatIsLeftTheirWay() {
+        JogScene s;
+        for (int i = 0; i < 12; ++i) {
+            s.column.lookAround();
+        }
+        const QString up = s.column.findChild<JogKey*>(QStringLiteral("jog.Z+"))->travel();
+        QVERIFY2(up.endsWith(QStringLiteral(" mm")), qPrintable(up));
+        QVERIFY(up.chopped(3).toDouble() > 10);
+        s.state.link = LinkState::Lost;
+        s.column.applyState(s.state);
+        s.column.lookAround();
+        QVERIFY(s.column.findChild<JogKey*>(QStringLiteral("jog.Z+"))->travel().isEmpty());
+    }
+
+    void keyLightsUpOnlyWhenTheRobotConfirms() {
+        JogScene s;
+        s.press("jog.X+");
+        QVERIFY(!s.key("jog.X+")->isConfirmed());
+        s.state.moving = true;
+        s.column.applyState(s.state);
+        QVERIFY(s.key("jog.X+")->isConfirmed());
+        QVERIFY(!s.key("jog.Y+")->isConfirmed());
+        s.release("jog.X+");
+        QVERIFY(!s.key("jog.X+")->isConfirmed());
+        s.column.applyState(s.state);  // still coasting, but nobody holds
+        QVERIFY(!s.key("jog.X+")->isConfirmed());
+    }
+
+    void nothingMovesWhenTheArmCannotAndTheReasonIsShown_data() {
+        QTest::addColumn<int>("which");
+        QTest::addColumn<StopCause>("cause");
+        QTest::newRow("stale data") << 0 << StopCause::DataStale;
+        QTest::newRow("no data") << 1 << StopCause::LinkLost;
+        QTest::newRow("protective stop") << 2 << StopCause::UnsafeMode;
+        QTest::newRow("emergency stop") << 3 << StopCause::UnsafeMode;
+        QTest::newRow("power off") << 4 << StopCause::UnsafeMode;
+        QTest::newRow("not in control") << 5 << StopCause::ControlLost;
+        QTest::newRow("said by the session") << 6 << StopCause::ControlLost;
+        QTest::newRow("disconnected") << 7 << StopCause::LinkLost;
+    }
+    void nothingMovesWhenTheArmCannotAndTheReasonIsShown() {
+        QFETCH(int, which);
+        QFETCH(StopCause, cause);
+        JogScene s;
+        s.press("jog.X+");
+        SessionState state = s.state;
+        state.control = which == 6 ? ControlState::InControl : ControlState::None;
+        switch (which) {
+            case 0:
+                state.link = LinkState::Stale;
+                break;
+            case 1:
+                state.link = LinkState::Lost;
+                break;
+            case 2:
+                state.safetyMode = SafetyMode::ProtectiveStop;
+                break;
+            case 3:
+                state.safetyMode = SafetyMode::RobotEmergencyStop;
+                break;
+            case 4:
+                state.robotMode = RobotMode::PowerOff;
+                break;
+            case 6:
+                state.controlReason = QStringLiteral("The robot is in Local control.");
+                break;
+            case 7:
+                state.link = LinkState::Disconnected;
+                break;
+            default:
+                break;
+        }
+        s.column.applyState(state);
+        QCOMPARE(s.session.ends, QList<StopCause>{cause});
+        auto* pad = s.column.findChild<JogPad*>();
+        QVERIFY(!pad->reason().isEmpty());
+        QVERIFY(pad->findChild<QWidget*>(QStringLiteral("jogReason"))->isVisible());
+        for (HoldButton* key : s.column.holdKeys()) {
+            QVERIFY2(!key->isEnabled(), qPrintable(key->objectName()));
+            QVERIFY(!key->toolTip().isEmpty());
+            QTest::mousePress(key, Qt::LeftButton);
+            QTest::mouseRelease(key, Qt::LeftButton);
+        }
+        QCOMPARE(s.session.jogs.size(), 1);
+        QVERIFY(s.session.moves.isEmpty());
+        // Ready again: the old press is over, a new one moves.
+        s.column.applyState(s.state);
+        QCOMPARE(s.session.jogs.size(), 1);
+        QVERIFY(pad->reason().isEmpty());
+        s.press("jog.X+");
+        QCOMPARE(s.session.jogs.size(), 2);
+        s.release("jog.X+");
+    }
+
+    void refusalOfTheSessionIsShown() {
+        FakeSession session;
+        JogPort port = session.port();
+        port.beginJog = [](const JogTarget&) -> Result<RobotSession::MotionId> {
+            return Error{ErrorCode::LimitExceeded, QStringLiteral("jog"), {}};
+        };
+        JogColumn column(port);
+        column.applyState(readyState());
+        QSignalSpy refused(&column, &JogColumn::refused);
+        auto* key = column.findChild<HoldButton*>(QStringLiteral("jog.X+"));
+        QTest::mousePress(key, Qt::LeftButton);
+        QTest::mouseRelease(key, Qt::LeftButton);
+        QCOMPARE(refused.count(), 1);
+        QVERIFY(!column.isHolding());
+        QCOMPARE(column.findChild<LimiterLine*>()->limiter().what, refused.first().first().toString());
+    }
+
+    void unconnectedSessionIsExplainedAndNothingMoves() {
+        RobotSession session;
+        JogColumn column(session);
+        column.show();
+        QVERIFY(!column.findChild<JogPad*>()->reason().isEmpty());
+        auto* key = column.findChild<HoldButton*>(QStringLiteral("jog.X+"));
+        QTest::mousePress(key, Qt::LeftButton);
+        QVERIFY(!column.isHolding());
+        QTest::mouseRelease(key, Qt::LeftButton);
+        // The column follows what the session tells.
+        Q_EMIT session.stateChanged(readyState());
+        QVERIFY(key->isEnabled());
+        QVERIFY(column.findChild<JogPad*>()->reason().isEmpty());
+    }
+
+    void poseShowsMillimetresDegreesAndTheWaySinceThePress() {
+        JogScene s;
+        auto* pose = s.column.findChild<PoseView*>();
+        QCOMPARE(pose->positionText(0), QStringLiteral("−143.50"));
+        QCOMPARE(pose->positionText(2), QStringLiteral("+200.00"));
+        QCOMPARE(pose->rotationText(0), QStringLiteral("179.94°"));
+        s.press("jog.X+");
+        s.state.tcpPose.position.x() += 0.0124;
+        s.column.applyState(s.state);
+        QCOMPARE(pose->deltaText(0), QStringLiteral("+12.40"));
+        QCOMPARE(pose->deltaText(1), QStringLiteral("0.00"));
+        s.release("jog.X+");
+        QTest::mouseClick(pose, Qt::LeftButton);  // zero here
+        QCOMPARE(pose->deltaText(0), QStringLiteral("0.00"));
+        s.state.link = LinkState::Lost;
+        s.column.applyState(s.state);
+        QCOMPARE(pose->positionText(0), QStringLiteral("–"));
+    }
+
+    void jointNearItsLimitIsAmber() {
+        JogScene s;
+        auto* bar = s.column.findChild<JointBar*>(QStringLiteral("joint.2.bar"));
+        QVERIFY(!bar->isNearLimit());
+        s.state.q[2] = -6.25;
+        s.column.applyState(s.state);
+        QVERIFY(bar->isNearLimit());
+        QVERIFY(s.column.findChild<LimiterLine*>()->limiter().what.contains(QStringLiteral("Elbow")));
+    }
+
+    void smallWindowFoldsTheJointsButNeverThePad() {
+        JogScene s({360, 580});
+        auto* joints = s.column.findChild<JointRows*>();
+        auto* pose = s.column.findChild<PoseView*>();
+        QVERIFY(pose->isVisible());
+        QVERIFY(!joints->isVisible());
+        s.choose("jogDetail", 1);
+        QVERIFY(joints->isVisible());
+        QVERIFY(!pose->isVisible());
+        s.press("joint.5.plus");
+        QVERIFY(std::abs(s.session.jogs.last().qd[5]) > 0);
+        s.choose("jogDetail", 0);
+        QVERIFY(!s.column.isHolding());
+        for (JogKey* key : s.column.findChild<JogPad*>()->keys()) {
+            QVERIFY(key->isVisible());
+            QVERIFY2(key->height() >= 56 && key->width() >= 56, qPrintable(key->objectName()));
+        }
+    }
+
+    void nothingLiesOutsideTheColumn_data() {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("1920x1080") << QSize(390, 948);
+        QTest::newRow("1280x720") << QSize(360, 588);
+        QTest::newRow("least") << QSize(352, 560);
+    }
+    void nothingLiesOutsideTheColumn() {
+        QFETCH(QSize, size);
+        JogScene s(size);
+        QCOMPARE(s.column.size(), size);
+        for (int tab = 0; tab < 2; ++tab) {
+            s.choose("jogDetail", tab);
+            QCoreApplication::processEvents();
+            for (const QAbstractButton* button : s.column.findChildren<QAbstractButton*>()) {
+                if (!button->isVisible()) {
+                    continue;
+                }
+                const QRect place(button->mapTo(&s.column, QPoint(0, 0)), button->size());
+                QVERIFY2(s.column.rect().contains(place), qPrintable(button->objectName()));
+                QVERIFY2(button->width() >= button->minimumSizeHint().width(),
+                         qPrintable(button->objectName()));
+            }
+        }
+    }
+
+    void looksAsDesigned() {
+        for (const Theme* theme : {&Theme::light(), &Theme::dark()}) {
+            applyTheme(*qApp, *theme);
+            const QString scheme = theme->isDark() ? QStringLiteral("dark") : QStringLiteral("light");
+            JogScene s;
+            s.press("jog.X+");
+            s.state.moving = true;
+            s.state.tcpPose.position.x() += 0.0124;
+            s.state.q[2] = -351 * std::numbers::pi / 180;
+            s.column.applyState(s.state);
+            QTest::qWait(150);  // the digits follow ten times a second
+            QVERIFY(!s.column.grab().isNull());
+            keepPicture(s.column, QStringLiteral("jog-") + scheme);
+            s.release("jog.X+");
+            s.state.moving = false;
+            s.state.q[2] = -2.5;
+            s.state.lastStop = {StopCause::Released, 62, 3.1, 1};
+            s.column.applyState(s.state);
+            keepPicture(s.column, QStringLiteral("jog-idle-") + scheme);
+            s.state.controlReason = QStringLiteral(
+                "The robot is in Local control. Switch it to Remote control on the teach pendant, at the top "
+                "right.");
+            s.column.applyState(s.state);
+            keepPicture(s.column, QStringLiteral("jog-reason-") + scheme);
+            JogScene small({360, 588});
+            keepPicture(small.column, QStringLiteral("jog-small-") + scheme);
+            small.choose("jogDetail", 1);
+            keepPicture(small.column, QStringLiteral("jog-small-joints-") + scheme);
+        }
+        applyTheme(*qApp, Theme::light());
+    }
+};
+
+QTEST_MAIN(TestJogColumnDisplay)
+#include "tst_jog_column_display.moc"
