@@ -63,4 +63,15 @@ inline bool standsStill(const VirtualCell& cell) {
     return truth.tcpSpeed.linear.norm() < 0.001 && truth.qd.values.cwiseAbs().maxCoeff() < 0.002;
 }
 
+/// Virtual time until the arm stands [ms], or -1 when it does not within a second.
+inline int timeToStandstill(VirtualCell& cell) {
+    for (int ms = 0; ms <= 1000; ms += 2) {
+        if (standsStill(cell)) {
+            return ms;
+        }
+        cell.advanceMs(2);
+    }
+    return -1;
+}
+
 }  // namespace tiller::test

@@ -11,14 +11,13 @@
 #include <QLineEdit>
 #include <QSet>
 #include <QTabBar>
-#include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
 
 #include "app/action_table.h"
 #include "app/command_palette.h"
-#include "app/main_window.h"
 #include "resources/resources.h"
+#include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/waypoints/waypoints_tab.h"
@@ -28,20 +27,8 @@ using namespace tiller::test;
 
 namespace {
 
-struct Bench {
-    VirtualClock clock;
-    QTemporaryDir folder;
-    app::MainWindow window{app::Settings(folder.filePath("settings.ini")), clock};
-    VirtualCell cell{clock, window.session()};
-
-    Bench() {
-        window.resize(1280, 720);
-        window.show();
-        window.activateWindow();
-        if (!QTest::qWaitForWindowActive(&window)) {
-            qFatal("the window did not become active");
-        }
-    }
+struct Bench : WindowBench {
+    Bench() { show(QSize(1280, 720)); }
 };
 
 /// The inside of a scroll area, which has the area's name and focus.

@@ -7,14 +7,13 @@
 #include <QAbstractEventDispatcher>
 #include <QDialog>
 #include <QFile>
-#include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
 #include <cmath>
 
 #include "app/action_table.h"
-#include "app/main_window.h"
 #include "resources/resources.h"
+#include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
@@ -76,12 +75,7 @@ private:
     double longest_ = 0;
 };
 
-struct Bench {
-    VirtualClock clock;
-    QTemporaryDir folder;
-    app::MainWindow window{app::Settings(folder.filePath("settings.ini")), clock};
-    VirtualCell cell{clock, window.session()};
-};
+using Bench = WindowBench;
 
 void closeWhatOpened(const QWidget& window) {
     for (QWidget* top : QApplication::topLevelWidgets()) {

@@ -9,11 +9,10 @@
 #include <QScrollBar>
 #include <QSpinBox>
 #include <QTcpSocket>
-#include <QTemporaryDir>
 #include <QTest>
 
-#include "app/main_window.h"
 #include "resources/resources.h"
+#include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/io/analog_row.h"
 #include "widgets/io/io_channel.h"
@@ -27,21 +26,13 @@ class TestIo : public QObject {
     Q_OBJECT
 
 private:
-    struct Bench {
-        QTemporaryDir folder;
-        VirtualClock clock;
-        app::MainWindow window{app::Settings(folder.filePath("settings.ini")), clock};
-        VirtualCell cell{clock, window.session()};
-    };
-    std::unique_ptr<Bench> bench_;
+    std::unique_ptr<WindowBench> bench_;
 
     VirtualCell& cell() { return bench_->cell; }
     IoTab& tab() { return *bench_->window.findChild<IoTab*>(); }
     template <class Widget>
     Widget& find(const char* name) {
-        auto* found = bench_->window.findChild<Widget*>(QString::fromLatin1(name));
-        Q_ASSERT(found != nullptr);
-        return *found;
+        return bench_->find<Widget>(name);
     }
     /// Real time passes too: what is set is set by a worker.
     bool until(const std::function<bool()>& condition) {
@@ -59,7 +50,7 @@ private:
 private Q_SLOTS:
     void initTestCase() { initResources(); }
     void init() {
-        bench_ = std::make_unique<Bench>();
+        bench_ = std::make_unique<WindowBench>();
         bench_->window.setTheme("light");
         bench_->window.show();
         bench_->window.activateWindow();
@@ -202,7 +193,7 @@ private Q_SLOTS:
 
     void anOutputThatAnotherClientHoldsSaysSo() {
         bench_.reset();
-        bench_ = std::make_unique<Bench>();
+        bench_ = std::make_unique<WindowBench>();
         bench_->window.show();
         io::OutputsOptions options;
         QVERIFY(cell().robot.start().ok());

@@ -5,10 +5,9 @@
 
 #include <QDialog>
 #include <QTabBar>
-#include <QTemporaryDir>
 #include <QTest>
 
-#include "app/main_window.h"
+#include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/waypoints/waypoints_tab.h"
@@ -31,36 +30,15 @@ class TestJogContract : public QObject {
     Q_OBJECT
 
 private:
-    struct Bench {
-        QTemporaryDir folder;
-        VirtualClock clock;
-        app::MainWindow window{app::Settings(folder.filePath("settings.ini")), clock};
-        VirtualCell cell{clock, window.session()};
-        HoldButton* key = nullptr;
-    };
-    std::unique_ptr<Bench> bench_;
+    std::unique_ptr<WindowBench> bench_;
 
     VirtualCell& cell() { return bench_->cell; }
-    HoldButton& key(const char* name = "jog.X+") {
-        auto* found = bench_->window.findChild<HoldButton*>(QString::fromLatin1(name));
-        Q_ASSERT(found != nullptr);
-        return *found;
-    }
+    HoldButton& key(const char* name = "jog.X+") { return bench_->find<HoldButton>(name); }
 
     /// Presses X+ and lets the arm reach its speed.
     void startJog(const char* name = "jog.X+") {
         press(key(name));
         cell().advanceMs(400);
-    }
-    /// Virtual time until the arm stands [ms], or -1 when it does not within a second.
-    int timeToStandstill() {
-        for (int ms = 0; ms <= 1000; ms += 2) {
-            if (standsStill(cell())) {
-                return ms;
-            }
-            cell().advanceMs(2);
-        }
-        return -1;
     }
     void expectStandstillFor(int ms) {
         const Pose before = cell().truth().tcpPose;
@@ -70,10 +48,8 @@ private:
 
 private Q_SLOTS:
     void init() {
-        bench_ = std::make_unique<Bench>();
-        bench_->window.show();
-        bench_->window.activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(&bench_->window));
+        bench_ = std::make_unique<WindowBench>();
+        bench_->show();
         QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
         QVector<HoldButton*> keys = bench_->window.jogColumn().holdKeys();
         keys << bench_->window.findChild<HoldButton*>("waypoint.goTo");
@@ -103,7 +79,7 @@ private Q_SLOTS:
         QVERIFY(tcpSpeed(cell()) > 0.095);
         const Pose at = cell().truth().tcpPose;
         release(key());
-        const int ms = timeToStandstill();
+        const int ms = timeToStandstill(cell());
         QVERIFY2(ms >= 0 && ms <= kReleaseToStandstillMs, qPrintable(QString::number(ms)));
         // v^2/2a at 2 m/s2 and what 20 ms of latency add.
         QVERIFY(distanceMm(at, cell().truth().tcpPose) <= 2.5 + 2.0);
@@ -195,7 +171,7 @@ private Q_SLOTS:
             default:
                 QFAIL("no such rule");
         }
-        const int ms = timeToStandstill();
+        const int ms = timeToStandstill(cell());
         QVERIFY2(ms >= 0 && ms <= kReleaseToStandstillMs, qPrintable(QString::number(ms)));
         expectStandstillFor(500);
     }
@@ -203,7 +179,7 @@ private Q_SLOTS:
     void aStoppedJogNeedsANewPress() {
         startJog();
         QTest::keyPress(&bench_->window, Qt::Key_Escape);
-        QVERIFY(timeToStandstill() >= 0);
+        QVERIFY(timeToStandstill(cell()) >= 0);
         // The key is still held down: nothing may move, whatever the pointer does on it.
         sendMouse(key(), QEvent::MouseMove, Qt::LeftButton, QPointF(20, 20));
         expectStandstillFor(1000);
@@ -266,7 +242,7 @@ private Q_SLOTS:
         QVERIFY(watch != nullptr);
         QVERIFY(what == "onLock" ? QMetaObject::invokeMethod(watch, what.constData())
                                  : QMetaObject::invokeMethod(watch, what.constData(), Q_ARG(bool, true)));
-        QVERIFY(timeToStandstill() >= 0);
+        QVERIFY(timeToStandstill(cell()) >= 0);
         // The stop is measured once the arm has stood for a while.
         expectStandstillFor(400);
         QCOMPARE(bench_->window.session().state().lastStop.cause, control::StopCause::Sleep);
@@ -322,7 +298,7 @@ private Q_SLOTS:
         startJog();
         cell().advanceMs(600);
         release(key());
-        QVERIFY(timeToStandstill() >= 0);
+        QVERIFY(timeToStandstill(cell()) >= 0);
         window.selectWaypoint(0);
         window.waypoints().setFocus();
         QTest::keyPress(&window, Qt::Key_G);
@@ -336,7 +312,7 @@ private Q_SLOTS:
         } else {
             QTest::keyRelease(&window, Qt::Key_G);
         }
-        const int ms = timeToStandstill();
+        const int ms = timeToStandstill(cell());
         QVERIFY2(ms >= 0 && ms <= kDeathToStandstillMs, qPrintable(QString::number(ms)));
         expectStandstillFor(500);
     }
@@ -355,7 +331,7 @@ private Q_SLOTS:
         const Pose after = cell().truth().tcpPose;
         release(key("jog.Rz+"));
         QVERIFY2(distanceMm(before, after) < 0.1, qPrintable(QString::number(distanceMm(before, after))));
-        QVERIFY(timeToStandstill() >= 0);
+        QVERIFY(timeToStandstill(cell()) >= 0);
     }
 
     void toolDirectionsFollowTheTool() {
@@ -366,7 +342,7 @@ private Q_SLOTS:
         const Eigen::Vector3d toolZ = rotationMatrix(truth.tcpPose.rotation).col(2);
         QVERIFY(truth.tcpSpeed.linear.normalized().dot(toolZ) > 0.9999);
         release(key("jog.Z+"));
-        QVERIFY(timeToStandstill() >= 0);
+        QVERIFY(timeToStandstill(cell()) >= 0);
     }
 
     void speedStartsSlowAgainAfterARestart() {

@@ -4,14 +4,10 @@
 // real events, real sockets, the simulated robot in virtual time. Bounds are the jog contract's own.
 
 #include <QDialog>
-#include <QLineEdit>
-#include <QTemporaryDir>
 #include <QTest>
 
-#include "app/main_window.h"
-#include "tests/ui/jog_fixture.h"
+#include "tests/support/jog_window_test.h"
 #include "widgets/common/segmented_control.h"
-#include "widgets/jog/keyboard_jog.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -19,7 +15,6 @@ using namespace tiller::test;
 namespace {
 
 // operator-interface.md, "The jog contract".
-constexpr int kReleaseToStandstillMs = 100;
 constexpr int kDeathToStandstillMs = 250;
 
 enum class Way {
@@ -78,29 +73,10 @@ bool isKeyboard(Way way) {
 
 }  // namespace
 
-class TestJogWays : public QObject {
+class TestJogWays : public JogWindowTest {
     Q_OBJECT
 
 private:
-    struct Bench {
-        QTemporaryDir folder;
-        VirtualClock clock;
-        app::MainWindow window{app::Settings(folder.filePath("settings.ini")), clock};
-        VirtualCell cell{clock, window.session()};
-        // What a gamepad says while it is held; nothing while there is none.
-        std::optional<Deflection> device;
-    };
-    std::unique_ptr<Bench> bench_;
-
-    VirtualCell& cell() { return bench_->cell; }
-    app::MainWindow& window() { return bench_->window; }
-    HoldButton& key(const char* name) {
-        auto* found = window().findChild<HoldButton*>(QString::fromLatin1(name));
-        Q_ASSERT(found != nullptr);
-        return *found;
-    }
-    KeyboardJog& keyboard() { return *window().findChild<KeyboardJog*>(); }
-
     /// What the hand does to begin, and what it does to let go.
     void begin(Way way) {
         switch (way) {
@@ -131,13 +107,9 @@ private:
             case Way::KeyboardHome:
                 QTest::keyPress(&window(), Qt::Key_Home);
                 break;
-            case Way::Device: {
-                Deflection stick;
-                stick.deadMan = true;
-                stick.axes[2] = 1;
-                bench_->device = stick;
+            case Way::Device:
+                bench_->device = tilted();
                 break;
-            }
             case Way::Freedrive:
                 press(key("freedriveKey"));
                 cell().advanceMs(100);
@@ -240,23 +212,6 @@ private:
         }
         return ms;
     }
-    int timeToStandstill() {
-        for (int ms = 0; ms <= 1000; ms += 2) {
-            if (standsStill(cell())) {
-                return ms;
-            }
-            cell().advanceMs(2);
-        }
-        return -1;
-    }
-    void jog(const char* name, int ms) {
-        press(key(name));
-        cell().advanceMs(ms);
-        release(key(name));
-        QVERIFY(timeToStandstill() >= 0);
-        cell().advanceMs(40);
-    }
-
     void prepare(Way way) {
         // 100 mm/s is the contract's reference; a turn at its 30 deg/s takes 130 ms to brake, at 15 deg/s 65
         // ms.
@@ -282,23 +237,6 @@ private:
     }
 
 private Q_SLOTS:
-    void init() {
-        bench_ = std::make_unique<Bench>();
-        window().show();
-        window().activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(&window()));
-        QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
-        driveKeys(cell(), window().jogColumn().holdKeys(), &window().jogColumn().axisJog());
-        cell().everyRefresh = [this, pump = cell().everyRefresh] {
-            if (bench_->device) {
-                window().jogColumn().axisJog().setInput(*bench_->device);
-            }
-            pump();
-        };
-        cell().advanceMs(40);
-    }
-    void cleanup() { bench_.reset(); }
-
     void everyWayEndsByEveryRule_data() {
         QTest::addColumn<int>("way");
         QTest::addColumn<int>("end");
@@ -335,7 +273,8 @@ private Q_SLOTS:
                 ms = robotAloneUntilStandstill();
                 break;
             case End::ProcessKilled:
-                // The system closes a dead process's sockets; nothing else comes from it.
+                // The system closes a dead process's sockets; nothing else comes from it. A process that is
+                // really killed: tests/integration/control/tst_killed_process.
                 bound = kDeathToStandstillMs;
                 cell().robot.closeClients();
                 ms = robotAloneUntilStandstill();
@@ -352,7 +291,7 @@ private Q_SLOTS:
                 break;
             default:
                 this->end(static_cast<End>(end), which);
-                ms = timeToStandstill();
+                ms = timeToStandstill(cell());
                 break;
         }
         QVERIFY2(ms >= 0 && ms <= bound, qPrintable(QString::number(ms)));
@@ -369,164 +308,6 @@ private Q_SLOTS:
         }
         QVERIFY2(distanceMm(rest, cell().truth().tcpPose) < 0.05,
                  qPrintable(QString::number(distanceMm(rest, cell().truth().tcpPose))));
-    }
-
-    void backLeadsAlongTheWayToItsBeginning() {
-        window().jogColumn().setSpeedClass(3);
-        const Pose start = cell().truth().tcpPose;
-        jog("jog.Z+", 1200);
-        const Pose corner = cell().truth().tcpPose;
-        jog("jog.Y+", 1200);
-        QVERIFY(distanceMm(start, corner) > 80 && distanceMm(corner, cell().truth().tcpPose) > 80);
-        press(key("backKey"));
-        double nearest = 1e9;
-        QVERIFY(cell().advanceUntil(
-            [&] {
-                nearest = std::min(nearest, distanceMm(corner, cell().truth().tcpPose));
-                return !key("backKey").isHolding();
-            },
-            20'000));
-        release(key("backKey"));
-        QVERIFY2(nearest < 12, qPrintable(QString::number(nearest)));
-        QVERIFY(timeToStandstill() >= 0);
-        QVERIFY2(distanceMm(start, cell().truth().tcpPose) < 3,
-                 qPrintable(QString::number(distanceMm(start, cell().truth().tcpPose))));
-        cell().advanceMs(60);
-        QVERIFY2(!key("backKey").isEnabled(), "there is nothing left to undo");
-    }
-
-    void alignTurnsTheToolToTheNearestAxis() {
-        jog("jog.Rx+", 1500);
-        const Pose before = cell().truth().tcpPose;
-        press(key("alignKey"));
-        QVERIFY(cell().advanceUntil([&] { return !key("alignKey").isHolding(); }, 20'000));
-        release(key("alignKey"));
-        const Pose after = cell().truth().tcpPose;
-        const Eigen::Vector3d z = rotationMatrix(after.rotation).col(2);
-        QVERIFY2(z.cwiseAbs().maxCoeff() > 0.99999,
-                 qPrintable(QString::number(z.cwiseAbs().maxCoeff(), 'g', 8)));
-        QVERIFY(distanceMm(before, after) < 0.1);
-    }
-
-    void aTouchEndsTheMotionUntilContact() {
-        window().jogColumn().setUntilContact(15);
-        press(key("jog.Z-"));
-        cell().advanceMs(600);
-        QVERIFY(std::abs(tcpSpeed(cell()) - 0.020) < 0.002);
-        const Pose at = cell().truth().tcpPose;
-        cell().robot.pressHand(Wrench::fromVector((Vector6() << 0, 0, 25, 0, 0, 0).finished()));
-        const int ms = timeToStandstill();
-        QVERIFY2(ms >= 0 && ms <= kReleaseToStandstillMs, qPrintable(QString::number(ms)));
-        QVERIFY2(distanceMm(at, cell().truth().tcpPose) < 1.0, "a millimetre at most");
-        cell().advanceMs(400);
-        QCOMPARE(window().session().state().lastStop.cause, control::StopCause::Contact);
-        QVERIFY2(!key("jog.Z-").isHolding(), "the key has to be pressed again");
-    }
-
-    void severalAxesMoveAtOnceAndNoFasterThanOne() {
-        window().jogColumn().setSpeedClass(2);
-        keyboard().setArmed(true);
-        QTest::keyPress(&window(), Qt::Key_Right);
-        cell().advanceMs(40);
-        QTest::keyPress(&window(), Qt::Key_Up);
-        cell().advanceMs(500);
-        const Eigen::Vector3d v = cell().truth().tcpSpeed.linear;
-        QVERIFY(v.x() > 0.03 && v.y() > 0.03 && std::abs(v.z()) < 0.002);
-        QVERIFY(v.norm() < 0.0505);
-        QTest::keyRelease(&window(), Qt::Key_Up);
-        cell().advanceMs(500);
-        QVERIFY2(std::abs(cell().truth().tcpSpeed.linear.y()) < 0.002, "the other one goes on");
-        QVERIFY(cell().truth().tcpSpeed.linear.x() > 0.045);
-        QTest::keyRelease(&window(), Qt::Key_Right);
-        QVERIFY(timeToStandstill() >= 0);
-    }
-
-    void theKeyboardMovesOnlyWhileArmedAndDisarmsByItself() {
-        QTest::keyPress(&window(), Qt::Key_PageUp);
-        cell().advanceMs(200);
-        QVERIFY(standsStill(cell()));
-        QTest::keyRelease(&window(), Qt::Key_PageUp);
-        keyboard().setArmed(true);
-        QVERIFY(window().findChild<QWidget*>("armedFrame")->isVisible());
-        // Auto-repeat is no press.
-        QKeyEvent repeat(QEvent::KeyPress, Qt::Key_PageUp, Qt::NoModifier, QString(), true);
-        QApplication::sendEvent(&window(), &repeat);
-        cell().advanceMs(200);
-        QVERIFY(standsStill(cell()));
-        cell().clock.advanceNs((KeyboardJog::kIdleSeconds - 1) * kNsPerSecond);
-        keyboard().checkIdle();
-        QVERIFY(keyboard().isArmed());
-        cell().clock.advanceNs(2 * kNsPerSecond);
-        keyboard().checkIdle();
-        QVERIFY(!keyboard().isArmed());
-    }
-
-    void aTextFieldUnderTheKeysEndsWhatTheyHeld() {
-        QLineEdit text(&window());
-        text.show();
-        keyboard().setArmed(true);
-        QTest::keyPress(&window(), Qt::Key_Right);
-        cell().advanceMs(300);
-        QVERIFY(!standsStill(cell()));
-        text.setFocus(Qt::TabFocusReason);
-        const int ms = timeToStandstill();
-        QVERIFY2(ms >= 0 && ms <= kReleaseToStandstillMs, qPrintable(QString::number(ms)));
-        cell().advanceMs(100);
-        QCOMPARE(window().session().state().lastStop.cause, control::StopCause::FocusLost);
-        QTest::keyRelease(&text, Qt::Key_Right);
-        text.clearFocus();
-        QTest::keyPress(&window(), Qt::Key_Right);
-        cell().advanceMs(300);
-        QVERIFY2(!standsStill(cell()), "a new press moves again");
-        QTest::keyRelease(&window(), Qt::Key_Right);
-        QVERIFY(timeToStandstill() >= 0);
-    }
-
-    void aStickHasToComeBackToTheMiddle() {
-        begin(Way::Device);
-        cell().advanceMs(200);
-        QVERIFY(!standsStill(cell()));
-        QTest::keyPress(&window(), Qt::Key_Escape);
-        QVERIFY(timeToStandstill() >= 0);
-        // Letting the dead-man go and pressing it again is not enough while the stick is out.
-        bench_->device->deadMan = false;
-        cell().advanceMs(100);
-        bench_->device->deadMan = true;
-        cell().advanceMs(300);
-        QVERIFY(standsStill(cell()));
-        letGo(Way::Device);
-        cell().advanceMs(100);
-        begin(Way::Device);
-        cell().advanceMs(300);
-        QVERIFY(!standsStill(cell()));
-        letGo(Way::Device);
-        QVERIFY(timeToStandstill() >= 0);
-    }
-
-    void aPressOnTheScreenStopsADeviceAndBeginsNothing() {
-        begin(Way::Device);
-        cell().advanceMs(200);
-        press(key("jog.Y+"));
-        QVERIFY(timeToStandstill() >= 0);
-        cell().advanceMs(300);
-        QVERIFY(standsStill(cell()));
-        release(key("jog.Y+"));
-        letGo(Way::Device);
-    }
-
-    void freedriveGivesWayOnlyAlongTheFreeAxes() {
-        window().jogColumn().setFreedriveAxes(FreedriveAxes::Line);
-        const Pose before = cell().truth().tcpPose;
-        press(key("freedriveKey"));
-        cell().advanceMs(100);
-        cell().robot.pressHand(Wrench::fromVector((Vector6() << 40, 0, 40, 0, 0, 0).finished()));
-        cell().advanceMs(500);
-        const Pose after = cell().truth().tcpPose;
-        QVERIFY(after.position.z() - before.position.z() > 0.002);
-        QVERIFY2(std::abs(after.position.x() - before.position.x()) < 0.0005,
-                 qPrintable(QString::number(1e3 * (after.position.x() - before.position.x()))));
-        release(key("freedriveKey"));
-        QVERIFY(timeToStandstill() >= 0);
     }
 };
 

@@ -10,12 +10,12 @@
 #include <QFile>
 #include <QLabel>
 #include <QPushButton>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include "app/action_table.h"
-#include "app/main_window.h"
 #include "resources/resources.h"
+#include "tests/support/pictures.h"
+#include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/theme.h"
 #include "widgets/status/recovery_page.h"
@@ -25,21 +25,13 @@ using namespace tiller::test;
 
 namespace {
 
-struct Bench {
-    VirtualClock clock;
-    QTemporaryDir folder;
-    app::MainWindow window{app::Settings(folder.filePath("settings.ini")), clock};
-    VirtualCell cell;
+struct Bench : WindowBench {
+    using WindowBench::WindowBench;
 
-    explicit Bench(const simulator::ControllerOptions& robot = VirtualCell::options())
-        : cell(clock, window.session(), robot) {}
-
-    bool show() {
-        window.resize(1280, 720);
-        window.show();
-        return QTest::qWaitForWindowExposed(&window);
+    bool bringUp() {
+        show(QSize(1280, 720));
+        return cell.bringUp();
     }
-    bool bringUp() { return show() && cell.bringUp(); }
     /// The dashboard's thread answers in real time, the robot in virtual time: both go on until it holds.
     bool until(const std::function<bool()>& condition) {
         QElapsedTimer patience;
@@ -99,9 +91,8 @@ struct Bench {
     }
     SafetyMode safety() const { return cell.truth().safetyMode; }
     void keepPicture(const QString& name) {
-        const QString to = qEnvironmentVariable("TILLER_SCREENSHOTS");
-        if (!to.isEmpty() && page() != nullptr) {
-            QVERIFY(page()->grab().save(to + QStringLiteral("/recovery-") + name + QStringLiteral(".png")));
+        if (page() != nullptr) {
+            test::keepPicture(*page(), QStringLiteral("recovery-") + name);
         }
     }
 };
@@ -224,7 +215,7 @@ private Q_SLOTS:
 
     void polyScopeXIsLedFromPowerOffToJoggingAndBackFromAStop() {
         Bench bench(polyScopeX());
-        QVERIFY(bench.show());
+        bench.show(QSize(1280, 720));
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         QVERIFY(bench.until([&] { return bench.state().service == dashboard::ServiceKind::RobotApi; }));
         QVERIFY(bench.until([&] { return bench.state().remoteControl; }));
@@ -261,7 +252,7 @@ private Q_SLOTS:
 
     void polyScopeXComesBackFromAFaultToo() {
         Bench bench(polyScopeX());
-        QVERIFY(bench.show());
+        bench.show(QSize(1280, 720));
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         bench.cell.robot.fault();
         QVERIFY(bench.openPage());
@@ -275,7 +266,7 @@ private Q_SLOTS:
 
     void whatPolyScopeXHasNotSaysWhyOnItself() {
         Bench bench(polyScopeX());
-        QVERIFY(bench.show());
+        bench.show(QSize(1280, 720));
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         QVERIFY(bench.until([&] { return bench.state().service == dashboard::ServiceKind::RobotApi; }));
         const QAction* popups = bench.action("power.closePopups");
@@ -292,7 +283,7 @@ private Q_SLOTS:
         options.gateLocalControl = true;
         options.gateLoopbackClients = true;
         Bench bench(options);
-        QVERIFY(bench.show());
+        bench.show(QSize(1280, 720));
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         QVERIFY(bench.until([&] { return bench.state().service == dashboard::ServiceKind::RobotApi; }));
         QVERIFY(!bench.state().remoteControl && bench.state().controlPlaceKnown);
@@ -303,7 +294,7 @@ private Q_SLOTS:
 
     void polyScopeXWithoutTheApiSendsToTheTablet() {
         Bench bench(polyScopeX({10, 10, 0, 0}));
-        QVERIFY(bench.show());
+        bench.show(QSize(1280, 720));
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         bench.cell.advanceMs(50);
         for (const char* id : {"power.on", "power.brakes", "power.off", "control.load", "control.play"}) {

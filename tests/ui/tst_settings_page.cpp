@@ -20,9 +20,10 @@
 
 #include "app/action_table.h"
 #include "app/command_palette.h"
-#include "app/main_window.h"
 #include "app/settings_page.h"
 #include "resources/resources.h"
+#include "tests/support/pictures.h"
+#include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/theme.h"
 #include "widgets/jog/device_jog.h"
@@ -34,21 +35,8 @@ using app::Preferences;
 
 namespace {
 
-struct Bench {
-    VirtualClock clock;
-    QTemporaryDir folder;
-    QString file = folder.filePath("settings.ini");
-    app::MainWindow window{app::Settings(file), clock};
-    VirtualCell cell{clock, window.session()};
-
-    Bench() {
-        window.resize(1280, 720);
-        window.show();
-        window.activateWindow();
-        if (!QTest::qWaitForWindowActive(&window)) {
-            qFatal("the window did not become active");
-        }
-    }
+struct Bench : WindowBench {
+    Bench() { show(QSize(1280, 720)); }
     app::SettingsPage* open() {
         QTest::keyClick(&window, Qt::Key_Comma, Qt::ControlModifier);
         return window.findChild<app::SettingsPage*>();
@@ -88,13 +76,6 @@ void choose(QWidget& page, const QString& name, Qt::Key arrow) {
     QVERIFY(box != nullptr);
     box->setFocus(Qt::TabFocusReason);
     QTest::keyClick(box, arrow);
-}
-
-void keepPicture(QWidget& widget, const QString& name) {
-    const QString to = qEnvironmentVariable("TILLER_SCREENSHOTS");
-    if (!to.isEmpty()) {
-        QVERIFY(widget.grab().save(QStringLiteral("%1/%2.png").arg(to, name)));
-    }
 }
 
 }  // namespace
