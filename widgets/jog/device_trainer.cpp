@@ -23,6 +23,16 @@ namespace {
 constexpr int kRefreshMs = 50;
 constexpr std::array kAxes = {"X", "Y", "Z", "Rx", "Ry", "Rz"};
 
+/// Lines break between the parts only, never inside a number and its unit.
+QString unbroken(QString text) {
+    const QString joiner(QChar(0x2060));
+    text.replace(QStringLiteral("/s"), joiner + QLatin1Char('/') + joiner + QLatin1Char('s'));
+    text.replace(QStringLiteral(" mm"), QChar(0xA0) + QStringLiteral("mm"));
+    text.replace(QStringLiteral(" °"), QChar(0xA0) + QStringLiteral("°"));
+    text.replace(QStringLiteral("+ "), QStringLiteral("+") + QChar(0xA0));
+    return text.replace(QStringLiteral("− "), QStringLiteral("−") + QChar(0xA0));
+}
+
 }  // namespace
 
 QString whichWay(const JogSelection& selection, const Deflection& deflection,
@@ -187,7 +197,7 @@ void DeviceTrainer::listDevices() {
 }
 
 QString DeviceTrainer::directionText() const {
-    return direction_->text();
+    return way_;
 }
 
 void DeviceTrainer::refresh() {
@@ -199,7 +209,8 @@ void DeviceTrainer::refresh() {
     if (device == nullptr) {
         hint_->setText(tr("No gamepad and no SpaceMouse is there. Plug one in: it appears by itself."));
         deadMan_->setText(QStringLiteral("–"));
-        direction_->setText(QStringLiteral("–"));
+        way_ = QStringLiteral("–");
+        direction_->setText(way_);
         bars_->show(Vector6::Zero(), Vector6::Zero(), 0);
         return;
     }
@@ -209,7 +220,8 @@ void DeviceTrainer::refresh() {
     deadMan_->setText(wish.deadMan ? tr("● held (%1)").arg(shape.deadManName)
                                    : tr("○ not held: hold the %1").arg(shape.deadManName));
     const QString way = whichWay(selection_(), wish, limits_());
-    direction_->setText(way.isEmpty() ? tr("nothing: neutral") : way);
+    way_ = way.isEmpty() ? tr("nothing: neutral") : way;
+    direction_->setText(unbroken(way_));
     bars_->show(devices_.reading(device).axes, wish.axes, shape.deadZone);
     makeRoom(*this);
 }

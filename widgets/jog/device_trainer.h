@@ -46,6 +46,7 @@ private:
     DeviceBars* bars_;
     QLabel* deadMan_;
     QLabel* direction_;
+    QString way_;  ///< what stands on it
     QCheckBox* use_;
     QCheckBox* dominant_;
     QTimer timer_;

@@ -123,6 +123,38 @@ struct Bench {
     }
 };
 
+#ifdef TILLER_HAS_SDL
+/// A gamepad that is plugged in as long as this lives.
+class VirtualPad {
+public:
+    VirtualPad() {
+        SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);
+        index_ = SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER, SDL_CONTROLLER_AXIS_MAX,
+                                           SDL_CONTROLLER_BUTTON_MAX, 0);
+        id_ = SDL_JoystickGetDeviceInstanceID(index_);
+    }
+    ~VirtualPad() {
+        if (isThere()) {
+            SDL_JoystickDetachVirtual(index_);
+        }
+        SDL_QuitSubSystem(SDL_INIT_GAMECONTROLLER);
+    }
+    VirtualPad(const VirtualPad&) = delete;
+    VirtualPad& operator=(const VirtualPad&) = delete;
+    bool isThere() const { return index_ >= 0; }
+    void push(SDL_GameControllerAxis axis, Sint16 value) const {
+        SDL_JoystickSetVirtualAxis(SDL_JoystickFromInstanceID(id_), axis, value);
+    }
+    void press(SDL_GameControllerButton button) const {
+        SDL_JoystickSetVirtualButton(SDL_JoystickFromInstanceID(id_), button, 1);
+    }
+
+private:
+    int index_ = -1;
+    SDL_JoystickID id_ = -1;
+};
+#endif
+
 }  // namespace
 
 class TestDevices : public QObject {
@@ -363,6 +395,46 @@ private Q_SLOTS:
         b.stick.plugged = false;
         b.devices.poll();
         QVERIFY(!trainer.findChild<QCheckBox*>("device.use")->isEnabled());
+    }
+
+    void aGamepadOfTheSystemThatHangsStopsTheArm() {
+#ifdef TILLER_HAS_SDL
+        const VirtualPad pad;
+        if (!pad.isThere()) {
+            QSKIP("this SDL has no virtual joysticks");
+        }
+        Bench b;
+        b.devices.addSource(std::make_unique<GamepadSource>());
+        QCOMPARE(b.devices.devices().size(), std::size_t(2));
+        b.devices.use(b.devices.devices().back().get());
+        pad.press(SDL_CONTROLLER_BUTTON_LEFTSHOULDER);
+        b.run(50);
+        // A hand that holds the stick out, and trembles.
+        for (int i = 0; i < 30; ++i) {
+            pad.push(SDL_CONTROLLER_AXIS_LEFTX, static_cast<Sint16>(30000 + i % 2));
+            b.run(100);
+        }
+        QCOMPARE(b.next, 1U);
+        QVERIFY(b.ends.isEmpty());
+        // The driver hangs: SDL gives the last value for ever.
+        b.run(1900);
+        QVERIFY(b.ends.isEmpty());
+        b.run(300);
+        QCOMPARE(b.ends, QList<StopCause>{StopCause::DeviceLost});
+        b.run(3000);
+        QCOMPARE(b.next, 1U);
+        // It wakes up, still pushed out: it has to come back first.
+        pad.push(SDL_CONTROLLER_AXIS_LEFTX, 31000);
+        b.run(100);
+        QCOMPARE(b.next, 1U);
+        pad.push(SDL_CONTROLLER_AXIS_LEFTX, 0);
+        b.run(50);
+        pad.push(SDL_CONTROLLER_AXIS_LEFTX, 31000);
+        b.run(50);
+        QCOMPARE(b.next, 2U);
+#else
+        QSKIP("built without SDL");
+#endif
     }
 
     void aGamepadOfTheSystemIsReadThroughSdl() {
