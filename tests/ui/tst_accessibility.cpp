@@ -11,6 +11,7 @@
 #include <QLineEdit>
 #include <QSet>
 #include <QTabBar>
+#include <QTabWidget>
 #include <QTest>
 #include <algorithm>
 
@@ -20,6 +21,7 @@
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/segmented_control.h"
+#include "widgets/common/theme.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
 using namespace tiller;
@@ -41,7 +43,8 @@ bool isQtsOwn(const QWidget& widget) {
     return widget.objectName().startsWith("qt_") || isViewport(widget) ||
            widget.inherits("QTableCornerButton") || widget.inherits("QLineEditIconButton") ||
            widget.inherits("QToolBarExtension") || widget.inherits("QHeaderView") ||
-           widget.inherits("QScrollBar") || qobject_cast<const QTabBar*>(widget.parent()) != nullptr ||
+           widget.inherits("QScrollBar") || widget.inherits("QComboBoxListView") ||
+           qobject_cast<const QTabBar*>(widget.parent()) != nullptr ||
            (widget.parentWidget() != nullptr && widget.parentWidget()->inherits("QAbstractSpinBox"));
 }
 
@@ -74,7 +77,10 @@ class TestAccessibility : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void initTestCase() { initResources(); }
+    void initTestCase() {
+        initResources();
+        applyTheme(*qApp, Theme::light());
+    }
 
     void everyControlOfTheWindowHasAName() {
         Bench bench;
@@ -193,6 +199,61 @@ private Q_SLOTS:
             }
         }
         QVERIFY(looked.size() > 15);
+        QVERIFY2(invisible.isEmpty(), qPrintable(invisible.join('\n')));
+    }
+
+    void tablesAndListsShowTheirFocus() {
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.window.waypoints().teach();
+        bench.cell.advanceMs(100);
+        int looked = 0;
+        QStringList invisible;
+        const auto look = [&](QWidget& window) {
+            for (auto* view : window.findChildren<QAbstractItemView*>()) {
+                if (!view->isVisible() || view->window() != &window || isQtsOwn(*view) ||
+                    view->focusPolicy() == Qt::NoFocus) {
+                    continue;
+                }
+                ++looked;
+                // Whatever is selected, and whether anything is: the frame alone has to say it.
+                view->clearSelection();
+                view->setCurrentIndex({});
+                view->clearFocus();
+                const QImage without = view->grab().toImage();
+                view->setFocus(Qt::TabFocusReason);
+                const QImage with = view->grab().toImage();
+                int changed = 0;
+                for (int x = 0; x < with.width(); ++x) {
+                    changed += with.pixel(x, 0) != without.pixel(x, 0) ? 1 : 0;
+                }
+                if (changed < with.width() / 2) {
+                    invisible << view->objectName();
+                }
+            }
+        };
+        for (const char* tab : {"waypoints", "log"}) {
+            bench.window.showTab(tab);
+            QCoreApplication::processEvents();
+            look(bench.window);
+        }
+        for (const char* id : {"app.palette", "app.settings"}) {
+            bench.window.actions().find(QLatin1String(id))->trigger();
+            QDialog* dialog = nullptr;
+            for (QWidget* top : QApplication::topLevelWidgets()) {
+                dialog =
+                    top->isVisible() && qobject_cast<QDialog*>(top) ? qobject_cast<QDialog*>(top) : dialog;
+            }
+            QVERIFY2(dialog != nullptr && QTest::qWaitForWindowActive(dialog), id);
+            if (auto* pages = dialog->findChild<QTabWidget*>()) {
+                pages->setCurrentIndex(pages->count() - 1);
+            }
+            QCoreApplication::processEvents();
+            look(*dialog);
+            dialog->close();
+            QCoreApplication::processEvents();
+        }
+        QCOMPARE(looked, 4);
         QVERIFY2(invisible.isEmpty(), qPrintable(invisible.join('\n')));
     }
 

@@ -35,8 +35,9 @@ QPushButton[primary="true"], QToolButton[primary="true"] { background: @inverse;
 QPushButton[primary="true"]:disabled, QToolButton[primary="true"]:disabled { background: @border;
     color: @disabledText; border-color: @border; }
 QPushButton[danger="true"] { background: @stop; color: @stopText; border-color: @stop; font-weight: bold; }
-QToolButton[quiet="true"], QPushButton[quiet="true"] { background: transparent; border: none; padding: 0 6px;
-    min-height: 24px; font-size: 14px; }
+QToolButton[quiet="true"], QPushButton[quiet="true"] { background: transparent; border: 1px solid transparent;
+    border-radius: 4px; padding: 0 5px; min-height: 22px; font-size: 14px; }
+QToolButton[quiet="true"]:focus, QPushButton[quiet="true"]:focus { border-color: @moving; }
 QToolButton[quiet="true"]:hover, QPushButton[quiet="true"]:hover { background: @hover; border-radius: 4px; }
 QToolButton::menu-indicator { image: none; width: 0; }
 
