@@ -9,13 +9,12 @@
 #include <QPushButton>
 #include <QTabBar>
 #include <QTabWidget>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include "app/action_table.h"
 #include "app/connect_dialog.h"
-#include "app/main_window.h"
 #include "resources/resources.h"
+#include "tests/support/window_bench.h"
 #include "tests/ui/clipping.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/density.h"
@@ -31,35 +30,20 @@ namespace {
 
 constexpr QSize kSmallest{1280, 720};
 
-struct Bench {
-    VirtualClock clock;
-    QTemporaryDir folder;
-    app::Settings settings = dense(folder.filePath("settings.ini"));
-    app::MainWindow window{settings, clock};
-    VirtualCell cell{clock, window.session()};
-
+struct Bench : WindowBench {
     /// With the size of keys the data row names: "mouse" or "touch".
-    static app::Settings dense(const QString& file) {
-        app::Settings settings(file);
+    Bench() {
+        show(kSmallest);
         app::Preferences preferences;
         const QByteArray row = QTest::currentDataTag();
         preferences.density = row == "touch" ? Density::Touch : Density::Mouse;
-        settings.setPreferences(preferences);
-        return settings;
+        window.applyPreferences(preferences);
     }
-    Bench() {
-        window.resize(kSmallest);
-        window.show();
-        window.activateWindow();
-        if (!QTest::qWaitForWindowActive(&window)) {
-            qFatal("the window did not become active");
-        }
-    }
-    QAction* action(const char* id) const { return window.actions().find(QLatin1String(id)); }
     /// The dialog a command opens.
     QDialog* open(const char* id) {
-        action(id)->setEnabled(true);
-        action(id)->trigger();
+        QAction* action = window.actions().find(QLatin1String(id));
+        action->setEnabled(true);
+        action->trigger();
         QCoreApplication::processEvents();
         for (QWidget* top : QApplication::topLevelWidgets()) {
             if (auto* dialog = qobject_cast<QDialog*>(top); dialog != nullptr && dialog->isVisible()) {
@@ -224,7 +208,8 @@ private Q_SLOTS:
         first->close();
         for (int i = 0; i < 8; ++i) {
             const QString host = QStringLiteral("192.168.100.%1").arg(100 + i);
-            bench.settings.rememberRobot({QStringLiteral("UR10e of the second line"), host, 0, false});
+            app::Settings(bench.file)
+                .rememberRobot({QStringLiteral("UR10e of the second line"), host, 0, false});
         }
         QDialog* later = bench.open("robot.connect");
         later->findChild<QLineEdit*>("robotHost")->setText(QStringLiteral("300.1"));
