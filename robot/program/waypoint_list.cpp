@@ -5,6 +5,45 @@
 #include <algorithm>
 
 namespace tiller::program {
+namespace {
+
+/// `wanted`, or with the next free number behind it.
+template <class Taken>
+QString freeName(const QString& wanted, const Taken& taken) {
+    if (!taken(wanted)) {
+        return wanted;
+    }
+    static const QRegularExpression trailingNumber(QStringLiteral(R"(^(.*\S)\s+(\d{1,6})$)"));
+    const QRegularExpressionMatch match = trailingNumber.match(wanted);
+    const QString stem = match.hasMatch() ? match.captured(1) : wanted;
+    for (int number = match.hasMatch() ? match.captured(2).toInt() + 1 : 2;; ++number) {
+        const QString name = QStringLiteral("%1 %2").arg(stem).arg(number);
+        if (!taken(name)) {
+            return name;
+        }
+    }
+}
+
+}  // namespace
+
+void FrameList::insert(std::size_t index, Frame frame) {
+    const std::size_t at = std::min(index, frames_.size());
+    frames_.insert(frames_.begin() + static_cast<std::ptrdiff_t>(at), std::move(frame));
+}
+
+void FrameList::remove(std::size_t index) {
+    if (index < frames_.size()) {
+        frames_.erase(frames_.begin() + static_cast<std::ptrdiff_t>(index));
+    }
+}
+
+QString FrameList::uniqueName(const QString& wanted) const {
+    return freeName(wanted, [this](const QString& name) { return findByName(name) != nullptr; });
+}
+
+QString FrameList::nextName(const QString& stem) const {
+    return uniqueName(QStringLiteral("%1 %2").arg(stem).arg(size() + 1));
+}
 
 const Frame* FrameList::find(const QUuid& id) const {
     const auto found =
@@ -63,18 +102,7 @@ void WaypointList::move(int from, int to) {
 }
 
 QString WaypointList::uniqueName(const QString& wanted) const {
-    if (indexOfName(wanted) < 0) {
-        return wanted;
-    }
-    static const QRegularExpression trailingNumber(QStringLiteral(R"(^(.*\S)\s+(\d{1,6})$)"));
-    const QRegularExpressionMatch match = trailingNumber.match(wanted);
-    const QString stem = match.hasMatch() ? match.captured(1) : wanted;
-    for (int number = match.hasMatch() ? match.captured(2).toInt() + 1 : 2;; ++number) {
-        const QString name = QStringLiteral("%1 %2").arg(stem).arg(number);
-        if (indexOfName(name) < 0) {
-            return name;
-        }
-    }
+    return freeName(wanted, [this](const QString& name) { return indexOfName(name) >= 0; });
 }
 
 QString WaypointList::nextName(const QString& stem) const {
@@ -104,6 +132,19 @@ std::optional<Waypoint> taughtAt(Waypoint waypoint, const JointPositions& q, con
                         ? T_base_tcp
                         : Pose(frame->transform().inverse(Eigen::Isometry) * T_base_tcp.transform());
     return waypoint;
+}
+
+std::optional<Waypoint> givenIn(Waypoint waypoint, const QUuid& frame, const FrameList& frames) {
+    const std::optional<Pose> place = poseInBase(waypoint, frames);
+    if (!place) {
+        return std::nullopt;
+    }
+    waypoint.frame = frame;
+    return taughtAt(waypoint, waypoint.joints, *place, waypoint.tcpOffset, frames);
+}
+
+bool movesWith(const Waypoint& waypoint, const QUuid& frame) {
+    return waypoint.ruling == Ruling::Pose && waypoint.frame == frame;
 }
 
 PoseDifference poseDifference(const Pose& a, const Pose& b) {

@@ -19,6 +19,10 @@ public:
     auto begin() const { return frames_.begin(); }
     auto end() const { return frames_.end(); }
     void append(Frame frame) { frames_.push_back(std::move(frame)); }
+    /// index  0 ... size(); the new one stands there afterwards
+    void insert(std::size_t index, Frame frame);
+    void replace(std::size_t index, Frame frame) { frames_.at(index) = std::move(frame); }
+    void remove(std::size_t index);
     void clear() { frames_.clear(); }
 
     /// Null for the base frame and for an id that is not here.
@@ -26,6 +30,10 @@ public:
     const Frame* findByName(const QString& name) const;
     /// T_base_frame; the identity for the base frame, nothing for an id that is not here.
     std::optional<Pose> pose(const QUuid& id) const;
+
+    /// As those of WaypointList.
+    QString uniqueName(const QString& wanted) const;
+    QString nextName(const QString& stem) const;
     friend bool operator==(const FrameList&, const FrameList&) = default;
 
 private:
@@ -70,6 +78,13 @@ std::optional<Pose> poseInBase(const Waypoint& waypoint, const FrameList& frames
 /// Returns  nothing when the frame is not in the list
 std::optional<Waypoint> taughtAt(Waypoint waypoint, const JointPositions& q, const Pose& T_base_tcp,
                                  const Pose& tcpOffset, const FrameList& frames);
+
+/// The same place given in another frame (null: the base): only the axes of its pose are others.
+/// Returns  nothing when one of the two frames is not in the list
+std::optional<Waypoint> givenIn(Waypoint waypoint, const QUuid& frame, const FrameList& frames);
+
+/// True when the waypoint moves with the frame: its pose rules, and is given in it.
+bool movesWith(const Waypoint& waypoint, const QUuid& frame);
 
 /// How far apart two poses are: distance [m] and angle [rad].
 struct PoseDifference {
