@@ -86,7 +86,8 @@ private:
     void buildActions();
     void addRobotActions();
     void addControlActions();
-    void addJogActions();  // main_window_jog.cpp
+    void addJogActions();   // main_window_jog.cpp
+    void nameJogActions();  // main_window_jog.cpp: in the operator's units
     void addViewActions();
     void showRecovery();
     void askForProgram();

@@ -374,11 +374,12 @@ void MainWindow::applyPreferences(const Preferences& preferences) {
         session_->setSpeedCap(preferences.speedCap);
         Q_EMIT session_->message(
             preferences.speedCap > Preferences::kOrdinaryCap ? Severity::Warning : Severity::Info,
-            tr("Speed cap %1 mm/s").arg(preferences.speedCap * 1e3, 0, 'f', 0), Origin::Operator);
+            tr("Speed cap %1").arg(format::speed(preferences.speedCap)), Origin::Operator);
     }
     // A copy: whoever hears of it may write into the original.
     const QMap<QString, DeviceTuning> tunings = preferences.devices;
     for (auto it = tunings.constBegin(); it != tunings.constEnd(); ++it) {
+        nameJogActions();
         devices_->tune(it.key(), *it);
     }
     actions_->setShortcuts(preferences.shortcuts);

@@ -4,6 +4,7 @@
 
 #include "app/action_table.h"
 #include "app/main_window.h"
+#include "widgets/common/notation.h"
 #include "widgets/jog/freedrive_axes.h"
 #include "widgets/jog/jog_column.h"
 #include "widgets/jog/keyboard_jog.h"
@@ -20,6 +21,21 @@ struct Step {
 };
 constexpr Step kSteps[] = {{0.05, 0.01}, {0.1, 0.1}, {1, 1}, {5, 5}, {10, 15}, {50, 45}, {100, 90}};
 constexpr double kContactForces[] = {10, 20, 50};
+constexpr double kSlowest = 0.001;  ///< [m/s]
+
+QString stepId(const Step& step) {
+    return QStringLiteral("jog.step.%1").arg(step.millimetres);
+}
+
+QString speedName(double tcpSpeed) {
+    return MainWindow::tr("Jog speed %1").arg(format::speed(tcpSpeed));
+}
+
+QString stepName(const Step& step) {
+    return MainWindow::tr("Jog step %1, %2°")
+        .arg(format::shortLength(step.millimetres / 1e3))
+        .arg(step.degrees);
+}
 
 }  // namespace
 
@@ -40,20 +56,20 @@ void MainWindow::addJogActions() {
     int index = 0;
     for (const SpeedClass& choice : speedClasses()) {
         actions_->add({QStringLiteral("jog.speed.%1").arg(index),
-                       tr("Jog speed %1 mm/s").arg(choice.tcp * 1e3, 0, 'f', 0),
+                       speedName(choice.tcp),
                        tr("Stops the arm; the next press has this speed."),
                        {},
                        [this, index] { jog_->setSpeedClass(index); }});
         ++index;
     }
     actions_->add({"jog.speed.slowest",
-                   tr("Jog speed %1 mm/s").arg(1),
+                   speedName(kSlowest),
                    tr("Stops the arm; the next press has this speed."),
                    {},
-                   [this] { jog_->setFreeSpeed(0.001); }});
+                   [this] { jog_->setFreeSpeed(kSlowest); }});
     for (const Step& step : kSteps) {
-        actions_->add({QStringLiteral("jog.step.%1").arg(step.millimetres),
-                       tr("Jog step %1 mm, %2°").arg(step.millimetres).arg(step.degrees),
+        actions_->add({stepId(step),
+                       stepName(step),
                        step.millimetres > 10 || step.degrees > 10
                            ? tr("Moves by this much, only while the key is held.")
                            : tr("Moves by this much at each press."),
@@ -72,12 +88,12 @@ void MainWindow::addJogActions() {
     // As the last entries of the column's own menus, for those who have no second mouse button.
     actions_->add({"jog.speed.other",
                    tr("Jog speed, other…"),
-                   tr("Asks for the speed of the TCP in mm/s; turns and joints in proportion."),
+                   tr("Asks for the speed of the TCP; turns and joints in proportion."),
                    {},
                    [this] { jog_->askFor(JogColumn::Entry::Speed); }});
     actions_->add({"jog.step.other",
                    tr("Jog step, other…"),
-                   tr("Asks for the length of a step in mm; turns make as many degrees."),
+                   tr("Asks for the length of a step; turns make as many degrees as millimetres."),
                    {},
                    [this] { jog_->askFor(JogColumn::Entry::Step); }});
     actions_->add({"jog.contact.other",
@@ -93,6 +109,17 @@ void MainWindow::addJogActions() {
                        {},
                        [this, axes] { jog_->setFreedriveAxes(axes); }});
         ++index;
+    }
+}
+
+void MainWindow::nameJogActions() {
+    int index = 0;
+    for (const SpeedClass& choice : speedClasses()) {
+        actions_->find(QStringLiteral("jog.speed.%1").arg(index++))->setText(speedName(choice.tcp));
+    }
+    actions_->find("jog.speed.slowest")->setText(speedName(kSlowest));
+    for (const Step& step : kSteps) {
+        actions_->find(stepId(step))->setText(stepName(step));
     }
 }
 

@@ -3,19 +3,21 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QDoubleSpinBox>
+#include <QEvent>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeySequenceEdit>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
 #include "app/action_table.h"
 #include "app/device_settings.h"
+#include "widgets/common/figure_box.h"
 #include "widgets/jog/device_jog.h"
 
 namespace tiller::app {
@@ -83,16 +85,10 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
         choice("settings.rotations", tr("Rotations"),
                {tr("Roll, pitch, yaw in degrees"), tr("Rotation vector in radians, as scripts write it")},
                static_cast<int>(preferences_.notation.rotation));
-    cap_ = new QDoubleSpinBox;
+    cap_ = new FigureBox;
     cap_->setObjectName("settings.speedCap");
     cap_->setAccessibleName(tr("Speed cap of this program"));
-    cap_->setDecimals(0);
-    cap_->setRange(Preferences::kLowestCap * 1e3, Preferences::kHighestCap * 1e3);
-    cap_->setSingleStep(10);
-    cap_->setSuffix(tr(" mm/s"));
-    cap_->setValue(preferences_.speedCap * 1e3);
-    // A number is taken when it is finished: "1000" begins with "1", and a half-typed cap is none.
-    cap_->setKeyboardTracking(false);
+    showCapFigure();
     capNote_ = note({}, "secondary");
     capNote_->setObjectName("settings.speedCapNote");
 
@@ -104,9 +100,10 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
     form->addRow(tr("Size of keys and rows"), density_);
     form->addRow(tr("Lengths"), lengths_);
     form->addRow(tr("Rotations"), rotations_);
-    form->addRow(QString(), note(tr("How poses and distances are shown. Speeds, the jog column's keys, plots "
-                                    "and files keep millimetres and degrees."),
-                                 "secondary"));
+    form->addRow(QString(),
+                 note(tr("How lengths, speeds of the TCP and orientations are shown and typed. Plots "
+                         "and files keep metres, millimetres and degrees."),
+                      "secondary"));
     form->addRow(tr("Speed cap"), cap_);
     form->addRow(QString(), capNote_);
     showCap();
@@ -120,17 +117,36 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
     connect(lengths_, &QComboBox::activated, this, [this](int index) {
         preferences_.notation.length = static_cast<LengthUnit>(index);
         Q_EMIT preferencesChanged(preferences_);
+        showCommandNames();  // some have a length in their name
     });
     connect(rotations_, &QComboBox::activated, this, [this](int index) {
         preferences_.notation.rotation = static_cast<RotationNotation>(index);
         Q_EMIT preferencesChanged(preferences_);
     });
     connect(cap_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-        preferences_.speedCap = value / 1e3;
+        preferences_.speedCap = value * format::metresPerUnit();
         showCap();
         Q_EMIT preferencesChanged(preferences_);
     });
     return page;
+}
+
+void SettingsPage::showCapFigure() {
+    const double unit = format::metresPerUnit();
+    const QSignalBlocker quiet(cap_);
+    cap_->setDecimals(unit > 1e-3 ? 2 : 0);
+    cap_->setRange(Preferences::kLowestCap / unit, Preferences::kHighestCap / unit);
+    cap_->setSingleStep(unit > 1e-3 ? 0.5 : 10);
+    cap_->setSuffix(QLatin1Char(' ') + format::speedUnit());
+    cap_->setValue(preferences_.speedCap / unit);
+}
+
+void SettingsPage::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::StyleChange && capNote_ != nullptr) {
+        showCapFigure();  // other units
+        showCap();
+    }
+    QDialog::changeEvent(event);
 }
 
 void SettingsPage::showCap() {
@@ -139,8 +155,9 @@ void SettingsPage::showCap() {
     // The style sheet looks at the role only when the style is set.
     capNote_->setStyleSheet(capNote_->styleSheet());
     capNote_->setText(
-        raised ? tr("▲ Above 250 mm/s. Nothing else limits a jog from a PC: neither manual mode nor the "
+        raised ? tr("▲ Above %1. Nothing else limits a jog from a PC: neither manual mode nor the "
                     "enabling device of the pendant. The header says so, and it ends with the program.")
+                     .arg(format::speed(Preferences::kOrdinaryCap))
                : tr("No motion of this program gets above it, at the TCP and at the elbow. It holds at once "
                     "and stops what moves."));
 }
@@ -221,6 +238,13 @@ void SettingsPage::showShortcuts() {
             keys->setKeySequence(edited == nullptr ? QKeySequence() : edited->shortcut());
         });
         shortcuts_->setCellWidget(row, 1, keys);
+    }
+}
+
+void SettingsPage::showCommandNames() {
+    const QList<QAction*>& all = actions_.all();
+    for (int row = 0; row < shortcuts_->rowCount() && row < all.size(); ++row) {
+        shortcuts_->item(row, 0)->setText(plain(*all[row]));
     }
 }
 

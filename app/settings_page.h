@@ -9,13 +9,13 @@
 #include "app/preferences.h"
 
 class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 class QTableWidget;
 
 namespace tiller {
 class DeviceJog;
-}
+class FigureBox;
+}  // namespace tiller
 
 namespace tiller::app {
 
@@ -36,6 +36,9 @@ public:
     bool setShortcut(const QString& id, const QKeySequence& keys);
     QString hint() const;
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 Q_SIGNALS:
     void preferencesChanged(const tiller::app::Preferences& preferences);
     void themeChosen(const QString& theme);
@@ -48,7 +51,9 @@ private:
     QWidget* buildDevices(DeviceJog& devices);
     QComboBox* choice(const QString& name, const QString& accessible, const QStringList& texts, int current);
     void showShortcuts();
+    void showCommandNames();
     void showCap();
+    void showCapFigure();
 
     Preferences preferences_;
     const ActionTable& actions_;
@@ -56,7 +61,7 @@ private:
     QComboBox* density_ = nullptr;
     QComboBox* lengths_ = nullptr;
     QComboBox* rotations_ = nullptr;
-    QDoubleSpinBox* cap_ = nullptr;
+    FigureBox* cap_ = nullptr;
     QLabel* capNote_ = nullptr;
     QTableWidget* shortcuts_ = nullptr;
     QLabel* hint_ = nullptr;

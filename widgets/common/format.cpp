@@ -38,10 +38,6 @@ QString signedNumber(double value, int digits) {
     return withSign(value, digits, true);
 }
 
-QString millimetres(double metres, int digits) {
-    return signedNumber(metres * 1e3, digits) + QStringLiteral(" mm");
-}
-
 QString degrees(double radians, int digits) {
     return number(radians * kDegPerRad, digits) + QStringLiteral("°");
 }
@@ -60,10 +56,6 @@ QString amperes(double value) {
 
 QString percent(double fraction) {
     return number(fraction * 100.0, 0) + QStringLiteral(" %");
-}
-
-QString millimetresPerSecond(double metresPerSecond) {
-    return number(metresPerSecond * 1e3, 0) + QStringLiteral(" mm/s");
 }
 
 QString degreesPerSecond(double radiansPerSecond) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Numbers as the screen shows them: SI in, mm and degrees out, a true minus sign, a fixed number of digits,
-// and the unit behind. Nothing here depends on the system's locale: a decimal point is a point everywhere.
+// Numbers as the screen shows them: SI in, degrees out, a true minus sign, a fixed number of digits, and the
+// unit behind. Lengths and speeds stand in notation.h: their unit is the operator's choice. Nothing here
+// depends on the system's locale: a decimal point is a point everywhere.
 
 #include <QString>
 #include <cstdint>
@@ -14,8 +15,6 @@ QString number(double value, int digits);
 /// As number(), with '+' in front of what is above zero.
 QString signedNumber(double value, int digits);
 
-/// metres -> "+200.00 mm"
-QString millimetres(double metres, int digits = 2);
 /// radians -> "−88.24°"
 QString degrees(double radians, int digits = 2);
 QString newtons(double value);       ///< "−9.8 N"
@@ -23,8 +22,6 @@ QString newtonMetres(double value);  ///< "0.12 Nm"
 QString amperes(double value);       ///< "1.204 A"
 /// fraction -> "35 %"
 QString percent(double fraction);
-/// metres per second -> "250 mm/s"
-QString millimetresPerSecond(double metresPerSecond);
 /// radians per second -> "60 °/s"
 QString degreesPerSecond(double radiansPerSecond);
 

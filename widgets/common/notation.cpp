@@ -4,8 +4,8 @@
 #include <QApplication>
 #include <QEvent>
 #include <QWidget>
+#include <cmath>
 
-#include "robot/core/spatial.h"
 #include "widgets/common/format.h"
 
 namespace tiller {
@@ -49,13 +49,49 @@ QString length(double metres, int digits) {
 }
 
 QString lengthNumber(double metres, int digits, bool withSign) {
-    const double value = metres / (inches() ? kInch : 1e-3);
+    const double value = metres / metresPerUnit();
     const int shown = inches() ? digits + 1 : digits;
     return withSign ? signedNumber(value, shown) : number(value, shown);
 }
 
 QString lengthUnit() {
     return inches() ? QStringLiteral("in") : QStringLiteral("mm");
+}
+
+double metresPerUnit() {
+    return inches() ? kInch : 1e-3;
+}
+
+QString shortLengthNumber(double metres) {
+    const double value = metres / metresPerUnit();
+    const double size = std::abs(value);
+    if (inches()) {
+        return number(value, size < 0.0095 ? 4 : size < 0.095 ? 3 : 2);
+    }
+    const bool whole = std::abs(value - std::round(value)) < 1e-6;
+    return number(value, size < 0.095 ? 2 : size < 0.95 || !whole ? 1 : 0);
+}
+
+QString shortLength(double metres) {
+    return shortLengthNumber(metres) + QLatin1Char(' ') + lengthUnit();
+}
+
+QString speed(double metresPerSecond) {
+    return speedNumber(metresPerSecond) + QLatin1Char(' ') + speedUnit();
+}
+
+QString speedNumber(double metresPerSecond) {
+    const double value = metresPerSecond / metresPerUnit();
+    const double size = std::abs(value);
+    if (inches()) {
+        return number(value, size < 0.095 ? 3 : 2);
+    }
+    const bool whole = std::abs(value - std::round(value)) < 1e-6;
+    return number(value, whole || size >= 10 ? 0 : 1);
+}
+
+QString speedUnit() {
+    return lengthUnit() + QStringLiteral("/s");
 }
 
 std::array<QString, 3> rotation(const Eigen::Vector3d& rotationVector) {
@@ -67,6 +103,37 @@ std::array<QString, 3> rotation(const Eigen::Vector3d& rotationVector) {
             vector ? number(values[i], 4) : number(values[i] * kDegPerRad, 2) + QStringLiteral("°");
     }
     return texts;
+}
+
+std::array<QString, 3> rotationFigures(const Eigen::Vector3d& rotationVector) {
+    std::array<QString, 3> turns = rotation(rotationVector);
+    for (const std::size_t i : {0U, 1U}) {
+        if (turns[i].endsWith(QChar(0xB0))) {
+            turns[i].chop(1);
+        }
+    }
+    return turns;
+}
+
+QString position(const Eigen::Vector3d& metres) {
+    return QStringLiteral("X %1 Y %2 Z %3 %4")
+        .arg(lengthNumber(metres.x(), 2, false), lengthNumber(metres.y(), 2, false),
+             lengthNumber(metres.z(), 2, false), lengthUnit());
+}
+
+QString pose(const Pose& pose) {
+    const std::array<QString, 3> turns = rotationFigures(pose.rotation);
+    return QStringLiteral("%1 RX %2 RY %3 RZ %4").arg(position(pose.position), turns[0], turns[1], turns[2]);
+}
+
+QString difference(double metres, double radians) {
+    return length(metres, 1) + QStringLiteral(", ") + number(radians * kDegPerRad, 1) + QStringLiteral("°");
+}
+
+QString shift(const Eigen::Vector3d& metres) {
+    return QStringLiteral("ΔX %1 ΔY %2 ΔZ %3 %4")
+        .arg(lengthNumber(metres.x(), 2, true), lengthNumber(metres.y(), 2, true),
+             lengthNumber(metres.z(), 2, true), lengthUnit());
 }
 
 }  // namespace format

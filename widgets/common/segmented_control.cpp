@@ -92,6 +92,14 @@ private:
 
 }  // namespace
 
+namespace {
+
+int stretchOf(const QWidget& segment) {
+    return std::max(segment.sizeHint().width(), 54);
+}
+
+}  // namespace
+
 SegmentedControl::SegmentedControl(const QStringList& labels, QWidget* parent)
     : QWidget(parent), layout_(new QHBoxLayout(this)), group_(new QButtonGroup(this)) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
@@ -103,7 +111,7 @@ SegmentedControl::SegmentedControl(const QStringList& labels, QWidget* parent)
         segments_.append(segment);
         group_->addButton(segment, i);
         // Keys share the row by the length of their words.
-        layout_->addWidget(segment, std::max(segment->sizeHint().width(), 54));
+        layout_->addWidget(segment, stretchOf(*segment));
     }
     if (!segments_.isEmpty()) {
         segments_.first()->setChecked(true);
@@ -127,8 +135,14 @@ QString SegmentedControl::text(int index) const {
 }
 
 void SegmentedControl::setText(int index, const QString& text) {
-    segments_.at(index)->setText(text);
-    segments_.at(index)->updateGeometry();
+    QAbstractButton* segment = segments_.at(index);
+    if (segment->text() == text) {
+        return;
+    }
+    segment->setText(text);
+    nameSegment(index);
+    layout_->setStretch(index, stretchOf(*segment));
+    segment->updateGeometry();
 }
 
 void SegmentedControl::setSegmentEnabled(int index, bool enabled, const QString& reason) {
@@ -145,7 +159,14 @@ void SegmentedControl::setNames(const QString& objectName, const QString& access
     setAccessibleName(accessibleName);
     for (int i = 0; i < count(); ++i) {
         segments_[i]->setObjectName(QStringLiteral("%1.%2").arg(objectName).arg(i));
-        segments_[i]->setAccessibleName(QStringLiteral("%1: %2").arg(accessibleName, segments_[i]->text()));
+        nameSegment(i);
+    }
+}
+
+void SegmentedControl::nameSegment(int index) {
+    if (!accessibleName().isEmpty()) {
+        segments_[index]->setAccessibleName(
+            QStringLiteral("%1: %2").arg(accessibleName(), segments_[index]->text()));
     }
 }
 

@@ -37,6 +37,8 @@ Q_SIGNALS:
     void currentChanged(int index);
 
 private:
+    void nameSegment(int index);
+
     QVector<QAbstractButton*> segments_;
     QHBoxLayout* layout_;
     QButtonGroup* group_;

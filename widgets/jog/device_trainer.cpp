@@ -13,6 +13,7 @@
 #include <numbers>
 
 #include "widgets/common/format.h"
+#include "widgets/common/notation.h"
 #include "widgets/common/room.h"
 #include "widgets/common/theme.h"
 
@@ -26,8 +27,8 @@ constexpr std::array kAxes = {"X", "Y", "Z", "Rx", "Ry", "Rz"};
 /// Lines break between the parts only, never inside a number and its unit.
 QString unbroken(QString text) {
     const QString joiner(QChar(0x2060));
+    text.replace(QLatin1Char(' ') + format::speedUnit(), QChar(0xA0) + format::speedUnit());
     text.replace(QStringLiteral("/s"), joiner + QLatin1Char('/') + joiner + QLatin1Char('s'));
-    text.replace(QStringLiteral(" mm"), QChar(0xA0) + QStringLiteral("mm"));
     text.replace(QStringLiteral(" °"), QChar(0xA0) + QStringLiteral("°"));
     text.replace(QStringLiteral("+ "), QStringLiteral("+") + QChar(0xA0));
     return text.replace(QStringLiteral("− "), QStringLiteral("−") + QChar(0xA0));
@@ -43,14 +44,16 @@ QString whichWay(const JogSelection& selection, const Deflection& deflection,
     const Vector6 twist = deflectionTarget(selection, deflection, 1.0, limits).twist.vector();
     QStringList parts;
     for (int axis = 0; axis < 6; ++axis) {
-        const double speed = axis < 3 ? twist[axis] * 1e3 : twist[axis] * 180 / std::numbers::pi;
-        if (std::abs(speed) < 0.05) {
+        const double speed = twist[axis];
+        if (std::abs(speed) < (axis < 3 ? 5e-5 : 0.05 * std::numbers::pi / 180)) {
             continue;
         }
         parts << QLatin1String(kAxes.at(static_cast<std::size_t>(axis))) +
                      (speed < 0 ? QStringLiteral("−") : QStringLiteral("+")) + QLatin1Char(' ') +
-                     format::number(std::abs(speed), 1) +
-                     (axis < 3 ? QStringLiteral(" mm/s") : QStringLiteral(" °/s"));
+                     (axis < 3 ? format::lengthNumber(std::abs(speed), 1, false) + QLatin1Char(' ') +
+                                     format::speedUnit()
+                               : format::number(std::abs(speed) * 180 / std::numbers::pi, 1) +
+                                     QStringLiteral(" °/s"));
     }
     return parts.isEmpty() ? QString()
                            : QCoreApplication::translate("DeviceTrainer", "%1 in %2")

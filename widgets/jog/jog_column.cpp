@@ -8,7 +8,6 @@
 #include <QMenu>
 #include <QTimer>
 #include <QVBoxLayout>
-#include <numbers>
 
 #include "widgets/common/hold_button.h"
 #include "widgets/common/segmented_control.h"
@@ -99,6 +98,7 @@ JogColumn::JogColumn(JogPort port, QWidget* parent) : Panel(tr("Jog"), parent), 
     lookTimer->start();
     showFrames();
     arrange();
+    showMotionTexts();
     applyState(SessionState());
 }
 
@@ -119,25 +119,13 @@ void JogColumn::buildSelectors(QVBoxLayout* layout) {
     grid->setColumnMinimumWidth(0, 62);
     frame_ = new SegmentedControl({tr("Base"), tr("Tool"), tr("View"), tr("Frame")}, this);
     frame_->setNames(QStringLiteral("jogFrame"), tr("Frame"));
-    motion_ = new SegmentedControl(
-        {tr("Hold"), QStringLiteral("0.1"), QStringLiteral("1"), QStringLiteral("10 mm")}, this);
+    // The other words follow the operator's units; see showMotionTexts().
+    motion_ = new SegmentedControl({tr("Hold"), {}, {}, {}}, this);
     motion_->setNames(QStringLiteral("jogMotion"), tr("Motion"));
     motion_->segment(0)->setToolTip(tr("Moves while the key is held"));
-    motion_->segment(1)->setToolTip(tr("One step a press: 0.1 mm, turns 0.1°"));
-    motion_->segment(2)->setToolTip(tr("One step a press: 1 mm, turns 1°"));
-    speed_ = new SegmentedControl({QStringLiteral("5"), QStringLiteral("20"), QStringLiteral("50"),
-                                   QStringLiteral("100"), QStringLiteral("250 mm/s")},
-                                  this);
+    speed_ = new SegmentedControl(QStringList(kSpeedClassCount), this);
     speed_->setNames(QStringLiteral("jogSpeed"), tr("Speed"));
     speed_->setCurrentIndex(kStartSpeedClass);
-    for (int i = 0; i < kSpeedClassCount; ++i) {
-        const SpeedClass& speed = speedClasses()[static_cast<std::size_t>(i)];
-        const double degrees = 180.0 / std::numbers::pi;
-        speed_->segment(i)->setToolTip(tr("%1 mm/s · turns %2 °/s · joints %3 °/s · Ctrl × 0.1, Shift × 3")
-                                           .arg(speed.tcp * 1e3, 0, 'f', 0)
-                                           .arg(speed.rotation * degrees, 0, 'f', 0)
-                                           .arg(speed.joint * degrees, 0, 'f', 0));
-    }
     int row = 0;
     for (const auto& [text, control] :
          {std::pair{tr("Frame"), frame_}, {tr("Motion"), motion_}, {tr("Speed"), speed_}}) {

@@ -3,6 +3,8 @@
 // The part of the column that says how much room is left, and takes sizes entered by hand.
 
 #include <QAbstractButton>
+#include <QCoreApplication>
+#include <QEvent>
 #include <QInputDialog>
 #include <QMenu>
 #include <algorithm>
@@ -10,6 +12,7 @@
 
 #include "widgets/common/format.h"
 #include "widgets/common/hold_button.h"
+#include "widgets/common/notation.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/jog/jog_column.h"
 #include "widgets/jog/jog_pad.h"
@@ -32,18 +35,10 @@ struct StepPreset {
 };
 constexpr StepPreset kSteps[] = {{0.05, 0.01}, {0.1, 0.1}, {1, 1}, {5, 5}, {10, 15}, {50, 45}, {100, 90}};
 
-QString lengthText(double metres) {
-    const double mm = metres * 1e3;
-    return format::number(mm, mm < 0.095                          ? 2
-                              : mm < 0.95 || mm != std::floor(mm) ? 1
-                                                                  : 0) +
-           QStringLiteral(" mm");
-}
-
 /// "5 mm or 15°"
 QString stepText(const StepSize& step) {
     return QCoreApplication::translate("JogColumn", "%1, turns %2°")
-        .arg(lengthText(step.length))
+        .arg(format::shortLength(step.length))
         .arg(step.angle / kRadPerDeg, 0, 'g', 3);
 }
 
@@ -76,7 +71,7 @@ QString JogColumn::travelText(const Travel& travel, bool turns) const {
         return {};
     }
     return turns ? format::number(travel.left / kRadPerDeg, 0) + QStringLiteral("°")
-                 : format::number(travel.left * 1e3, 0) + QStringLiteral(" mm");
+                 : format::length(travel.left, 0);
 }
 
 void JogColumn::lookAround() {
@@ -130,10 +125,10 @@ QString JogColumn::quietText() const {
     if (stop.count == 0) {
         return {};
     }
-    return tr("Last stop: %1, standstill after %2 ms, %3 mm")
+    return tr("Last stop: %1, standstill after %2 ms, %3")
         .arg(texts::stopCauseText(stop.cause))
         .arg(stop.durationMs, 0, 'f', 0)
-        .arg(stop.distanceMm, 0, 'f', 1);
+        .arg(format::length(stop.distanceMm / 1e3, 1));
 }
 
 // ---- sizes entered by hand -------------------------------------------------------------------------------
@@ -176,21 +171,46 @@ void JogColumn::zeroHere() {
 }
 
 void JogColumn::showMotionTexts() {
+    for (const MotionChoice choice : {MotionChoice::FineStep, MotionChoice::Step}) {
+        const StepSize step = stepSize(choice);
+        const int segment = static_cast<int>(choice);
+        motion_->setText(segment, format::shortLengthNumber(step.length));
+        motion_->segment(segment)->setToolTip(tr("One step a press: %1").arg(stepText(step)));
+    }
     const bool contact = selection_.motion == MotionChoice::UntilContact;
     const StepSize step = selection_.step.value_or(stepSize(MotionChoice::CoarseStep));
     motion_->setText(kChoiceSegment, contact
                                          ? tr("≤ %1").arg(format::number(selection_.contactForce, 0) + " N")
-                                         : lengthText(step.length));
+                                         : format::shortLength(step.length));
     motion_->segment(kChoiceSegment)
         ->setToolTip(
             contact ? tr("Slowly until the tool touches something with %1 N, while held. Click again for "
                          "other steps")
                           .arg(selection_.contactForce, 0, 'f', 0)
                     : tr("One step a press: %1. Click again for other steps").arg(stepText(step)));
-    const bool freely = selection_.speed.has_value();
-    const double speed = freely ? selection_.speed->tcp : speedClasses().back().tcp;
-    speed_->setText(kSpeedClassCount - 1,
-                    format::number(speed * 1e3, speed < 0.01 ? 1 : 0) + QStringLiteral(" mm/s"));
+    for (int i = 0; i < kSpeedClassCount; ++i) {
+        const SpeedClass& speed = speedClasses()[static_cast<std::size_t>(i)];
+        speed_->setText(i, format::speedNumber(speed.tcp));
+        speed_->segment(i)->setToolTip(tr("%1 · turns %2 · joints %3 · Ctrl × 0.1, Shift × 3")
+                                           .arg(format::speed(speed.tcp),
+                                                format::degreesPerSecond(speed.rotation),
+                                                format::degreesPerSecond(speed.joint)));
+    }
+    const double speed = selection_.speed ? selection_.speed->tcp : speedClasses().back().tcp;
+    speed_->setText(kSpeedClassCount - 1, format::speed(speed));
+}
+
+void JogColumn::changeEvent(QEvent* event) {
+    // Not before the column is built: back_ comes last.
+    if (event->type() == QEvent::StyleChange && back_ != nullptr) {
+        showMotionTexts();  // other units
+        lookedIn_.setZero();
+        for (JogKey* key : pad_->keys()) {
+            key->setTravel({}, false);
+        }
+        showReason();
+    }
+    Panel::changeEvent(event);
 }
 
 void JogColumn::offerChoices(SegmentedControl* control, int segment, std::function<void(QMenu&)> fill) {
@@ -228,8 +248,8 @@ void JogColumn::fillStepMenu(QMenu& menu) {
 }
 
 void JogColumn::fillSpeedMenu(QMenu& menu) {
-    menu.addAction(QStringLiteral("1 mm/s"), this, [this] { setFreeSpeed(0.001); });
-    menu.addAction(tr("%1 mm/s").arg(speedClasses().back().tcp * 1e3, 0, 'f', 0), this,
+    menu.addAction(format::speed(0.001), this, [this] { setFreeSpeed(0.001); });
+    menu.addAction(format::speed(speedClasses().back().tcp), this,
                    [this] { setSpeedClass(kSpeedClassCount - 1); });
     menu.addAction(tr("Other speed…"), this, [this] { askFor(Entry::Speed); });
 }
@@ -249,17 +269,20 @@ void JogColumn::fillFreedriveMenu(QMenu& menu) {
 }
 
 void JogColumn::askFor(Entry entry) {
+    const double unit = format::metresPerUnit();
+    const bool coarse = unit > 1e-3;  // two more digits in inches
     switch (entry) {
         case Entry::Step:
-            askForNumber(tr("Step in mm (turns: the same number in degrees)"), 2, 0.01, 500, 2,
-                         [this](double value) {
-                             setFreeStep({value / 1e3, std::min(value, 180.0) * kRadPerDeg});
+            askForNumber(tr("Step in %1 (turns: as many degrees as millimetres)").arg(format::lengthUnit()),
+                         0.002 / unit, 1e-5 / unit, 0.5 / unit, coarse ? 4 : 2, [this, unit](double value) {
+                             const double metres = value * unit;
+                             setFreeStep({metres, std::min(metres * 1e3, 180.0) * kRadPerDeg});
                          });
             break;
         case Entry::Speed:
-            askForNumber(tr("Speed of the TCP in mm/s"), chosenSpeed(selection_).tcp * 1e3, 0.5,
-                         port_.limits().tcpSpeed * 1e3, 1,
-                         [this](double value) { setFreeSpeed(value / 1e3); });
+            askForNumber(tr("Speed of the TCP in %1").arg(format::speedUnit()),
+                         chosenSpeed(selection_).tcp / unit, 0.0005 / unit, port_.limits().tcpSpeed / unit,
+                         coarse ? 3 : 1, [this, unit](double value) { setFreeSpeed(value * unit); });
             break;
         case Entry::ContactForce:
             askForNumber(tr("Force that ends the motion, in N"), selection_.contactForce, kLeastContactForce,

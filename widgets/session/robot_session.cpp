@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "robot/control/compliance.h"
+#include "widgets/common/notation.h"
 #include "widgets/session/controller_codes.h"
 #include "widgets/session/session_backend.h"
 #include "widgets/session/texts.h"
@@ -18,10 +19,10 @@ constexpr milliseconds kConfirmTime{2000};
 constexpr int kRefreshMs = 16;
 
 QString stopSentence(const control::StopMeasurement& stop) {
-    return RobotSession::tr("Stopped: %1 (%2 ms, %3 mm)")
+    return RobotSession::tr("Stopped: %1 (%2 ms, %3)")
         .arg(texts::stopCauseText(stop.cause))
         .arg(stop.durationMs, 0, 'f', 0)
-        .arg(stop.distanceMm, 0, 'f', 1);
+        .arg(format::length(stop.distanceMm / 1e3, 1));
 }
 
 /// "C157A1 Collision noticed by a joint (elbow)"

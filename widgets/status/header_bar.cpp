@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/status/header_bar.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
 
+#include "widgets/common/notation.h"
 #include "widgets/common/state_chip.h"
 #include "widgets/common/theme.h"
 #include "widgets/session/texts.h"
@@ -152,19 +154,22 @@ void HeaderBar::applyState(const SessionState& state) {
     stepButton_->setToolTip(nextStepAdvice(step_));
 
     showCap(state.speedCap);
+    showLastStop();
+    if (linkChanged || !linkPace_.isActive()) {
+        showLink();
+    }
+}
 
-    const control::StopMeasurement& last = state.lastStop;
+void HeaderBar::showLastStop() {
+    const control::StopMeasurement& last = state_.lastStop;
     if (last.count > 0) {
         lastStop_->setState(
-            tr("%1 ms · %2 mm").arg(last.durationMs, 0, 'f', 0).arg(last.distanceMm, 0, 'f', 1),
+            tr("%1 ms · %2").arg(last.durationMs, 0, 'f', 0).arg(format::length(last.distanceMm / 1e3, 1)),
             StateChip::Shape::None, StateChip::Emphasis::Normal,
             tr("From the stop to standstill, measured. Cause: %1").arg(texts::stopCauseText(last.cause)));
     } else {
         lastStop_->setState(QStringLiteral("–"), StateChip::Shape::None, StateChip::Emphasis::Muted,
                             tr("No stop measured yet"));
-    }
-    if (linkChanged || !linkPace_.isActive()) {
-        showLink();
     }
 }
 
@@ -179,10 +184,10 @@ void HeaderBar::showLink() {
 void HeaderBar::showCap(double speedCap) {
     const bool raised = speedCap > kOrdinaryCap + 1e-9;
     if (raised) {
-        cap_->setText(tr("▲ Speed cap raised to %1 mm/s").arg(speedCap * 1e3, 0, 'f', 0));
+        cap_->setText(tr("▲ Speed cap raised to %1").arg(format::speed(speedCap)));
         cap_->setToolTip(
-            tr("The arm may get faster than 250 mm/s. Lower the cap in Settings; it ends with the "
-               "program."));
+            tr("The arm may get faster than %1. Lower the cap in Settings; it ends with the program.")
+                .arg(format::speed(kOrdinaryCap)));
         cap_->setAccessibleName(cap_->text());
         QPalette colours;
         colours.setColor(QPalette::Window, Theme::current().warningBackground);
@@ -216,6 +221,14 @@ void HeaderBar::takeStep() {
             port_.takeControl();
             break;
     }
+}
+
+void HeaderBar::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::StyleChange) {
+        showLastStop();  // other units
+        showCap(state_.speedCap);
+    }
+    QWidget::changeEvent(event);
 }
 
 void HeaderBar::resizeEvent(QResizeEvent* event) {

@@ -59,6 +59,7 @@ Q_SIGNALS:
     void recoveryRequested();
 
 protected:
+    void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
@@ -67,6 +68,7 @@ private:
     void showLink();
     void arrange();
     void showCap(double speedCap);
+    void showLastStop();
 
     HeaderPort port_;
     SessionState state_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/status/preflight_page.h"
 
+#include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -9,6 +10,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "widgets/common/notation.h"
 #include "widgets/common/shapes.h"
 #include "widgets/common/theme.h"
 
@@ -16,6 +18,7 @@ namespace tiller {
 namespace {
 
 constexpr std::chrono::seconds kAtMost{30};
+constexpr double kFirstSpeed = 0.050;  // [m/s] the class the jog column starts with
 
 struct Look {
     QString word;
@@ -131,16 +134,12 @@ PreflightPage::PreflightPage(const doctor::Patient& patient, QWidget* parent)
     scroll->viewport()->setAutoFillBackground(false);
     layout->addWidget(scroll, 1);
 
-    auto* note = new QLabel(tr("Keep everybody out of the arm's reach.\nKeep the emergency stop at hand: "
-                               "STOP in this window is a "
-                               "software stop.\nBegin slowly: the first speed is 50 mm/s.\nWatch the arm, "
-                               "not the screen, while a "
-                               "key is held.\nLet go of the key and the arm stops."),
-                            this);
-    note->setObjectName(QStringLiteral("safetyNote"));
-    note->setWordWrap(true);
-    note->setProperty("role", QStringLiteral("secondary"));
-    layout->addWidget(note);
+    note_ = new QLabel(this);
+    note_->setObjectName(QStringLiteral("safetyNote"));
+    note_->setWordWrap(true);
+    note_->setProperty("role", QStringLiteral("secondary"));
+    layout->addWidget(note_);
+    showNote();
 
     auto* buttons = new QHBoxLayout;
     again_ = new QPushButton(tr("Look again"), this);
@@ -164,6 +163,20 @@ PreflightPage::PreflightPage(const doctor::Patient& patient, QWidget* parent)
         accept();
     });
     examine();
+}
+
+void PreflightPage::showNote() {
+    note_->setText(tr("Keep everybody out of the arm's reach.\nKeep the emergency stop at hand: STOP in this "
+                      "window is a software stop.\nBegin slowly: the first speed is %1.\nWatch the arm, not "
+                      "the screen, while a key is held.\nLet go of the key and the arm stops.")
+                       .arg(format::speed(kFirstSpeed)));
+}
+
+void PreflightPage::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::StyleChange && note_ != nullptr) {
+        showNote();
+    }
+    QDialog::changeEvent(event);
 }
 
 void PreflightPage::examine() {

@@ -52,7 +52,11 @@ Q_SIGNALS:
     /// The operator wants to be connected.
     void connectRequested();
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
+    void showNote();
     void examine();
     void showFinding(const doctor::Finding& finding);
     void conclude(const doctor::Report& report);
@@ -64,6 +68,7 @@ private:
 
     QVector<FindingRow*> rows_;
     QLabel* summary_;
+    QLabel* note_ = nullptr;
     QPushButton* again_;
     QPushButton* connect_;
     SessionWorker worker_;  // last: its job posts to this page

@@ -2,6 +2,7 @@
 #include "widgets/status/recovery_page.h"
 
 #include <QCheckBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -12,6 +13,7 @@
 #include <utility>
 
 #include "widgets/common/format.h"
+#include "widgets/common/notation.h"
 #include "widgets/common/room.h"
 #include "widgets/common/theme.h"
 
@@ -22,6 +24,11 @@ namespace {
 constexpr double kLeastForce = 20.0;   // [N]
 constexpr double kLeastCurrent = 2.0;  // [A]
 constexpr double kLeastSpeed = 0.020;  // [m/s]
+
+/// "+200.0 mm"
+QString signedLength(double metres) {
+    return format::lengthNumber(metres, 1, true) + QLatin1Char(' ') + format::lengthUnit();
+}
 
 }  // namespace
 
@@ -191,10 +198,10 @@ void RecoveryPage::showRecord() {
         return;
     }
     recordShown_ = record->stoppedAt;
-    QString where = tr("At X %1, Y %2, Z %3.")
-                        .arg(format::millimetres(record->tcpPose.position.x(), 1),
-                             format::millimetres(record->tcpPose.position.y(), 1),
-                             format::millimetres(record->tcpPose.position.z(), 1));
+    QString where =
+        tr("At X %1, Y %2, Z %3.")
+            .arg(signedLength(record->tcpPose.position.x()), signedLength(record->tcpPose.position.y()),
+                 signedLength(record->tcpPose.position.z()));
     int joint = record->suspect;
     if (joint >= 0) {
         where += QLatin1Char(' ') + tr("Suspected joint: %1, whose current left its target furthest.")
@@ -211,8 +218,15 @@ void RecoveryPage::showRecord() {
         },
         format::amperes, kLeastCurrent);
     plots_[2]->show(
-        *record, [](const StopRecord::Point& p) { return p.speed; }, format::millimetresPerSecond,
-        kLeastSpeed);
+        *record, [](const StopRecord::Point& p) { return p.speed; }, format::speed, kLeastSpeed);
+}
+
+void RecoveryPage::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::StyleChange && key_ != nullptr) {
+        recordShown_ = -1;  // other units
+        showRecord();
+    }
+    QDialog::changeEvent(event);
 }
 
 void RecoveryPage::showChecks() {

@@ -59,6 +59,9 @@ public:
 public Q_SLOTS:
     void applyState(const tiller::SessionState& state);
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
     void build();
     void showRecord();
@@ -80,7 +83,7 @@ private:
     QVBoxLayout* checkLayout_;
     QVector<QCheckBox*> checks_;
     QLabel* waiting_;
-    QPushButton* key_;
+    QPushButton* key_ = nullptr;
 };
 
 }  // namespace tiller

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "widgets/common/format.h"
+#include "widgets/common/notation.h"
 #include "widgets/common/theme.h"
 #include "widgets/waypoints/waypoint_commands.h"
 
@@ -12,7 +13,6 @@ namespace tiller {
 namespace {
 
 constexpr double kDegPerRad = 180.0 / std::numbers::pi;
-constexpr double kMmPerM = 1000.0;
 
 }  // namespace
 
@@ -199,9 +199,9 @@ QString WaypointModel::display(const program::Waypoint& point, int row, int colu
         }
         case Speed:
             return point.move == program::MoveKind::Joint ? format::degreesPerSecond(point.jointSpeed)
-                                                          : format::millimetresPerSecond(point.toolSpeed);
+                                                          : format::speed(point.toolSpeed);
         case Blend:
-            return QString::number(point.blend * kMmPerM, 'g', 6);
+            return QString::number(point.blend / format::metresPerUnit(), 'g', 6);
         case ReachColumn:
             return reachText(reach(row));
         default:
@@ -239,8 +239,9 @@ QVariant WaypointModel::data(const QModelIndex& index, int role) const {
             return index.column() == Number ? QVariant() : display(point, index.row(), index.column());
         case Qt::EditRole:
             if (index.column() == Speed) {
-                return QString::number(point.move == program::MoveKind::Joint ? point.jointSpeed * kDegPerRad
-                                                                              : point.toolSpeed * kMmPerM,
+                return QString::number(point.move == program::MoveKind::Joint
+                                           ? point.jointSpeed * kDegPerRad
+                                           : point.toolSpeed / format::metresPerUnit(),
                                        'g', 8);
             }
             return display(point, index.row(), index.column());
@@ -284,7 +285,7 @@ QVariant WaypointModel::headerData(int section, Qt::Orientation orientation, int
         case Speed:
             return tr("Speed");
         case Blend:
-            return tr("Blend mm");
+            return tr("Blend %1").arg(format::lengthUnit());
         case ReachColumn:
             return tr("Reach");
         default:

@@ -11,6 +11,7 @@
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "widgets/common/format.h"
+#include "widgets/common/notation.h"
 #include "widgets/waypoints/waypoint_model.h"
 
 namespace tiller {
@@ -18,7 +19,9 @@ namespace {
 
 constexpr char kRowsMime[] = "application/x-tiller-waypoint-rows";
 constexpr double kDegPerRad = 180.0 / std::numbers::pi;
-constexpr double kMmPerM = 1000.0;
+constexpr double kLeastToolSpeed = 0.001;  ///< [m/s]
+constexpr double kMostToolSpeed = 1.0;     ///< [m/s]
+constexpr double kMostBlend = 1.0;         ///< [m]
 
 /// "250", "250,5", "250 mm/s" -> 250; nothing when there is no number in front.
 std::optional<double> leadingNumber(const QString& text) {
@@ -130,33 +133,36 @@ bool WaypointModel::setFrame(int row, const QString& text) {
 
 bool WaypointModel::setFigure(int row, int column, const QString& text) {
     program::Waypoint point = document_.waypoints.at(row);
+    if (text == data(index(row, column), Qt::EditRole).toString()) {
+        return true;  // the digits that are not shown stay
+    }
     const std::optional<double> figure = leadingNumber(text);
     if (!figure) {
         Q_EMIT editRefused(tr("“%1” is not a number.").arg(text));
         return false;
     }
-    double least = 1;
-    double most = 1000;
-    QString unit = QStringLiteral("mm/s");
-    if (column == Blend) {
-        least = 0;
-        unit = QStringLiteral("mm");
-    } else if (point.move == program::MoveKind::Joint) {
-        most = *std::min_element(robot_->maxJointSpeed.begin(), robot_->maxJointSpeed.end()) * kDegPerRad;
-        unit = QStringLiteral("°/s");
-    }
-    if (*figure < least || *figure > most * (1 + 1e-9)) {
-        Q_EMIT editRefused(
-            tr("%1 is outside %2 to %3 %4.")
-                .arg(format::number(*figure, 0), format::number(least, 0), format::number(most, 0), unit));
+    const bool turns = column == Speed && point.move == program::MoveKind::Joint;
+    const double unit = turns ? 1 / kDegPerRad : format::metresPerUnit();
+    const double value = *figure * unit;
+    const double least = column == Blend ? 0 : turns ? 1 / kDegPerRad : kLeastToolSpeed;
+    const double most = column == Blend ? kMostBlend
+                        : turns
+                            ? *std::min_element(robot_->maxJointSpeed.begin(), robot_->maxJointSpeed.end())
+                            : kMostToolSpeed;
+    if (value < least * (1 - 1e-9) || value > most * (1 + 1e-9)) {
+        const auto shown = [&](double bound) {
+            return turns             ? format::degreesPerSecond(bound)
+                   : column == Blend ? format::shortLength(bound)
+                                     : format::speed(bound);
+        };
+        Q_EMIT editRefused(tr("%1 is outside %2 to %3.").arg(shown(value), shown(least), shown(most)));
         return false;
     }
     if (column == Blend) {
-        point.blend = *figure / kMmPerM;
+        point.blend = value;
         change(row, point, tr("Set the blend of “%1”").arg(point.name));
     } else {
-        (point.move == program::MoveKind::Joint ? point.jointSpeed : point.toolSpeed) =
-            point.move == program::MoveKind::Joint ? *figure / kDegPerRad : *figure / kMmPerM;
+        (turns ? point.jointSpeed : point.toolSpeed) = value;
         change(row, point, tr("Set the speed of “%1”").arg(point.name));
     }
     return true;

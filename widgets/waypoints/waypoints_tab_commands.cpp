@@ -13,6 +13,7 @@
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "widgets/common/format.h"
+#include "widgets/common/notation.h"
 #include "widgets/session/texts.h"
 #include "widgets/waypoints/notice_bar.h"
 #include "widgets/waypoints/session_store.h"
@@ -136,16 +137,14 @@ void WaypointsTab::touchUp() {
     }
     const Pose old = kinematics::forwardTcp(
         model_->robot().dh, model_->reach(row).ok() ? model_->reach(row).q : before.joints, before.tcpOffset);
-    const Eigen::Vector3d shift = state_.tcpPose.position - old.position;
+    const program::PoseDifference by = program::poseDifference(old, state_.tcpPose);
     const Vector6 turns = after->joints.values - before.joints.values;
     int joint = 0;
     turns.cwiseAbs().maxCoeff(&joint);
     const QString text =
         tr("The live place is %1 away (%2, base frame). Largest joint change: %3 %4.")
-            .arg(differenceText(program::poseDifference(old, state_.tcpPose)),
-                 QStringLiteral("ΔX %1 ΔY %2 ΔZ %3 mm")
-                     .arg(format::signedNumber(shift.x() * 1e3, 2), format::signedNumber(shift.y() * 1e3, 2),
-                          format::signedNumber(shift.z() * 1e3, 2)),
+            .arg(format::difference(by.distance, by.angle),
+                 format::shift(state_.tcpPose.position - old.position),
                  tr(kJointNames[static_cast<std::size_t>(joint)]), format::degrees(turns[joint], 1));
     notice_->show(NoticeBar::Kind::Question, tr("Touch up “%1”?").arg(before.name), text, tr("Touch up"),
                   [this, id = before.id, taught = *after] { replaceByTouchUp(id, taught); });

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Lengths, speeds and orientations in the units the operator chose: what is shown, and what is typed.
+
+#include <QApplication>
+#include <QLineEdit>
+#include <QTest>
+#include <QWheelEvent>
+
+#include "widgets/common/choice_box.h"
+#include "widgets/common/figure_box.h"
+#include "widgets/common/notation.h"
+#include "widgets/common/segmented_control.h"
+
+using namespace tiller;
+
+namespace {
+
+void turnWheel(QWidget& widget) {
+    const QPointF at = QRectF(widget.rect()).center();
+    QWheelEvent event(at, widget.mapToGlobal(at), QPoint(), QPoint(0, 120), Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&widget, &event);
+}
+
+}  // namespace
+
+class TestNotation : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { applyNotation(*qApp, {}); }
+    void cleanupTestCase() { applyNotation(*qApp, {}); }
+
+    void millimetresUnlessChosenOtherwise() {
+        QCOMPARE(format::length(0.2), QStringLiteral("200.00 mm"));
+        QCOMPARE(format::lengthNumber(-0.0124, 1, true), QStringLiteral("−12.4"));
+        QCOMPARE(format::shortLength(0.00005), QStringLiteral("0.05 mm"));
+        QCOMPARE(format::shortLength(0.0001), QStringLiteral("0.1 mm"));
+        QCOMPARE(format::shortLength(0.010), QStringLiteral("10 mm"));
+        QCOMPARE(format::shortLength(0.0025), QStringLiteral("2.5 mm"));
+        QCOMPARE(format::speed(0.25), QStringLiteral("250 mm/s"));
+        QCOMPARE(format::speed(0.0005), QStringLiteral("0.5 mm/s"));
+        QCOMPARE(format::speed(0.001), QStringLiteral("1 mm/s"));
+        QCOMPARE(format::metresPerUnit(), 0.001);
+    }
+
+    void inchesEverywhereOnceChosen() {
+        applyNotation(*qApp, {LengthUnit::Inches, RotationNotation::RollPitchYaw});
+        QCOMPARE(format::length(0.254), QStringLiteral("10.000 in"));
+        QCOMPARE(format::shortLength(0.00005), QStringLiteral("0.0020 in"));
+        QCOMPARE(format::shortLength(0.001), QStringLiteral("0.039 in"));
+        QCOMPARE(format::shortLength(0.010), QStringLiteral("0.39 in"));
+        QCOMPARE(format::speed(0.25), QStringLiteral("9.84 in/s"));
+        QCOMPARE(format::speed(0.001), QStringLiteral("0.039 in/s"));
+        QCOMPARE(format::speedUnit(), QStringLiteral("in/s"));
+        QCOMPARE(format::shift({0.0254, 0, -0.0508}), QStringLiteral("ΔX +1.000 ΔY 0.000 ΔZ −2.000 in"));
+        QCOMPARE(format::difference(0.0254, 0), QStringLiteral("1.00 in, 0.0°"));
+        QCOMPARE(format::metresPerUnit(), 0.0254);
+    }
+
+    void aPoseHasItsUnitsOnce() {
+        const Pose pose(0.12, 0.08, 0.15, 0, 0, 1.5707963267948966);
+        QCOMPARE(format::pose(pose),
+                 QStringLiteral("X 120.00 Y 80.00 Z 150.00 mm RX 0.00 RY 0.00 RZ 90.00°"));
+        applyNotation(*qApp, {LengthUnit::Millimetres, RotationNotation::RotationVector});
+        QCOMPARE(format::pose(pose),
+                 QStringLiteral("X 120.00 Y 80.00 Z 150.00 mm RX 0.0000 RY 0.0000 RZ 1.5708"));
+    }
+
+    void aFigureIsTypedWithEitherPointAndNeverByWheel() {
+        FigureBox box;
+        box.setRange(-1000, 1000);
+        box.setDecimals(2);
+        box.setSuffix(QStringLiteral(" mm"));
+        box.show();
+        QVERIFY(QTest::qWaitForWindowActive(&box));
+        int told = 0;
+        connect(&box, &FigureBox::valueChanged, &box, [&](double) { ++told; });
+        box.setFocus();
+        box.selectAll();
+        QTest::keyClicks(&box, "-12,5");
+        QCOMPARE(told, 0);  // not before it is finished
+        QTest::keyClick(&box, Qt::Key_Return);
+        QCOMPARE(box.value(), -12.5);
+        QCOMPARE(box.text(), QStringLiteral("-12.50 mm"));
+        turnWheel(box);
+        QCOMPARE(box.value(), -12.5);
+        QCOMPARE(told, 1);
+    }
+
+    void aChoiceIsNeverMadeByWheel() {
+        ChoiceBox box;
+        box.addItems({"Base", "tray", "table"});
+        box.show();
+        QVERIFY(QTest::qWaitForWindowActive(&box));
+        box.setFocus();
+        turnWheel(box);
+        QCOMPARE(box.currentIndex(), 0);
+    }
+
+    void aKeyWithOtherWordsHasAnotherName() {
+        SegmentedControl control({"1", "10 mm"});
+        control.setNames("step", "Step");
+        QCOMPARE(control.segment(1)->accessibleName(), QStringLiteral("Step: 10 mm"));
+        control.setText(1, "0.39 in");
+        QCOMPARE(control.segment(1)->accessibleName(), QStringLiteral("Step: 0.39 in"));
+    }
+};
+
+QTEST_MAIN(TestNotation)
+#include "tst_notation.moc"
