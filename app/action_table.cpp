@@ -26,13 +26,10 @@ void showObstacle(QAction& action, const QString& obstacle) {
 }  // namespace
 
 QList<QPair<QString, QString>> actionMenus() {
-    return {{"robot", tr("Robot")},
-            {"power", tr("Power and safety")},
-            {"control", tr("Control and programs")},
-            {"jog", tr("Jog")},
-            {"waypoint", tr("Waypoints")},
-            {"view", tr("View")},
-            {"app", tr("Program Tiller")}};
+    return {
+        {"robot", tr("Robot")}, {"power", tr("Power and safety")}, {"control", tr("Control and programs")},
+        {"jog", tr("Jog")},     {"waypoint", tr("Waypoints")},     {"frame", tr("Frames")},
+        {"view", tr("View")},   {"app", tr("Program Tiller")}};
 }
 
 ActionTable::ActionTable(QWidget& owner) : QObject(&owner), owner_(owner) {}
@@ -90,6 +87,12 @@ QString ActionTable::helpOf(const QAction& action) {
 
 QString ActionTable::obstacleOf(const QAction& action) {
     return action.property(kObstacle).toString();
+}
+
+bool ActionTable::share(const QAction& a, const QAction& b) {
+    const bool apart = a.shortcutContext() == Qt::WidgetWithChildrenShortcut &&
+                       b.shortcutContext() == Qt::WidgetWithChildrenShortcut && a.parent() != b.parent();
+    return !apart;
 }
 
 QKeySequence ActionTable::builtInShortcut(const QAction& action) {

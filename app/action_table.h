@@ -47,6 +47,8 @@ public:
     static QString helpOf(const QAction& action);
     /// Why the action cannot be done now, empty when it can.
     static QString obstacleOf(const QAction& action);
+    /// True when one key could mean both: not when each hears its key only in a tab of its own.
+    static bool share(const QAction& a, const QAction& b);
     /// The key it has as long as the operator chose no other.
     static QKeySequence builtInShortcut(const QAction& action);
     /// Gives every action its built-in key, or that of the map.

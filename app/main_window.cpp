@@ -19,6 +19,7 @@
 #include "widgets/common/icons.h"
 #include "widgets/common/panel.h"
 #include "widgets/common/theme.h"
+#include "widgets/frames/frames_tab.h"
 #include "widgets/io/io_tab.h"
 #include "widgets/jog/axis_jog.h"
 #include "widgets/jog/device_jog.h"
@@ -96,6 +97,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     scene_ = new SceneDock(*session_, this);
     plots_ = new PlotDock(*session_, this);
     waypoints_ = new WaypointsTab(*session_, this);
+    frames_ = new FramesTab(*session_, waypoints_->model(), this);
     io_ = new IoTab(*session_, this);
     log_ = new LogTab(*session_, this);
     status_ = new StatusLine(*session_, this);
@@ -184,12 +186,13 @@ void MainWindow::buildTabs() {
     auto* panel = new Panel(QString(), this);
     tabs_ = new QTabBar;
     tabs_->setObjectName("tabs");
-    tabs_->setAccessibleName(tr("Waypoints, I/O, Log"));
+    tabs_->setAccessibleName(tr("Waypoints, Frames, I/O, Log"));
     tabs_->setDrawBase(false);
     tabs_->setExpanding(false);
     pages_ = new QStackedWidget;
     for (const auto& [name, title, page] :
          {std::tuple<QString, QString, QWidget*>{"waypoints", tr("Waypoints"), waypoints_},
+          {"frames", tr("Frames"), frames_},
           {"io", tr("I/O"), io_},
           {"log", tr("Log"), log_}}) {
         tabs_->setTabData(tabs_->addTab(title), name);
@@ -201,7 +204,8 @@ void MainWindow::buildTabs() {
         stopMotion(control::StopCause::SelectionChanged);
         pages_->setCurrentIndex(index);
     });
-    tabsDock_ = dockFor(withMargins(panel, {0, kGap, kGap, 0}), "tabsDock", tr("Waypoints, I/O, Log"), this);
+    tabsDock_ =
+        dockFor(withMargins(panel, {0, kGap, kGap, 0}), "tabsDock", tr("Waypoints, Frames, I/O, Log"), this);
     addDockWidget(Qt::RightDockWidgetArea, tabsDock_);
 }
 
@@ -217,15 +221,7 @@ void MainWindow::connectParts() {
             [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
     connect(waypoints_, &WaypointsTab::ghostChanged, this, &MainWindow::updateScene);
     connect(waypoints_, &WaypointsTab::marksChanged, this, &MainWindow::updateScene);
-    const auto followFrames = [this] {
-        QVector<TaughtFrame> frames;
-        for (const program::Frame& frame : waypoints_->model().frames()) {
-            frames.append({frame.name, frame.T_base_frame});
-        }
-        jog_->setTaughtFrames(frames);
-    };
-    connect(&waypoints_->model(), &QAbstractItemModel::modelReset, this, followFrames);
-    followFrames();
+    connectFrames();
     const auto showFile = [this] {
         const SessionStore& store = waypoints_->store();
         status_->setSessionFile(QFileInfo(store.path()).fileName(), !store.isModified());
@@ -251,6 +247,31 @@ void MainWindow::connectParts() {
             stopMotion(control::StopCause::WindowDeactivated);
         }
     });
+}
+
+void MainWindow::connectFrames() {
+    connect(frames_, &FramesTab::message, this,
+            [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
+    const auto showMarks = [this] {
+        std::vector<SceneFrame> frames;
+        for (const FrameMark& mark : frames_->marks()) {
+            frames.push_back({mark.name, mark.T_base_frame, mark.selected});
+        }
+        scene_->view().setFrames(frames);
+    };
+    connect(frames_, &FramesTab::marksChanged, this, showMarks);
+    showMarks();
+    connect(frames_, &FramesTab::frontWanted, this, [this] { showTab("frames"); });
+    connect(frames_, &FramesTab::jogRequested, jog_, &JogColumn::chooseTaughtFrame);
+    const auto followFrames = [this] {
+        QVector<TaughtFrame> frames;
+        for (const program::Frame& frame : waypoints_->model().frames()) {
+            frames.append({frame.name, frame.T_base_frame, frame.id});
+        }
+        jog_->setTaughtFrames(frames);
+    };
+    connect(&waypoints_->model(), &WaypointModel::framesChanged, this, followFrames);
+    followFrames();
 }
 
 void MainWindow::connectDevices(const Clock& clock) {

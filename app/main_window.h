@@ -22,6 +22,7 @@ namespace tiller {
 class HeaderBar;
 class IoTab;
 class DeviceJog;
+class FramesTab;
 class JogColumn;
 class KeyboardJog;
 class LogTab;
@@ -49,6 +50,7 @@ public:
     RobotSession& session() { return *session_; }
     JogColumn& jogColumn() { return *jog_; }
     WaypointsTab& waypoints() { return *waypoints_; }
+    FramesTab& frames() { return *frames_; }
     DeviceJog& devices() { return *devices_; }
     /// Looks for gamepads and a SpaceMouse from now on.
     void lookForDevices();
@@ -71,7 +73,7 @@ public:
 
     int waypointCount() const;
     void selectWaypoint(int row);
-    /// For the demonstration and tests: "waypoints", "io", "log".
+    /// For the demonstration and tests: "waypoints", "frames", "io", "log".
     void showTab(const QString& name);
 
 protected:
@@ -96,6 +98,7 @@ private:
     void proportion();
     void connectParts();
     void followJog();
+    void connectFrames();
     void connectDevices(const Clock& clock);
     /// over  the window it stands in front of
     void showTrainer(QWidget* over);
@@ -113,6 +116,7 @@ private:
     SceneDock* scene_ = nullptr;
     PlotDock* plots_ = nullptr;
     WaypointsTab* waypoints_ = nullptr;
+    FramesTab* frames_ = nullptr;
     IoTab* io_ = nullptr;
     LogTab* log_ = nullptr;
     StatusLine* status_ = nullptr;

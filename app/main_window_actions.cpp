@@ -15,6 +15,7 @@
 #include "app/main_window.h"
 #include "app/settings_page.h"
 #include "widgets/common/theme.h"
+#include "widgets/frames/frames_tab.h"
 #include "widgets/jog/device_jog.h"
 #include "widgets/jog/jog_column.h"
 #include "widgets/session/stop_record.h"
@@ -68,6 +69,14 @@ void MainWindow::buildActions() {
     addViewActions();
     for (QAction* action : waypoints_->commandActions()) {
         actions_->adopt("waypoint", action);
+        // One history for waypoints and frames.
+        if (action->objectName() == "waypoint.action.undo" ||
+            action->objectName() == "waypoint.action.redo") {
+            frames_->addAction(action);
+        }
+    }
+    for (QAction* action : frames_->commandActions()) {
+        actions_->adopt("frame", action);
     }
     connect(session_.get(), &RobotSession::stateChanged, actions_, &ActionTable::applyState);
     actions_->applyState(session_->state());
@@ -264,6 +273,7 @@ void MainWindow::addControlActions() {
 void MainWindow::addViewActions() {
     int number = Qt::Key_1;
     for (const auto& [name, title] : {std::pair<QString, QString>{"waypoints", tr("Show waypoints")},
+                                      {"frames", tr("Show frames")},
                                       {"io", tr("Show I/O")},
                                       {"log", tr("Show log")}}) {
         actions_->add({"view." + name, title, tr("Brings this tab to the front."),
@@ -369,6 +379,7 @@ void MainWindow::applyPreferences(const Preferences& preferences) {
     }
     if (preferences.notation != Notation::current()) {
         applyNotation(*qApp, preferences.notation);
+        nameJogActions();
     }
     if (preferences.speedCap != session_->limits().tcpSpeed) {
         session_->setSpeedCap(preferences.speedCap);
@@ -379,7 +390,6 @@ void MainWindow::applyPreferences(const Preferences& preferences) {
     // A copy: whoever hears of it may write into the original.
     const QMap<QString, DeviceTuning> tunings = preferences.devices;
     for (auto it = tunings.constBegin(); it != tunings.constEnd(); ++it) {
-        nameJogActions();
         devices_->tune(it.key(), *it);
     }
     actions_->setShortcuts(preferences.shortcuts);

@@ -257,16 +257,17 @@ bool SettingsPage::setShortcut(const QString& id, const QKeySequence& keys) {
             return false;
         }
     }
+    const QAction* action = actions_.find(id);
+    if (action == nullptr) {
+        return false;
+    }
     for (const QAction* other : actions_.all()) {
-        if (other->objectName() != id && !keys.isEmpty() && other->shortcut() == keys) {
+        if (other != action && !keys.isEmpty() && other->shortcut() == keys &&
+            ActionTable::share(*action, *other)) {
             hint_->setText(tr("%1 belongs to \"%2\". Take it away there first.")
                                .arg(keys.toString(QKeySequence::NativeText), plain(*other)));
             return false;
         }
-    }
-    const QAction* action = actions_.find(id);
-    if (action == nullptr) {
-        return false;
     }
     if (keys == ActionTable::builtInShortcut(*action)) {
         preferences_.shortcuts.remove(id);

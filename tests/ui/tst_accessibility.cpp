@@ -260,15 +260,17 @@ private Q_SLOTS:
     void everyFunctionIsACommandWithANameAndHelp() {
         Bench bench;
         QSet<QString> names;
-        QSet<QString> shortcuts;
         for (const QAction* action : bench.window.actions().all()) {
             QVERIFY2(!action->objectName().isEmpty() && !action->text().isEmpty(),
                      qPrintable(action->text()));
             QVERIFY2(!names.contains(action->objectName()), qPrintable(action->objectName()));
             names.insert(action->objectName());
-            const QString keys = action->shortcut().toString();
-            QVERIFY2(keys.isEmpty() || !shortcuts.contains(keys), qPrintable(keys + " twice"));
-            shortcuts.insert(keys);
+            for (const QAction* other : bench.window.actions().all()) {
+                QVERIFY2(other == action || action->shortcut().isEmpty() ||
+                             other->shortcut() != action->shortcut() ||
+                             !app::ActionTable::share(*action, *other),
+                         qPrintable(action->shortcut().toString() + " twice"));
+            }
         }
         QVERIFY(names.size() > 30);
         const QString help = bench.window.actions().helpText();

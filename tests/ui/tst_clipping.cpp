@@ -19,6 +19,7 @@
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/density.h"
 #include "widgets/common/theme.h"
+#include "widgets/frames/frames_tab.h"
 #include "widgets/jog/device_jog.h"
 #include "widgets/status/preflight_page.h"
 #include "widgets/waypoints/waypoints_tab.h"
@@ -115,6 +116,13 @@ private:
                                 .arg(window.width())
                                 .arg(window.height())));
     }
+    static void lookAtWindow(Bench& bench, const char* what) {
+        bench.cell.advanceMs(50);
+        QTest::qWait(50);
+        keepPicture(bench.window, QStringLiteral("window-%1-%2").arg(what, densityName()));
+        const QStringList found = clipped(bench.window);
+        QVERIFY2(found.isEmpty(), qPrintable(QLatin1String(what) + ":\n" + found.join('\n')));
+    }
     static void densities() {
         QTest::addColumn<bool>("named");
         QTest::newRow("mouse") << true;
@@ -149,14 +157,15 @@ private Q_SLOTS:
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         bench.window.waypoints().teach();
         bench.cell.advanceMs(300);
-        for (const char* tab : {"waypoints", "io", "log"}) {
+        bench.window.frames().teachFromTcp();
+        for (const char* tab : {"waypoints", "frames", "io", "log"}) {
             bench.window.showTab(tab);
-            bench.cell.advanceMs(50);
-            QTest::qWait(50);
-            keepPicture(bench.window, QStringLiteral("window-%1-%2").arg(tab, densityName()));
-            const QStringList found = clipped(bench.window);
-            QVERIFY2(found.isEmpty(), qPrintable(QLatin1String(tab) + ":\n" + found.join('\n')));
+            lookAtWindow(bench, tab);
         }
+        bench.window.actions().find("frame.action.touchUp")->trigger();
+        lookAtWindow(bench, "frames-question");
+        bench.window.actions().find("frame.action.threePoints")->trigger();
+        lookAtWindow(bench, "frames-teaching");
     }
 
     void noDialogIsCutOff_data() { densities(); }

@@ -29,6 +29,7 @@ namespace {
 
 constexpr int kMargin = 12;
 constexpr int kTaughtSegment = 3;
+constexpr int kLongestName = 84;  // [px] of a frame, on its key
 constexpr int kRefusalShownMs = 6000;
 constexpr int kLookMs = 40;
 /// Below this height of the column the joints move into a tab.
@@ -97,8 +98,8 @@ JogColumn::JogColumn(JogPort port, QWidget* parent) : Panel(tr("Jog"), parent), 
     connect(lookTimer, &QTimer::timeout, this, &JogColumn::lookAround);
     lookTimer->start();
     showFrames();
-    arrange();
     showMotionTexts();
+    arrange();
     applyState(SessionState());
 }
 
@@ -171,11 +172,7 @@ void JogColumn::connectSelectors() {
         stopMotion(StopCause::SelectionChanged);
         QMenu menu(this);
         for (const TaughtFrame& taught : frames_) {
-            menu.addAction(taught.name, this, [this, taught] {
-                stopMotion(StopCause::SelectionChanged);
-                selection_.taught = taught;
-                showFrames();
-            });
+            menu.addAction(taught.name, this, [this, id = taught.id] { chooseTaughtFrame(id); });
         }
         const QWidget* key = frame_->segment(kTaughtSegment);
         menu.exec(key->mapToGlobal(QPoint(0, key->height())));
@@ -196,12 +193,14 @@ void JogColumn::showFrames() {
         static_cast<int>(FrameChoice::View), hasView_,
         hasView_ ? tr("Axes of the picture: X right, Y away from you, Z up") : tr("Needs the 3D view"));
     const bool any = !frames_.isEmpty();
-    QString name = any ? (selection_.taught ? selection_.taught->name : frames_.first().name) : tr("Frame");
-    if (frames_.size() > 1) {
-        name += QStringLiteral(" ▾");
-    }
-    frame_->setText(kTaughtSegment, name);
-    frame_->setSegmentEnabled(kTaughtSegment, any, any ? QString() : tr("No frame taught yet"));
+    const QString name =
+        any ? (selection_.taught ? selection_.taught->name : frames_.first().name) : tr("Frame");
+    // A name may be longer than a key.
+    const QString shown =
+        QFontMetrics(textFont(15, QFont::Bold)).elidedText(name, Qt::ElideRight, kLongestName);
+    frame_->setText(kTaughtSegment, frames_.size() > 1 ? shown + QStringLiteral(" ▾") : shown);
+    frame_->setSegmentEnabled(kTaughtSegment, any,
+                              any ? name : tr("No frame taught yet. Teach one in the tab Frames."));
 }
 
 void JogColumn::setViewRotation(const Eigen::Matrix3d& R_base_view) {
@@ -222,7 +221,8 @@ void JogColumn::setTaughtFrames(const QVector<TaughtFrame>& frames) {
     frames_ = frames;
     const TaughtFrame* same = nullptr;
     for (const TaughtFrame& taught : frames_) {
-        if (selection_.taught && taught.name == selection_.taught->name) {
+        // By its id: a frame with another name is the same frame.
+        if (selection_.taught && taught.id == selection_.taught->id) {
             same = &taught;
         }
     }
@@ -235,6 +235,18 @@ void JogColumn::setTaughtFrames(const QVector<TaughtFrame>& frames) {
         }
     }
     showFrames();
+}
+
+void JogColumn::chooseTaughtFrame(const QUuid& frame) {
+    for (const TaughtFrame& taught : frames_) {
+        if (taught.id == frame) {
+            stopMotion(StopCause::SelectionChanged);
+            selection_.taught = taught;
+            frame_->setCurrentIndex(kTaughtSegment);
+            showFrames();
+            return;
+        }
+    }
 }
 
 void JogColumn::setSpeedClass(int index) {

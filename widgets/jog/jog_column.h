@@ -57,6 +57,8 @@ public:
     void setViewRotation(const Eigen::Matrix3d& R_base_view);
     /// The frames the fourth key of "Frame" offers.
     void setTaughtFrames(const QVector<TaughtFrame>& frames);
+    /// Chooses one of them, as the fourth key of "Frame" does; ends the motion of a held key.
+    void chooseTaughtFrame(const QUuid& frame);
     void setHome(const JointPositions& home) { home_ = home; }
     /// A TCP speed entered by hand [m/s]; turns and joints in proportion.
     void setFreeSpeed(double tcpSpeed);
@@ -102,9 +104,9 @@ Q_SIGNALS:
     void ghostGone();
 
 protected:
+    void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     using Begin = std::function<Result<RobotSession::MotionId>()>;

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <QString>
+#include <QUuid>
 #include <array>
 #include <optional>
 
@@ -53,6 +54,7 @@ inline constexpr SpeedClass kContactSpeed{0.020, 0.0523598775598, 0.017453292519
 struct TaughtFrame {
     QString name;
     Pose T_base_frame;
+    QUuid id = {};
 };
 
 /// Everything the selectors of the jog column say.

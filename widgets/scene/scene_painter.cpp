@@ -209,6 +209,14 @@ void ScenePainter::marker(const Eigen::Vector3d& position, const QString& name, 
     painter_.setPen(QPen(selected ? theme_.moving : theme_.secondary, selected ? 2 : 1.4));
     painter_.setBrush(theme_.panel);
     painter_.drawEllipse(at.point, selected ? 4.5 : 3.5, selected ? 4.5 : 3.5);
+    caption(position, name, selected);
+}
+
+void ScenePainter::caption(const Eigen::Vector3d& position, const QString& name, bool selected) {
+    const auto at = camera_.project(position);
+    if (!at.visible()) {
+        return;
+    }
     painter_.setFont(textFont(14));
     label(QRectF(at.point.x() - 110, at.point.y() + 8, 220, 22), Qt::AlignHCenter | Qt::AlignTop, name,
           selected ? theme_.text : theme_.secondary);

@@ -40,6 +40,8 @@ public:
     void axes(const Eigen::Isometry3d& T_base_frame, double length, bool greyed);
     /// A point with its name below.
     void marker(const Eigen::Vector3d& position, const QString& name, bool selected);
+    /// A name below a place.
+    void caption(const Eigen::Vector3d& position, const QString& name, bool selected);
     /// An arrow beside the tool; end on, a ring with a dot (towards the eye) or a cross (away).
     void arrow(const Eigen::Vector3d& tcp, const Eigen::Vector3d& direction, double reach,
                const QColor& color, const QString& name);

@@ -103,6 +103,11 @@ void SceneView::setWaypoints(const std::vector<SceneWaypoint>& waypoints) {
     changed();
 }
 
+void SceneView::setFrames(const std::vector<SceneFrame>& frames) {
+    frames_ = frames;
+    changed();
+}
+
 void SceneView::setJogDirection(const std::optional<SceneJog>& jog) {
     jog_ = jog;
     changed();
@@ -219,6 +224,10 @@ void SceneView::paintScene(QPainter& painter, const QSizeF& size) {
             scene.arrow(T_base_tcp.translation(), jog_->direction, reach, theme.axis(jog_->axis),
                         jog_->label);
         }
+    }
+    for (const SceneFrame& frame : frames_) {
+        scene.axes(frame.T_base_frame.transform(), 0.07 * reach / 0.85, !frame.selected);
+        scene.caption(frame.T_base_frame.position, frame.name, frame.selected);
     }
     for (const SceneWaypoint& waypoint : waypoints_) {
         scene.marker(waypoint.position, waypoint.name, waypoint.selected);

@@ -36,6 +36,13 @@ struct SceneWaypoint {
     bool selected = false;
 };
 
+/// A taught frame, or one that would be made now.
+struct SceneFrame {
+    QString name;
+    Pose T_base_frame;
+    bool selected = false;  ///< in colours; the others grey
+};
+
 /// A jog under way, for the arrow at the tool.
 struct SceneJog {
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< in the base frame, any length
@@ -55,6 +62,8 @@ public:
     void setTcpOffset(const Pose& offset);
     void setGhost(const std::optional<SceneGhost>& ghost);
     void setWaypoints(const std::vector<SceneWaypoint>& waypoints);
+    void setFrames(const std::vector<SceneFrame>& frames);
+    const std::vector<SceneFrame>& frames() const { return frames_; }
     void setJogDirection(const std::optional<SceneJog>& jog);
     /// Greyed; with a word in the middle unless it is empty.
     void setStale(bool stale, const QString& word = {});
@@ -113,6 +122,7 @@ private:
     std::vector<Eigen::Vector3d> ghostPath_;
     QString ghostText_;
     std::vector<SceneWaypoint> waypoints_;
+    std::vector<SceneFrame> frames_;
     std::optional<SceneJog> jog_;
     std::deque<TracePoint> trace_;
     bool haveJoints_ = false;

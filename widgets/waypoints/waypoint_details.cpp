@@ -1,46 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/waypoints/waypoint_details.h"
 
+#include <QAbstractItemView>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QStringList>
 #include <QVBoxLayout>
-#include <numbers>
 
 #include "robot/kinematics/arm_kinematics.h"
+#include "widgets/common/choice_box.h"
 #include "widgets/common/elided_label.h"
-#include "widgets/common/format.h"
 #include "widgets/common/notation.h"
 #include "widgets/common/theme.h"
 #include "widgets/waypoints/waypoint_model.h"
 
 namespace tiller {
 
-QString poseText(const Pose& pose) {
-    std::array<QString, 3> turns = format::rotation(pose.rotation);
-    if (turns[2].endsWith(QChar(0xB0))) {
-        turns[0].chop(1);  // the unit once, at the end
-        turns[1].chop(1);
-    }
-    return QStringLiteral("X %1 Y %2 Z %3 %4 RX %5 RY %6 RZ %7")
-        .arg(format::lengthNumber(pose.position.x(), 2, false),
-             format::lengthNumber(pose.position.y(), 2, false),
-             format::lengthNumber(pose.position.z(), 2, false), format::lengthUnit(), turns[0], turns[1],
-             turns[2]);
-}
-
-QString differenceText(const program::PoseDifference& difference) {
-    constexpr double kDegPerRad = 180.0 / std::numbers::pi;
-    return QStringLiteral("%1, %2°").arg(format::length(difference.distance, 1),
-                                         format::number(difference.angle * kDegPerRad, 1));
-}
-
-WaypointDetails::WaypointDetails(const WaypointModel& model, QWidget* parent)
+WaypointDetails::WaypointDetails(WaypointModel& model, QWidget* parent)
     : QWidget(parent)
     , model_(model)
     , name_(new QLabel)
     , facts_(new ElidedLabel)
+    , frame_(new ChoiceBox)
     , pose_(new ElidedLabel)
     , advice_(new ElidedLabel) {
     setObjectName(QStringLiteral("waypoint.details"));
@@ -56,10 +39,23 @@ WaypointDetails::WaypointDetails(const WaypointModel& model, QWidget* parent)
     advice_->setObjectName(QStringLiteral("waypoint.details.advice"));
     advice_->setProperty("role", "warning");
 
+    frame_->setObjectName(QStringLiteral("waypoint.details.frame"));
+    frame_->setAccessibleName(tr("Frame of the waypoint"));
+    frame_->view()->setAccessibleName(tr("Frames"));
+    frame_->setToolTip(
+        tr("The frame it is given in and moves with. The place stays where it is. —: the joints rule"));
+    frame_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    frame_->setMinimumContentsLength(5);
+    connect(frame_, &QComboBox::activated, this, [this](int choice) {
+        model_.setData(model_.index(row_, WaypointModel::Frame), frame_->itemText(choice), Qt::EditRole);
+        refresh();
+    });
+
     auto* headline = new QHBoxLayout;
     headline->setSpacing(6);
     headline->addWidget(name_);
     headline->addWidget(facts_, 1);
+    headline->addWidget(frame_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(12, 12, 12, 12);
     layout->setSpacing(6);
@@ -97,6 +93,7 @@ void WaypointDetails::refresh() {
     name_->setVisible(shown);
     facts_->setVisible(shown);
     pose_->setVisible(shown);
+    frame_->setVisible(shown);
     advice_->setVisible(shown && !model_.reach(row_).ok());
     if (!shown) {
         return;
@@ -112,18 +109,40 @@ void WaypointDetails::refresh() {
         facts << (*usedIn_ == 1 ? tr("used in 1 step") : tr("used in %1 steps").arg(*usedIn_));
     }
     if (live_.hasData() && place) {
-        facts << tr("%1 from the live pose")
-                     .arg(differenceText(program::poseDifference(*place, live_.tcpPose)));
+        const program::PoseDifference away = program::poseDifference(*place, live_.tcpPose);
+        facts << tr("%1 from the live pose").arg(format::difference(away.distance, away.angle));
     } else {
         facts << (joints ? tr("joints rule") : tr("pose rules"));
     }
     name_->setText(point.name);
+    showFrame();
     facts_->setFullText(facts.join(QStringLiteral(" · ")));
-    pose_->setFullText(poseText(joints && place ? *place : point.pose));
+    pose_->setFullText(format::pose(joints && place ? *place : point.pose));
     advice_->setFullText(model_.reach(row_).ok()
                              ? QString()
                              : QStringLiteral("✕ ") + WaypointModel::reachAdvice(model_.reach(row_)));
     setAccessibleDescription(headline() + QStringLiteral(", ") + poseLine());
+}
+
+void WaypointDetails::showFrame() {
+    const QStringList choices = model_.frameChoices();
+    QStringList offered;
+    for (int i = 0; i < frame_->count(); ++i) {
+        offered << frame_->itemText(i);
+    }
+    if (choices != offered) {
+        frame_->clear();
+        frame_->addItems(choices);
+    }
+    const QString now = model_.index(row_, WaypointModel::Frame).data(Qt::EditRole).toString();
+    frame_->setCurrentIndex(static_cast<int>(choices.indexOf(now)));
+}
+
+void WaypointDetails::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::StyleChange && advice_ != nullptr) {
+        refresh();
+    }
+    QWidget::changeEvent(event);
 }
 
 void WaypointDetails::paintEvent(QPaintEvent*) {

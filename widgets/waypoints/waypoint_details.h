@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The lower end of the tab: the selected waypoint in figures, and how far it is from where the arm stands.
+// The lower end of the tab: the selected waypoint in figures, how far it is from where the arm stands, and
+// the frame it is given in, which can be chosen here.
 
 #include <QWidget>
 #include <optional>
@@ -13,6 +14,7 @@ class QLabel;
 
 namespace tiller {
 
+class ChoiceBox;
 class ElidedLabel;
 class WaypointModel;
 
@@ -20,7 +22,7 @@ class WaypointDetails : public QWidget {
     Q_OBJECT
 
 public:
-    explicit WaypointDetails(const WaypointModel& model, QWidget* parent = nullptr);
+    explicit WaypointDetails(WaypointModel& model, QWidget* parent = nullptr);
 
     /// row  -1 for none
     void setWaypoint(int row);
@@ -33,23 +35,21 @@ public:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
 private:
     void refresh();
+    void showFrame();
 
-    const WaypointModel& model_;
+    WaypointModel& model_;
     int row_ = -1;
     std::optional<int> usedIn_;
     SessionState live_;
     QLabel* name_;
     ElidedLabel* facts_;
+    ChoiceBox* frame_;
     ElidedLabel* pose_;
     ElidedLabel* advice_;
 };
-
-/// "X 120.00 Y 80.00 Z 150.00 mm  RX 180.00 RY 0.00 RZ 0.00°"
-QString poseText(const Pose& pose);
-/// "61.2 mm, 4.1°"
-QString differenceText(const program::PoseDifference& difference);
 
 }  // namespace tiller

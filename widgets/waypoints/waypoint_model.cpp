@@ -36,6 +36,7 @@ void WaypointModel::setDocument(program::SessionDocument document) {
     refreshReach();
     endResetModel();
     undo_.clear();
+    Q_EMIT framesChanged();
     Q_EMIT documentChanged();
 }
 
@@ -169,6 +170,16 @@ void WaypointModel::reorderRaw(const QVector<QUuid>& order) {
     }
     changePersistentIndexList(before, after);
     Q_EMIT layoutChanged({}, VerticalSortHint);
+    Q_EMIT documentChanged();
+}
+
+void WaypointModel::setFramesRaw(const program::FrameList& frames) {
+    document_.frames = frames;
+    refreshReach();
+    if (rowCount() > 0) {
+        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+    }
+    Q_EMIT framesChanged();
     Q_EMIT documentChanged();
 }
 

@@ -56,6 +56,8 @@ public:
     program::Waypoint takeRaw(int row);
     void replaceRaw(int row, const program::Waypoint& waypoint);
     void reorderRaw(const QVector<QUuid>& order);
+    /// Every waypoint's frame must be among them.
+    void setFramesRaw(const program::FrameList& frames);
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
@@ -74,6 +76,8 @@ public:
 Q_SIGNALS:
     /// Anything in the document is different now.
     void documentChanged();
+    /// The frames are others, or stand elsewhere.
+    void framesChanged();
     /// Rows that were added or put back, to select them.
     void rowsAppeared(int first, int last);
     /// An edit was refused, and why.

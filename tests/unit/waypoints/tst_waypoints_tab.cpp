@@ -2,6 +2,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -11,7 +12,7 @@
 #include <memory>
 #include <vector>
 
-#include "robot/kinematics/arm_kinematics.h"
+#include "tests/support/live_state.h"
 #include "widgets/common/hold_button.h"
 #include "widgets/common/theme.h"
 #include "widgets/waypoints/notice_bar.h"
@@ -22,11 +23,10 @@
 #include "widgets/waypoints/waypoints_tab.h"
 
 using namespace tiller;
+using namespace tiller::test;
 using control::StopCause;
 
 namespace {
-
-const JointPositions kStart(-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310);
 
 /// Stands in for the arm: counts what the tab asks of it.
 struct FakeArm {
@@ -56,24 +56,6 @@ struct FakeArm {
         };
     }
 };
-
-SessionState liveState(const JointPositions& q = kStart) {
-    SessionState state;
-    state.link = LinkState::Live;
-    state.control = ControlState::InControl;
-    state.robotMode = RobotMode::Running;
-    state.safetyMode = SafetyMode::Normal;
-    state.sequence = 1;
-    state.q = q;
-    state.tcpPose = kinematics::forwardTcp(robotModel(RobotModelId::UR5e).dh, q);
-    return state;
-}
-
-JointPositions moved(int joint, double by) {
-    JointPositions q = kStart;
-    q[joint] += by;
-    return q;
-}
 
 }  // namespace
 
@@ -376,6 +358,33 @@ private Q_SLOTS:
         QTRY_VERIFY2(details->headline().contains("61.2 mm"), qPrintable(details->headline()));
         QVERIFY(details->headline().startsWith("waypoint 1"));
         QVERIFY(details->poseLine().contains("RX"));
+    }
+
+    void theFrameIsChosenInTheDetailsAndThePlaceStays() {
+        program::SessionDocument document;
+        program::Frame tray;
+        tray.id = QUuid::createUuid();
+        tray.name = "tray";
+        tray.T_base_frame = Pose(0.3, -0.2, 0.1, 0, 0, 0.7);
+        document.frames.append(tray);
+        model().setDocument(document);
+        feed(liveState());
+        tab_->teach();
+        auto* frame = tab_->findChild<QComboBox*>("waypoint.details.frame");
+        QVERIFY(frame->isVisible());
+        QCOMPARE(frame->currentText(), QStringLiteral("—"));
+        frame->setFocus();
+        QTest::keyClick(frame, Qt::Key_Down);
+        QTest::keyClick(frame, Qt::Key_Down);
+        QCOMPARE(frame->currentText(), QStringLiteral("tray"));
+        const program::Waypoint& point = model().waypoints().at(0);
+        QCOMPARE(point.frame, tray.id);
+        QVERIFY(point.ruling == program::Ruling::Pose);
+        const Pose place = *program::poseInBase(point, model().frames());
+        QVERIFY(program::poseDifference(place, liveState().tcpPose).distance < 1e-9);
+        model().undoStack().undo();
+        model().undoStack().undo();
+        QCOMPARE(frame->currentText(), QStringLiteral("—"));
     }
 
     void damagedSessionIsNamedAndWhatIsLeftIsOffered() {

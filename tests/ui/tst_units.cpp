@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The units chosen in the settings hold in every place of the window that shows or takes a length.
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAction>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QRegularExpression>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTableWidget>
+#include <QTest>
+
+#include "app/action_table.h"
+#include "app/settings_page.h"
+#include "resources/resources.h"
+#include "tests/support/pictures.h"
+#include "tests/support/window_bench.h"
+#include "tests/ui/jog_fixture.h"
+#include "widgets/common/elided_label.h"
+#include "widgets/common/notation.h"
+#include "widgets/common/state_chip.h"
+#include "widgets/frames/frame_details.h"
+#include "widgets/frames/frame_model.h"
+#include "widgets/frames/frames_tab.h"
+#include "widgets/jog/jog_pad.h"
+#include "widgets/jog/limiter_line.h"
+#include "widgets/jog/pose_view.h"
+#include "widgets/plots/plot_dock.h"
+#include "widgets/status/preflight_page.h"
+#include "widgets/status/recovery_page.h"
+#include "widgets/waypoints/waypoint_model.h"
+#include "widgets/waypoints/waypoints_tab.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+namespace {
+
+struct Bench : WindowBench {
+    Bench() { show(QSize(1600, 900)); }
+    /// As a hand does: the list on the settings page.
+    void choose(const char* list, Qt::Key arrow) {
+        QTest::keyClick(&window, Qt::Key_Comma, Qt::ControlModifier);
+        auto* page = window.findChild<app::SettingsPage*>();
+        auto* box = page->findChild<QComboBox*>(QLatin1String(list));
+        box->setFocus(Qt::TabFocusReason);
+        QTest::keyClick(box, arrow);
+        page->close();
+        QTRY_VERIFY(window.findChild<app::SettingsPage*>() == nullptr);
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        cell.advanceMs(100);
+    }
+};
+
+/// What a person reads or hears at a widget.
+QStringList wordsOf(const QWidget& widget) {
+    QStringList words = {widget.toolTip(), widget.accessibleName(), widget.accessibleDescription()};
+    if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
+        words << label->text();
+    }
+    if (const auto* label = qobject_cast<const ElidedLabel*>(&widget)) {
+        words << label->fullText();
+    }
+    if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) {
+        words << button->text();
+    }
+    if (const auto* box = qobject_cast<const QDoubleSpinBox*>(&widget)) {
+        words << box->text();
+    }
+    if (const auto* chip = qobject_cast<const StateChip*>(&widget)) {
+        words << chip->text();
+    }
+    if (const auto* table = qobject_cast<const QTableView*>(&widget)) {
+        // The log is a record: it keeps what was written.
+        const QAbstractItemModel* model = table->objectName() == "log.table" ? nullptr : table->model();
+        for (int column = 0; model != nullptr && column < model->columnCount(); ++column) {
+            words << model->headerData(column, Qt::Horizontal).toString();
+            for (int row = 0; row < model->rowCount(); ++row) {
+                words << model->index(row, column).data().toString();
+            }
+        }
+    }
+    return words;
+}
+
+const QRegularExpression kMillimetres(QStringLiteral(R"(\bmm\b)"));
+/// "in" is a word too: only behind a figure, or at the end of a column's heading.
+const QRegularExpression kInches(QStringLiteral(R"(\d\s?in(/s)?(?![a-z/])|^(Blend|Origin|TCP) in$)"));
+
+/// Every text of the window that names the unit; plots stay as they are.
+QStringList figuresIn(const QRegularExpression& figure, const QWidget& root) {
+    const auto* plots = root.findChild<PlotDock*>();
+    QStringList found;
+    for (const QWidget* widget : root.findChildren<QWidget*>()) {
+        // What is dated keeps what was written, as the log does.
+        if (plots != nullptr &&
+            (widget == plots || plots->isAncestorOf(widget) || widget->objectName() == "lastMessage")) {
+            continue;
+        }
+        for (const QString& words : wordsOf(*widget)) {
+            if (words.contains(figure)) {
+                found << QStringLiteral("%1 \"%2\": %3")
+                             .arg(QLatin1String(widget->metaObject()->className()), widget->objectName(),
+                                  words);
+            }
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+class TestUnits : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { initResources(); }
+    void init() { applyNotation(*qApp, {}); }
+    void cleanupTestCase() { applyNotation(*qApp, {}); }
+
+    void everyPlaceFollowsTheChoice() {
+        Bench bench;
+        app::MainWindow& window = bench.window;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        driveKeys(bench.cell, window.jogColumn().holdKeys());
+        window.waypoints().teach();
+        WaypointModel& waypoints = window.waypoints().model();
+        QVERIFY(waypoints.setData(waypoints.index(0, WaypointModel::Move), "L", Qt::EditRole));
+        QVERIFY(waypoints.setData(waypoints.index(0, WaypointModel::Blend), "5", Qt::EditRole));
+        window.frames().teachFromTcp();
+        auto* key = window.findChild<HoldButton*>("jog.X+");
+        press(*key);
+        bench.cell.advanceMs(400);
+        release(*key);
+        bench.cell.advanceMs(800);
+        for (int look = 0; look < 24; ++look) {
+            window.jogColumn().lookAround();
+        }
+        QTest::qWait(120);  // the panes are refreshed ten times a second
+
+        // Whoever is here in millimetres has to be here in inches.
+        const QStringList metric = figuresIn(kMillimetres, window);
+        for (const char* place : {"lastStopChip", "jogMotion.1", "jogMotion.3", "jogSpeed.0", "jogSpeed.4",
+                                  "waypoint.table", "waypoint.details.pose", "waypoint.details.facts",
+                                  "frame.table", "frame.details.x", "frame.details.facts", "jog.Z+"}) {
+            const QString quoted = QStringLiteral("\"%1\"").arg(QLatin1String(place));
+            QVERIFY2(metric.filter(quoted).size() > 0, qPrintable(quoted + " shows no length"));
+        }
+        QVERIFY(figuresIn(kInches, window).isEmpty());
+
+        bench.choose("settings.lengths", Qt::Key_Down);
+        QCOMPARE(Notation::current().length, LengthUnit::Inches);
+        for (int look = 0; look < 24; ++look) {
+            window.jogColumn().lookAround();
+        }
+        QTest::qWait(120);
+        const QStringList left = figuresIn(kMillimetres, window);
+        QVERIFY2(left.isEmpty(), qPrintable(left.join('\n')));
+        const QStringList imperial = figuresIn(kInches, window);
+        for (const char* place : {"lastStopChip", "jogMotion.1", "jogMotion.3", "jogSpeed.0", "jogSpeed.4",
+                                  "waypoint.table", "waypoint.details.pose", "waypoint.details.facts",
+                                  "frame.table", "frame.details.x", "frame.details.facts", "jog.Z+"}) {
+            const QString quoted = QStringLiteral("\"%1\"").arg(QLatin1String(place));
+            QVERIFY2(imperial.filter(quoted).size() > 0, qPrintable(quoted + " has no inches"));
+        }
+        keepPicture(window, "units-inches");
+        // Painted, not written: asked for by name.
+        QVERIFY(window.findChild<LimiterLine*>()->quietText().endsWith(" in"));
+        auto* pose = window.findChild<PoseView*>();
+        const double x = window.session().state().tcpPose.position.x();
+        QCOMPARE(pose->positionText(0), format::lengthNumber(x, 2, true));
+        QCOMPARE(waypoints.index(0, WaypointModel::Speed).data().toString(), QStringLiteral("9.84 in/s"));
+        for (const QAction* action : window.actions().all()) {
+            QVERIFY2(!action->text().contains(kMillimetres), qPrintable(action->text()));
+        }
+        QCOMPARE(window.actions().find("jog.speed.2")->text(), QStringLiteral("Jog speed 1.97 in/s"));
+
+        bench.choose("settings.lengths", Qt::Key_Up);
+        for (int look = 0; look < 24; ++look) {
+            window.jogColumn().lookAround();
+        }
+        QTest::qWait(120);
+        QVERIFY(figuresIn(kInches, window).isEmpty());
+        QCOMPARE(window.actions().find("jog.speed.2")->text(), QStringLiteral("Jog speed 50 mm/s"));
+    }
+
+    void whatIsTypedIsInTheUnitToo() {
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.window.waypoints().teach();
+        WaypointModel& model = bench.window.waypoints().model();
+        QVERIFY(model.setData(model.index(0, WaypointModel::Move), "L", Qt::EditRole));
+        bench.choose("settings.lengths", Qt::Key_Down);
+        QVERIFY(model.setData(model.index(0, WaypointModel::Speed), "10", Qt::EditRole));
+        QVERIFY(std::abs(model.waypoints().at(0).toolSpeed - 0.254) < 1e-12);
+        QVERIFY(model.setData(model.index(0, WaypointModel::Blend), "0.5 in", Qt::EditRole));
+        QVERIFY(std::abs(model.waypoints().at(0).blend - 0.0127) < 1e-12);
+        QSignalSpy refused(&model, &WaypointModel::editRefused);
+        QVERIFY(!model.setData(model.index(0, WaypointModel::Speed), "50", Qt::EditRole));
+        QVERIFY2(refused[0][0].toString().contains("39.37 in/s"), qPrintable(refused[0][0].toString()));
+        // What was not typed keeps its digits: opening the editor and closing it is no edit.
+        const int steps = model.undoStack().count();
+        const QString shown = model.index(0, WaypointModel::Speed).data(Qt::EditRole).toString();
+        QVERIFY(model.setData(model.index(0, WaypointModel::Speed), shown, Qt::EditRole));
+        QCOMPARE(model.undoStack().count(), steps);
+    }
+
+    void pagesFollowToo() {
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.cell.robot.protectiveStop();
+        bench.cell.advanceMs(300);
+        bench.window.actions().find("power.recover")->trigger();
+        auto* recovery = bench.window.findChild<RecoveryPage*>();
+        QVERIFY(recovery != nullptr);
+        QVERIFY(recovery->findChild<QLabel*>("recoveryWhere")->text().contains("mm"));
+        auto* speed = recovery->findChild<StopPlot*>("recoveryPlot2");
+        QVERIFY(speed->peakText().endsWith("mm/s"));
+        applyNotation(*qApp, {LengthUnit::Inches, RotationNotation::RollPitchYaw});
+        QVERIFY2(figuresIn(kMillimetres, *recovery).isEmpty(),
+                 qPrintable(figuresIn(kMillimetres, *recovery).join('\n')));
+        QVERIFY(speed->peakText().endsWith("in/s"));
+
+        app::SettingsPage page(app::Preferences(), "light", bench.window.actions(), bench.window.devices());
+        QCOMPARE(page.findChild<QDoubleSpinBox*>("settings.speedCap")->text(), QStringLiteral("9.84 in/s"));
+        QCOMPARE(page.preferences().speedCap, app::Preferences::kOrdinaryCap);
+        PreflightPage preflight(doctor::patientAt("127.0.0.254", 0));
+        QVERIFY(preflight.findChild<QLabel*>("safetyNote")->text().contains("1.97 in/s"));
+        applyNotation(*qApp, {});
+        QCOMPARE(page.findChild<QDoubleSpinBox*>("settings.speedCap")->text(), QStringLiteral("250 mm/s"));
+        QVERIFY(preflight.findChild<QLabel*>("safetyNote")->text().contains("50 mm/s"));
+        QVERIFY(recovery->findChild<QLabel*>("recoveryWhere")->text().contains("mm"));
+    }
+};
+
+QTEST_MAIN(TestUnits)
+#include "tst_units.moc"

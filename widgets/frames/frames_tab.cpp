@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/frames/frames_tab.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QItemSelectionModel>
+#include <QLabel>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/frames/frame_details.h"
+#include "widgets/frames/frame_model.h"
+#include "widgets/frames/frame_table.h"
+#include "widgets/frames/frame_teacher.h"
+#include "widgets/waypoints/notice_bar.h"
+#include "widgets/waypoints/waypoint_model.h"
+
+namespace tiller {
+namespace {
+
+enum Page { kEmptyPage, kTablePage };
+
+/// Below this height of the tab a notice takes the place of the figures [px].
+constexpr int kLowBelow = 420;
+
+}  // namespace
+
+FramesTab::FramesTab(RobotSession& session, WaypointModel& document, QWidget* parent)
+    : QWidget(parent), state_(session.state()), document_(document), model_(new FrameModel(document, this)) {
+    setObjectName(QStringLiteral("frames"));
+    setAccessibleName(tr("Frames"));
+    buildLayout();
+    buildActions();
+
+    // Figures that change sixty times a second cannot be read.
+    liveTimer_.setSingleShot(true);
+    liveTimer_.setInterval(100);
+    connect(&liveTimer_, &QTimer::timeout, this, &FramesTab::showLive);
+    connect(&session, &RobotSession::stateChanged, this, &FramesTab::onState);
+    connect(table_, &FrameTable::currentRowChanged, this, &FramesTab::onSelection);
+    connect(model_, &FrameModel::editRefused, this, &FramesTab::showProblem);
+    connect(&document_, &WaypointModel::framesChanged, this, &FramesTab::onFrames);
+    // How many waypoints move with the selected one.
+    connect(&document_, &WaypointModel::documentChanged, this, &FramesTab::onSelection);
+    onFrames();
+    showLive();
+}
+
+FramesTab::~FramesTab() {
+    // The table loses its model while it goes, and the document may be gone already.
+    disconnect(table_, nullptr, this, nullptr);
+}
+
+void FramesTab::buildLayout() {
+    const auto key = [](const QString& text, const char* name) {
+        auto* made = new QPushButton(text);
+        made->setObjectName(QLatin1String(name));
+        return made;
+    };
+    fromTcp_ = key(tr("From TCP"), "frame.fromTcp");
+    fromTcp_->setAccessibleName(tr("Teach a frame from the TCP"));
+    fromTcp_->setProperty("primary", true);
+    threePoints_ = key(tr("3 points"), "frame.threePoints");
+    threePoints_->setAccessibleName(tr("Teach a frame from three points"));
+    touchUp_ = key(tr("Touch up"), "frame.touchUp");
+    touchUp_->setAccessibleName(tr("Touch up the frame"));
+    more_ = new QToolButton;
+    more_->setObjectName(QStringLiteral("frame.more"));
+    more_->setAccessibleName(tr("More about frames"));
+    more_->setText(QStringLiteral("⋯"));
+    more_->setPopupMode(QToolButton::InstantPopup);
+    keys_ = new QWidget;
+    auto* row = new QHBoxLayout(keys_);
+    row->setContentsMargins(12, 12, 12, 8);
+    row->setSpacing(8);
+    row->addWidget(fromTcp_, 3);
+    row->addWidget(threePoints_, 3);
+    row->addWidget(touchUp_, 3);
+    row->addWidget(more_);
+
+    notice_ = new NoticeBar;
+    auto* noticeRow = new QHBoxLayout;
+    noticeRow->setContentsMargins(12, 0, 12, 8);
+    noticeRow->addWidget(notice_);
+
+    auto* empty = new QLabel(tr(
+        "No frames yet.\nJog the tip to a corner of the tray or table. Press From TCP, or 3 points to take "
+        "origin, +X and +Y."));
+    empty->setObjectName(QStringLiteral("frame.empty"));
+    empty->setProperty("role", "secondary");
+    empty->setAlignment(Qt::AlignCenter);
+    empty->setWordWrap(true);
+    empty->setMargin(12);
+    table_ = new FrameTable(*model_);
+    teacher_ = new FrameTeacher;
+    pages_ = new QStackedWidget;
+    pages_->addWidget(empty);
+    pages_->addWidget(table_);
+    details_ = new FrameDetails;
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(keys_);
+    layout->addLayout(noticeRow);
+    layout->addWidget(pages_, 1);
+    layout->addWidget(teacher_, 1);
+    layout->addWidget(details_);
+    notice_->installEventFilter(this);
+
+    connect(fromTcp_, &QPushButton::clicked, this, &FramesTab::teachFromTcp);
+    connect(threePoints_, &QPushButton::clicked, this, &FramesTab::teachThreePoints);
+    connect(touchUp_, &QPushButton::clicked, this, &FramesTab::touchUp);
+    connect(teacher_, &FrameTeacher::made, this, &FramesTab::onMade);
+    connect(teacher_, &FrameTeacher::cancelled, this, &FramesTab::endTeaching);
+    connect(teacher_, &FrameTeacher::tipWanted, this, &FramesTab::showLive);
+    connect(teacher_, &FrameTeacher::previewChanged, this, &FramesTab::marksChanged);
+    connect(details_, &FrameDetails::placeEntered, this, [this](const Pose& pose) {
+        if (const auto frame = current()) {
+            // The hand is in the figures and wants the next one: said below, not in between.
+            const QString moved = moveFrame(frame->id, pose, tr("Set the place of “%1”").arg(frame->name));
+            Q_EMIT message(Severity::Info, tr("“%1” is set in figures. %2").arg(frame->name, moved));
+        }
+    });
+}
+
+void FramesTab::onState(const SessionState& state) {
+    const bool sameLink = state.link == state_.link;
+    state_ = state;
+    if (!sameLink) {
+        showLive();
+    } else if (!liveTimer_.isActive()) {
+        liveTimer_.start();
+    }
+}
+
+void FramesTab::showLive() {
+    const QString obstacle = teachObstacle();
+    const std::optional<Pose> tcp = state_.hasData() ? std::optional(state_.tcpPose) : std::nullopt;
+    model_->setTcp(tcp);
+    details_->setTcp(tcp);
+    teacher_->setTip(obstacle.isEmpty() ? std::optional(state_.tcpPose.position) : std::nullopt, obstacle);
+    updateAvailability();
+}
+
+void FramesTab::onFrames() {
+    QVector<QUuid> ids;
+    QUuid came;
+    for (const program::Frame& frame : document_.frames()) {
+        ids.append(frame.id);
+        came = known_.contains(frame.id) ? came : frame.id;
+    }
+    const bool one = ids.size() == known_.size() + 1;
+    const int before = static_cast<int>(known_.indexOf(selected_));
+    known_ = ids;
+    if (teaching_ && !teachingInto_.isNull() && !ids.contains(teachingInto_)) {
+        endTeaching();
+    }
+    showPage();
+    // The one that came, also by undo; else the one that was; else its neighbour.
+    const int row = one                       ? model_->rowOf(came)
+                    : ids.contains(selected_) ? model_->rowOf(selected_)
+                                              : std::min(std::max(before, 0), model_->rowCount() - 1);
+    selectRow(row);
+    Q_EMIT marksChanged();
+}
+
+void FramesTab::showPage() {
+    const bool any = model_->rowCount() > 0;
+    const bool crowded = notice_->isVisibleTo(this) && height() < kLowBelow;
+    pages_->setCurrentIndex(any ? kTablePage : kEmptyPage);
+    // What is hidden needs no room: the tab is low in a small window.
+    pages_->setVisible(!teaching_);
+    teacher_->setVisible(teaching_);
+    details_->setVisible(!teaching_ && any && !crowded);
+    keys_->setVisible(!teaching_);
+}
+
+bool FramesTab::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == notice_ &&
+        (event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent)) {
+        showPage();
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void FramesTab::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    showPage();
+}
+
+void FramesTab::onSelection() {
+    const std::optional<program::Frame> frame = current();
+    const QUuid id = frame ? frame->id : QUuid();
+    details_->setFrame(frame, frame ? model_->use(*frame).waypoints : 0);
+    updateAvailability();
+    if (id != selected_) {
+        selected_ = id;
+        notice_->dismiss();
+        Q_EMIT marksChanged();
+    }
+}
+
+int FramesTab::currentRow() const {
+    const QModelIndex current = table_->currentIndex();
+    return current.isValid() && current.row() < model_->rowCount() ? current.row() : -1;
+}
+
+std::optional<program::Frame> FramesTab::current() const {
+    const int row = currentRow();
+    return row < 0 ? std::nullopt : std::optional(model_->frames().at(static_cast<std::size_t>(row)));
+}
+
+void FramesTab::selectRow(int row) {
+    if (row < 0 || row >= model_->rowCount()) {
+        table_->selectionModel()->clear();
+    } else {
+        // Not through the view: it would let the modifiers of the shortcut under way extend the selection.
+        const QModelIndex index = model_->index(row, FrameModel::Name);
+        table_->selectionModel()->setCurrentIndex(
+            index, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+        table_->scrollTo(index);
+    }
+    onSelection();
+}
+
+std::vector<FrameMark> FramesTab::marks() const {
+    std::vector<FrameMark> result;
+    for (const program::Frame& frame : model_->frames()) {
+        result.push_back({frame.name, frame.T_base_frame, !teaching_ && frame.id == selected_});
+    }
+    if (const std::optional<Pose> preview = teaching_ ? teacher_->preview() : std::nullopt) {
+        result.push_back({tr("new frame"), *preview, true});
+    }
+    return result;
+}
+
+QString FramesTab::teachObstacle() const {
+    if (state_.link == LinkState::Live) {
+        return {};
+    }
+    return state_.hasData() ? tr("The robot's data are old. Wait until they come again.")
+                            : tr("No robot is connected. Connect one, or try the simulator.");
+}
+
+void FramesTab::updateAvailability() {
+    const QString obstacle = teachObstacle();
+    const bool live = obstacle.isEmpty();
+    const bool selected = currentRow() >= 0;
+    fromTcp_->setEnabled(live);
+    fromTcp_->setToolTip(live ? tr("A frame where the TCP is, with the tool's axes (Shift+T)") : obstacle);
+    threePoints_->setEnabled(live);
+    threePoints_->setToolTip(live ? tr("Origin, a point on +X, a point towards +Y (Ctrl+Shift+T)")
+                                  : obstacle);
+    touchUp_->setEnabled(live && selected);
+    touchUp_->setToolTip(!live      ? obstacle
+                         : selected ? tr("The selected frame goes to where the TCP is (Shift+U)")
+                                    : tr("Select a frame to touch up."));
+    for (QAction* action : actions_) {
+        const QString needs = action->property("needs").toString();
+        action->setEnabled((!needs.contains(u's') || selected) && (!needs.contains(u'l') || live) &&
+                           (!needs.contains(u't') || teaching_));
+    }
+}
+
+void FramesTab::showProblem(const QString& text) {
+    notice_->show(NoticeBar::Kind::Warning, text, {});
+}
+
+}  // namespace tiller

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The tab "Frames": teach a frame from the TCP or from three points, name it, set it in figures, touch it up.
+// It edits the document of the waypoints, on their history. Nothing in it moves the robot.
+
+#include <QTimer>
+#include <QUuid>
+#include <QWidget>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "robot/program/waypoint.h"
+#include "widgets/session/robot_session.h"
+
+class QAction;
+class QPushButton;
+class QStackedWidget;
+class QToolButton;
+
+namespace tiller {
+
+class FrameDetails;
+class FrameModel;
+class FrameTable;
+class FrameTeacher;
+class NoticeBar;
+class WaypointModel;
+
+/// Where a frame stands, for the 3D view.
+struct FrameMark {
+    QString name;
+    Pose T_base_frame;
+    bool selected = false;  ///< or the frame that would be made now
+};
+
+class FramesTab : public QWidget {
+    Q_OBJECT
+
+public:
+    /// document  must outlive the tab
+    FramesTab(RobotSession& session, WaypointModel& document, QWidget* parent = nullptr);
+    ~FramesTab() override;
+
+    FrameModel& model() { return *model_; }
+    /// Every action with its shortcut, for menus, the command palette and the help.
+    QList<QAction*> commandActions() const { return actions_; }
+    std::vector<FrameMark> marks() const;
+    /// Row of the selected frame; -1 for none.
+    int currentRow() const;
+
+public Q_SLOTS:
+    /// A new frame where the TCP is, with its axes.
+    void teachFromTcp();
+    void teachThreePoints();
+    /// Shows how the selected frame would move to where the TCP is, and what moves with it, and asks.
+    void touchUp();
+    void touchUpThreePoints();
+    void selectRow(int row);
+
+Q_SIGNALS:
+    /// marks() are others.
+    void marksChanged();
+    /// The jog column shall move in this frame.
+    void jogRequested(const QUuid& frame);
+    /// A command was given that goes on in this tab.
+    void frontWanted();
+    /// Something the operator should be able to read again later.
+    void message(tiller::Severity severity, const QString& text);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void buildLayout();
+    void buildActions();
+    QAction* addCommand(const QString& name, const QString& text, const QKeySequence& shortcut,
+                        std::function<void()> run);
+    void onState(const SessionState& state);
+    void showLive();
+    void onSelection();
+    void onFrames();
+    void showPage();
+    void updateAvailability();
+    QString teachObstacle() const;
+    std::optional<program::Frame> current() const;
+
+    void insertFrame(const Pose& T_base_frame);
+    void askToMove(const QUuid& id, const Pose& T_base_frame);
+    /// Returns  what moved with it, in words
+    QString moveFrame(const QUuid& id, const Pose& T_base_frame, const QString& step);
+    void beginTeaching(const QUuid& into);
+    void endTeaching();
+    void onMade(const Pose& T_base_frame);
+    void duplicateSelected();
+    void deleteSelected();
+    void showProblem(const QString& text);
+
+    SessionState state_;
+    WaypointModel& document_;
+    FrameModel* model_;
+    QList<QAction*> actions_;
+    QTimer liveTimer_;
+    QUuid selected_;
+    QVector<QUuid> known_;  ///< the frames there were, to find the one that came
+    bool teaching_ = false;
+    QUuid teachingInto_;  ///< the frame to touch up; null: a new one
+
+    QPushButton* fromTcp_ = nullptr;
+    QPushButton* threePoints_ = nullptr;
+    QPushButton* touchUp_ = nullptr;
+    QToolButton* more_ = nullptr;
+    QWidget* keys_ = nullptr;
+    NoticeBar* notice_ = nullptr;
+    QStackedWidget* pages_ = nullptr;
+    FrameTable* table_ = nullptr;
+    FrameTeacher* teacher_ = nullptr;
+    FrameDetails* details_ = nullptr;
+};
+
+}  // namespace tiller
