@@ -3,8 +3,9 @@
 // What a simulated controller costs and how regularly it ticks, in real time over real sockets: three RTDE
 // clients with the receiver's whole recipe at full rate, a primary client and a running 500 Hz script, first
 // one controller, then several side by side. Beside them a thread of the same priority does nothing but wake
-// up every 2 ms: what it finds is the machine's own doing. Prints tables and, with --json, one JSON object;
-// asserts nothing.
+// up every 2 ms: what it finds is the machine's own doing. Last, one controller again, cut into tenths of a
+// second, and those left out in which a processor was away (machine_watch.h): what an idle machine of its own
+// would show. Prints tables and, with --json, one JSON object; asserts nothing.
 //
 //   simulator_cost [--seconds 20] [--controllers 8] [--priority 95] [--json]
 
@@ -28,6 +29,7 @@
 #include "robot/receive/receiver.h"
 #include "robot/script/primary_client.h"
 #include "robot/simulator/controller.h"
+#include "tests/benchmarks/machine_watch.h"
 
 using namespace tiller;
 using namespace std::chrono_literals;
@@ -191,6 +193,59 @@ std::optional<QJsonArray> measure(QTextStream& out, int controllers, int clients
     return all;
 }
 
+std::int64_t nowNs() {
+    return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// One controller, without the moments at which the machine was not there.
+std::optional<QJsonObject> measureWhileThere(QTextStream& out, int priority, int seconds) {
+    Cell cell(1, priority, 3);
+    if (!cell.error.isEmpty()) {
+        QTextStream(stderr) << cell.error << '\n';
+        return std::nullopt;
+    }
+    std::this_thread::sleep_for(1s);
+    struct Slice {
+        std::int64_t fromNs = 0;
+        std::int64_t toNs = 0;
+        realtime::Histogram lateness;
+    };
+    std::vector<Slice> slices(static_cast<std::size_t>(seconds) * 10);
+    const benchmark::MachineWatch watch;
+    for (Slice& slice : slices) {
+        slice.fromNs = nowNs();
+        cell.robot->resetTiming();
+        std::this_thread::sleep_for(100ms);
+        slice.lateness = cell.robot->timing().lateness;
+        slice.toNs = nowNs();
+    }
+    realtime::Histogram there;
+    int kept = 0;
+    constexpr std::int64_t kMargin = 3'000'000;  // the tick before and the tick after
+    for (const Slice& slice : slices) {
+        if (!watch.wasAway(slice.fromNs - kMargin, slice.toNs + kMargin)) {
+            there.merge(slice.lateness);
+            ++kept;
+        }
+    }
+    out << "one controller, without the tenths of a second in which a processor was away (" << watch.count()
+        << " times, " << watch.seconds() * 1000 << " ms in all): " << kept << " of " << slices.size()
+        << " tenths, " << there.count() << " ticks"
+        << (watch.isWatching() ? "" : "  (NO REAL-TIME PRIORITY: WORTH NOTHING)") << "\n  lateness us   p50 "
+        << us(there.percentileNs(50)) << "  p99 " << us(there.percentileNs(99)) << "  p99.9 "
+        << us(there.percentileNs(99.9)) << "  max " << us(there.maxNs()) << "\n";
+    return QJsonObject{{"watching", watch.isWatching()},
+                       {"tenths", static_cast<qint64>(slices.size())},
+                       {"tenths_kept", kept},
+                       {"away", static_cast<qint64>(watch.count())},
+                       {"away_seconds", watch.seconds()},
+                       {"ticks", static_cast<qint64>(there.count())},
+                       {"lateness_us_p50", us(there.percentileNs(50))},
+                       {"lateness_us_p99", us(there.percentileNs(99))},
+                       {"lateness_us_p99_9", us(there.percentileNs(99.9))},
+                       {"lateness_us_max", us(there.maxNs())}};
+}
+
 }  // namespace
 
 int main(int argc, char* argv[]) {
@@ -228,6 +283,10 @@ int main(int argc, char* argv[]) {
         }
         side = *found;
     }
+    const auto there = measureWhileThere(out, priority, seconds);
+    if (!there) {
+        return 1;
+    }
     const QString after = load();
     out << "load after: " << after << '\n';
     QTextStream console(stdout);
@@ -235,6 +294,7 @@ int main(int argc, char* argv[]) {
         console << QJsonDocument(QJsonObject{{"one", (*one)[0]},
                                              {"bare_timer", (*one)[1]},
                                              {"side_by_side", side},
+                                             {"while_the_machine_was_there", *there},
                                              {"load_before", before},
                                              {"load_after", after}})
                        .toJson(QJsonDocument::Compact)

@@ -27,14 +27,9 @@ namespace {
 
 using namespace std::chrono_literals;
 using realtime::Histogram;
-using SteadyTime = std::chrono::steady_clock;
 
 constexpr std::int64_t kCycleLimitNs = 2'500'000;      // as in the paper
 constexpr std::int64_t kRoundTripLimitNs = 4'500'000;  // as in the paper
-
-std::int64_t since(SteadyTime::time_point begin) {
-    return std::chrono::nanoseconds(SteadyTime::now() - begin).count();
-}
 
 /// As `stress` does: keeps every core busy at normal priority.
 class Load {
@@ -90,8 +85,13 @@ struct Circle {
     }
 };
 
+std::size_t cyclesIn(double seconds) {
+    return static_cast<std::size_t>(seconds * 500);
+}
+
 struct CircleResult {
-    Histogram cycles;
+    explicit CircleResult(double seconds) : cycles(2 * cyclesIn(seconds)) {}
+    Spans cycles;
     Histogram reaction;  ///< from the package a target was made with to the one it left with
     double worstOffMm = 0;
     Error error;
@@ -104,7 +104,7 @@ void stand(control::Controller& controller) {
 }
 
 CircleResult timerCircle(control::Controller& controller, double seconds) {
-    CircleResult result;
+    CircleResult result(seconds);
     Circle circle;
     circle.centre = Pose::fromArray(controller.status().tcpPose);
     auto servo = control::Motions(controller).startServoL();
@@ -113,12 +113,12 @@ CircleResult timerCircle(control::Controller& controller, double seconds) {
         return result;
     }
     realtime::PeriodicTimer timer(2ms);
-    auto previous = SteadyTime::now();
+    std::int64_t previous = SteadyClock::shared().nowNs();
     double time = 0;
-    const int cycles = static_cast<int>(seconds * 500);
+    const std::size_t cycles = cyclesIn(seconds);
     std::int64_t usedNs = 0;  // the newest package when the target was made, and when it was handed over
     std::int64_t handedNs = 0;
-    for (int i = 0; i < cycles; ++i) {
+    for (std::size_t i = 0; i < cycles; ++i) {
         usedNs = controller.status().dataTimeNs;
         handedNs = SteadyClock::shared().nowNs();
         if (const auto sent = servo->send(circle.at(time)); !sent) {
@@ -126,8 +126,8 @@ CircleResult timerCircle(control::Controller& controller, double seconds) {
             break;
         }
         timer.wait();
-        const auto now = SteadyTime::now();
-        result.cycles.add(std::chrono::nanoseconds(now - previous).count());
+        const std::int64_t now = SteadyClock::shared().nowNs();
+        result.cycles.add(previous, now);
         previous = now;
         const auto status = controller.status();
         // It left with the answer to the first package that came afterwards.
@@ -146,27 +146,29 @@ CircleResult timerCircle(control::Controller& controller, double seconds) {
 }
 
 CircleResult packetCircle(control::Controller& controller, double seconds) {
-    CircleResult result;
+    CircleResult result(seconds);
     Circle circle;
     circle.centre = Pose::fromArray(controller.status().tcpPose);
-    control::CycleReport report;
+    std::int64_t previous = 0;
     const auto follow = [&](const control::CycleState& state) -> std::optional<Pose> {
+        if (previous != 0) {
+            result.cycles.add(previous, state.hostNs);
+        }
+        previous = state.hostNs;
         result.worstOffMm = std::max(result.worstOffMm, circle.offMm(state.tcpPose.position));
         result.reaction.add(SteadyClock::shared().nowNs() - state.hostNs);
         return state.time < seconds ? std::optional(circle.at(state.time)) : std::nullopt;
     };
     const auto ended =
         control::PacketLoop(controller)
-            .servoL(follow, {}, Deadline::after(std::chrono::milliseconds(int(seconds * 2000) + 10000)),
-                    &report);
-    result.cycles = report.intervals;
+            .servoL(follow, {}, Deadline::after(std::chrono::milliseconds(int(seconds * 2000) + 10000)));
     result.error = ended.error();
     stand(controller);
     return result;
 }
 
-Histogram roundTrips(const receive::Receiver& receiver, const QString& host, int count) {
-    Histogram trips;
+Spans roundTrips(const receive::Receiver& receiver, const QString& host, int count) {
+    Spans trips(static_cast<std::size_t>(count));
     io::Outputs outputs({host}, {[] { return io::Report(); }});
     receive::Sample sample(receiver.layout());
     if (!outputs.connect(Deadline::after(5s))) {
@@ -174,18 +176,18 @@ Histogram roundTrips(const receive::Receiver& receiver, const QString& host, int
     }
     for (int i = 0; i < count; ++i) {
         const double wanted = i % 2 == 0 ? 0.5 : 1.0;
-        const auto begin = SteadyTime::now();
+        const std::int64_t begin = SteadyClock::shared().nowNs();
         // Sent without waiting for the outputs' own confirmation: what is measured is the way out and back.
         (void)outputs.setSpeedSlider(wanted, Deadline::after(0ms));
         bool seen = false;
-        while (!seen && since(begin) < 1'000'000'000) {
+        while (!seen && SteadyClock::shared().nowNs() - begin < kNsPerSecond) {
             receiver.latest(sample);
             seen = std::abs(sample.field("target_speed_fraction")[0] - wanted) < 1e-6;
             if (!seen) {
                 std::this_thread::sleep_for(20us);
             }
         }
-        trips.add(since(begin));
+        trips.add(begin, SteadyClock::shared().nowNs());
     }
     return trips;
 }
@@ -222,6 +224,7 @@ void measure(Report& report, const Wishes& wishes, const Condition& condition, c
         return;
     }
     const bool required = condition.realtime && condition.load;
+    const MachineWatch watch;
     std::thread worker([&] {  // of its own, so that its priority ends with it
         if (condition.realtime) {
             const auto granted = realtime::requestRealtime(80, {}, true);
@@ -252,7 +255,7 @@ void measure(Report& report, const Wishes& wishes, const Condition& condition, c
                     report.cannot(what, circle->error.toString());
                     continue;
                 }
-                report.add(what, circle->cycles, kCycleLimitNs, required && longest);
+                report.add(what, circle->cycles, watch, kCycleLimitNs, required && longest);
                 report.add(what + QStringLiteral(": furthest off the circle"), circle->worstOffMm,
                            QStringLiteral("mm"));
             }
@@ -266,7 +269,7 @@ void measure(Report& report, const Wishes& wishes, const Condition& condition, c
             // A timer on an idle core is as even as it gets, but tells nothing of when the robot gets its
             // targets: what counts is how old the data are that a target was made from when it leaves.
             report.add(QStringLiteral("p99.9 of cycles, packet loop by timer loop"),
-                       ratio(packet.cycles, timer.cycles), QString());
+                       ratio(packet.cycles.all(), timer.cycles.all()), QString());
             report.add(QStringLiteral("timer loop, package in to target out: p99.9"),
                        static_cast<double>(timer.reaction.percentileNs(99.9)) / 1e6, QStringLiteral("ms"));
             report.add(QStringLiteral("packet loop, package in to target out: p99.9"),
@@ -283,8 +286,8 @@ void measure(Report& report, const Wishes& wishes, const Condition& condition, c
             report.add(QStringLiteral("threads watched are missing"), test::hotThreads() >= 2 ? 0 : 1,
                        QString(), 0.0);
         }
-        const Histogram trips = roundTrips(receiver, address, wishes.roundTrips);
-        report.add(QStringLiteral("slider round trip"), trips, kRoundTripLimitNs, required);
+        const Spans trips = roundTrips(receiver, address, wishes.roundTrips);
+        report.add(QStringLiteral("slider round trip"), trips, watch, kRoundTripLimitNs, required);
     });
     worker.join();
     controller.release();

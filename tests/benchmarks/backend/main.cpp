@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // The comparison of the ur_rtde paper (section IV), run again over real sockets against the simulated
-// controller on this machine, and the figures issue 4 asks for: one table with pass or FAIL, or one JSON
-// object with --json. Exits with 1 when a figure is missed. Load ("stress") is made here: busy threads, one
-// for each core and one more.
+// controller on this machine, and the figures we hold the backend to: one table with pass or FAIL, or one
+// JSON object with --json. Exits with 1 when a figure is missed. What is judged are the cycles and round
+// trips during which the processors were there (machine_watch.h); those of all are in the table beside. Load
+// ("stress") is made here: busy threads, one for each core and one more.
 //
 //   sudo build/release/bin/benchmarks/backend_performance            everything, about ten minutes
 //   build/release/bin/benchmarks/backend_performance --seconds 3 --round-trips 100      a quick look

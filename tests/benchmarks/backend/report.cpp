@@ -20,14 +20,54 @@ void Report::cannot(const QString& what, const QString& why) {
     rows_.push_back({section_, what, 0, {}, {}, why});
 }
 
-void Report::add(const QString& what, const realtime::Histogram& h, std::int64_t limitNs, bool required) {
+void Spans::add(std::int64_t fromNs, std::int64_t toNs) {
+    if (spans_.size() == spans_.capacity()) {
+        overflowed_ = true;
+        return;
+    }
+    spans_.push_back({fromNs, toNs});
+}
+
+realtime::Histogram Spans::all() const {
+    realtime::Histogram all;
+    for (const Span& span : spans_) {
+        all.add(span.toNs - span.fromNs);
+    }
+    return all;
+}
+
+realtime::Histogram Spans::whileThere(const MachineWatch& watch) const {
+    realtime::Histogram there;
+    // What was to be done in a span may have been delayed just before it.
+    constexpr std::int64_t kMarginNs = 2'000'000;
+    for (const Span& span : spans_) {
+        if (!watch.wasAway(span.fromNs - kMarginNs, span.toNs)) {
+            there.add(span.toNs - span.fromNs);
+        }
+    }
+    return there;
+}
+
+void Report::add(const QString& what, const Spans& spans, const MachineWatch& watch, std::int64_t limitNs,
+                 bool required) {
     const auto ms = [](std::int64_t ns) { return static_cast<double>(ns) / 1e6; };
-    add(what + QStringLiteral(": count"), static_cast<double>(h.count()), QString());
-    add(what + QStringLiteral(": p50"), ms(h.percentileNs(50)), QStringLiteral("ms"));
-    add(what + QStringLiteral(": p99.9"), ms(h.percentileNs(99.9)), QStringLiteral("ms"));
-    add(what + QStringLiteral(": longest"), ms(h.maxNs()), QStringLiteral("ms"));
-    add(what + QStringLiteral(": above %1 ms").arg(ms(limitNs)), static_cast<double>(h.countAbove(limitNs)),
-        QString(), required ? std::optional(0.0) : std::nullopt);
+    const auto rows = [&](const QString& which, const realtime::Histogram& h, std::optional<double> limit) {
+        add(which + QStringLiteral(": count"), static_cast<double>(h.count()), QString());
+        add(which + QStringLiteral(": p50"), ms(h.percentileNs(50)), QStringLiteral("ms"));
+        add(which + QStringLiteral(": p99.9"), ms(h.percentileNs(99.9)), QStringLiteral("ms"));
+        add(which + QStringLiteral(": longest"), ms(h.maxNs()), QStringLiteral("ms"));
+        add(which + QStringLiteral(": above %1 ms").arg(ms(limitNs)),
+            static_cast<double>(h.countAbove(limitNs)), QString(), limit);
+    };
+    rows(what, spans.all(), {});
+    if (!watch.isWatching() || spans.overflowed()) {
+        cannot(what + QStringLiteral(", machine there"), watch.isWatching()
+                                                             ? QStringLiteral("more than were expected")
+                                                             : QStringLiteral("the watch has no priority"));
+        return;
+    }
+    rows(what + QStringLiteral(", machine there"), spans.whileThere(watch),
+         required ? std::optional(0.0) : std::nullopt);
 }
 
 bool Report::passed() const {
@@ -48,7 +88,7 @@ QString Report::table() const {
                                                       : QStringLiteral("FAIL (limit %1)").arg(*row.limit);
         const QString value = row.remark.isEmpty() ? QString::number(row.value, 'g', 6) : QString();
         text += QStringLiteral("  %1 %2 %3  %4\n")
-                    .arg(row.what, -58)
+                    .arg(row.what, -64)
                     .arg(value, 10)
                     .arg(row.unit, -4)
                     .arg(verdict);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the benchmark of the backend found: one row a figure, with the limit of the acceptance where there is
-// one.
+// What the benchmark of the backend found: one row a figure, with the limit we hold it to where there is one.
 
 #include <QString>
 #include <optional>
 #include <vector>
 
 #include "robot/realtime/histogram.h"
+#include "tests/benchmarks/machine_watch.h"
 
 namespace tiller::benchmark {
 
@@ -22,13 +22,37 @@ struct Row {
     bool passed() const { return remark.isEmpty() && (!limit || value <= *limit); }
 };
 
+/// Durations, and when they were.
+/// Threads  one at a time. Real-time: yes (no allocation after construction)
+class Spans {
+public:
+    /// most  so many are kept; overflowed() tells when there were more
+    explicit Spans(std::size_t most) { spans_.reserve(most); }
+    void add(std::int64_t fromNs, std::int64_t toNs);
+
+    realtime::Histogram all() const;
+    /// Only those during which all processors were there.
+    realtime::Histogram whileThere(const MachineWatch& watch) const;
+    bool overflowed() const { return overflowed_; }
+
+private:
+    struct Span {
+        std::int64_t fromNs;
+        std::int64_t toNs;
+    };
+    std::vector<Span> spans_;
+    bool overflowed_ = false;
+};
+
 class Report {
 public:
     void begin(const QString& section);
     void add(const QString& what, double value, const QString& unit, std::optional<double> limit = {});
     void cannot(const QString& what, const QString& why);
-    /// Percentiles [ms], and how many are above `limitNs`, of which none may be where it is `required`.
-    void add(const QString& what, const realtime::Histogram& histogram, std::int64_t limitNs, bool required);
+    /// Percentiles [ms] and how many are above `limitNs`; the same of those the machine is not to blame for,
+    /// of which none may be above where it is `required`.
+    void add(const QString& what, const Spans& spans, const MachineWatch& watch, std::int64_t limitNs,
+             bool required);
     bool passed() const;
     QString table() const;
     QByteArray json() const;

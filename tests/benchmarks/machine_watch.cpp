@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "tests/benchmarks/machine_watch.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "robot/realtime/periodic_timer.h"
+#include "robot/realtime/realtime_report.h"
+
+namespace tiller::benchmark {
+
+namespace {
+
+constexpr int kAboveAll = 99;
+constexpr auto kPeriod = std::chrono::microseconds(100);
+constexpr std::int64_t kLongestNs = 180'000;  ///< from one waking to the next, on a processor that is there
+constexpr std::size_t kMost = 1'000'000;
+
+std::int64_t nowNs() {
+    return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+MachineWatch::MachineWatch() {
+    const int count = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    for (int i = 0; i < count; ++i) {
+        Processor& processor = *processors_.emplace_back(std::make_unique<Processor>());
+        processor.absences.resize(kMost);
+        processor.thread = std::thread([this, &processor, i] { watch(processor, i); });
+    }
+}
+
+MachineWatch::~MachineWatch() {
+    over_ = true;
+    for (const auto& processor : processors_) {
+        processor->thread.join();
+    }
+}
+
+void MachineWatch::watch(Processor& processor, int number) {
+    realtime::nameThread("machine watch");
+    processor.granted =
+        realtime::bindToCpus({number}).isEmpty() && realtime::requestThreadPriority(kAboveAll).ok();
+    realtime::PeriodicTimer timer(kPeriod);
+    std::int64_t woke = nowNs();
+    while (!over_) {
+        timer.wait();
+        const std::int64_t now = nowNs();
+        const std::size_t next = processor.count;
+        if (now - woke > kLongestNs && next < processor.absences.size()) {
+            processor.absences[next] = {woke, now};
+            processor.count = next + 1;
+        }
+        woke = now;
+    }
+}
+
+bool MachineWatch::isWatching() const {
+    return std::all_of(processors_.begin(), processors_.end(),
+                       [](const auto& processor) { return processor->granted && processor->count < kMost; });
+}
+
+bool MachineWatch::wasAway(std::int64_t fromNs, std::int64_t toNs) const {
+    for (const auto& processor : processors_) {
+        const auto begin = processor->absences.begin();
+        const auto end = begin + static_cast<std::ptrdiff_t>(processor->count.load());
+        const auto first =
+            std::lower_bound(begin, end, fromNs,
+                             [](const Absence& absence, std::int64_t time) { return absence.toNs < time; });
+        if (first != end && first->fromNs <= toNs) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::uint64_t MachineWatch::count() const {
+    std::uint64_t count = 0;
+    for (const auto& processor : processors_) {
+        count += processor->count;
+    }
+    return count;
+}
+
+double MachineWatch::seconds() const {
+    std::int64_t sum = 0;
+    for (const auto& processor : processors_) {
+        for (std::size_t i = 0; i < processor->count; ++i) {
+            sum += processor->absences[i].toNs - processor->absences[i].fromNs;
+        }
+    }
+    return static_cast<double>(sum) / 1e9;
+}
+
+}  // namespace tiller::benchmark
