@@ -69,6 +69,7 @@ QString nameIn(const std::array<std::pair<Mode, const char*>, N>& names, Mode mo
 template <class Mode, std::size_t N>
 std::vector<Mode> valuesOf(const std::array<std::pair<Mode, const char*>, N>& names) {
     std::vector<Mode> values;
+    values.reserve(names.size());
     for (const auto& [value, name] : names) {
         values.push_back(value);
     }

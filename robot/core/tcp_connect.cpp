@@ -13,7 +13,6 @@
 #include <sys/socket.h>
 
 #include <cerrno>
-#include <cstring>
 #endif
 
 namespace tiller {
@@ -58,7 +57,7 @@ int lastError() {
     return errno;
 }
 QString textOf(int error) {
-    return QString::fromLocal8Bit(std::strerror(error));
+    return qt_error_string(error);
 }
 bool startUp() {
     return true;

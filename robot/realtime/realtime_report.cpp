@@ -12,7 +12,6 @@
 #include <sys/mman.h>
 
 #include <cerrno>
-#include <cstring>
 #endif
 
 namespace tiller::realtime {
@@ -70,8 +69,7 @@ QString bindToCpus(const std::vector<int>& cpus) {
     if (failure == 0) {
         return {};
     }
-    return QStringLiteral("The system refused these CPUs: %1")
-        .arg(QString::fromLocal8Bit(std::strerror(failure)));
+    return QStringLiteral("The system refused these CPUs: %1").arg(qt_error_string(failure));
 }
 
 QString lockMemory() {
@@ -83,7 +81,7 @@ QString lockMemory() {
             "Memory could not be locked. Add the line \"@realtime - memlock unlimited\" to "
             "/etc/security/limits.d/realtime.conf, put the user into the group realtime and log in again.");
     }
-    return QStringLiteral("Memory could not be locked: %1").arg(QString::fromLocal8Bit(std::strerror(errno)));
+    return QStringLiteral("Memory could not be locked: %1").arg(qt_error_string(errno));
 }
 
 bool isRealtimeKernel() {

@@ -79,7 +79,7 @@ PriorityReport requestThreadPriority(int priority) {
     } else {
         report.advice = QStringLiteral("Real-time priority %1 was refused: %2")
                             .arg(report.requested)
-                            .arg(QString::fromLocal8Bit(std::strerror(failure)));
+                            .arg(qt_error_string(failure));
     }
     return report;
 }
