@@ -355,6 +355,18 @@ Right click or F2 to rename and scale.</source>
         <source>Switch to Remote control on the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Controller message C%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller reported this number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look C%1 up in the manufacturer&apos;s error code directory.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Demonstration</name>
@@ -475,6 +487,89 @@ Right click or F2 to rename and scale.</source>
         <source>there is no key &quot;%1&quot; in the window</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>pressed anew         %1 times: the motion had stopped before the key was let go</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>DeviceSettings</name>
+    <message>
+        <source>Device that moves the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try it out…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What each device says now, and which way it will go.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gamepad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SpaceMouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dead zone of the %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So far a stick may be out without moving anything.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curve of the %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exponent </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1: even. Higher: gentle near the middle, fast at the end of the way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the axis that is out furthest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: only the axis that is out furthest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dead zone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only while its dead-man is held. It is not remembered: after a start no device moves the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>DeviceTrainer</name>
@@ -540,6 +635,442 @@ Right click or F2 to rename and scale.</source>
     </message>
 </context>
 <context>
+    <name>FrameDetails</name>
+    <message>
+        <source>Selected frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Origin X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Origin Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Origin Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation about X (RX)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation about Y (RY)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation about Z (RZ)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, in Base. Enter applies it; nothing moves but the frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no waypoint uses it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 waypoint moves with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 waypoints move with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 from the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FrameModel</name>
+    <message>
+        <source>Delete “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A frame needs a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is a frame every robot has. Choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another frame. Choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Origin %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Origin in Base, X Y Z, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation rad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation vector in Base, radians</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roll, pitch and yaw in Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waypoints that move with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of the TCP, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FrameTable</name>
+    <message>
+        <source>Frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FrameTeacher</name>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame from three points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel the frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On +X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Towards +Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the origin here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the point on +X here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the point towards +Y here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the point again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The point on +X is only %1 from the origin. Take it again at least %2 away: the further, the truer the axes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The third point is only %1 from the origin. Take it again at least %2 away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The three points lie in a line: the third is only %1 beside the X axis. Take it again at least %2 to the side of +Y.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready: the point on +X is %1 away, the third lies %2 beside the X axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog the tip to where the frame begins, and take it (P).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now to a point on +X: %1 from the origin, %2 is the least.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now to the side of +Y: %1 beside the X axis, %2 is the least.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take  P</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FramesTab</name>
+    <message>
+        <source>Frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach a frame from the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach a frame from three points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up the frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More about frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No frames yet.
+Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to take origin, +X and +Y.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the place of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is set in figures. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>new frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A frame where the TCP is, with the tool&apos;s axes (Shift+T)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Origin, a point on +X, a point towards +Y (Ctrl+Shift+T)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The selected frame goes to where the TCP is (Shift+U)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a frame to touch up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No waypoint moved with it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 waypoint moved with it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 waypoints moved with it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 of them is out of reach there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of them are out of reach there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach frame from the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach frame from three points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the next point of the frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the frame of the points taken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take no more points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up frame from the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up frame from three points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog in this frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set frame in figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up “%1” from three points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New frame from three points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It moves by %1 (%2, base frame).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No waypoint is given in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 waypoint moves with it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 waypoints move with it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is touched up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete “%1”?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 waypoint is given in it. It stays where it is, given in Base.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 waypoints are given in it. They stay where they are, given in Base.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Gamepad</name>
     <message>
         <source>left shoulder</source>
@@ -589,10 +1120,6 @@ Right click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 ms · %2 mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>From the stop to standstill, measured. Cause: %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -605,11 +1132,15 @@ Right click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ Speed cap raised to %1 mm/s</source>
+        <source>%1 ms · %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm may get faster than 250 mm/s. Lower the cap in Settings; it ends with the program.</source>
+        <source>▲ Speed cap raised to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm may get faster than %1. Lower the cap in Settings; it ends with the program.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -775,19 +1306,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One step a press: 0.1 mm, turns 0.1°</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>One step a press: 1 mm, turns 1°</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 mm/s · turns %2 °/s · joints %3 °/s · Ctrl × 0.1, Shift × 3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -804,14 +1323,6 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Needs the 3D view</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No frame taught yet</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Last stop: %1, standstill after %2 ms, %3 mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -891,10 +1402,6 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Step in mm (turns: the same number in degrees)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Until contact, %1 N</source>
         <translation type="unfinished"></translation>
     </message>
@@ -907,19 +1414,35 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 mm/s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Other speed…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Speed of the TCP in mm/s</source>
+        <source>Check the payload first (until the next connection)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Check the payload first (until the next connection)</source>
+        <source>No frame taught yet. Teach one in the tab Frames.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last stop: %1, standstill after %2 ms, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One step a press: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · turns %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step in %1 (turns: as many degrees as millimetres)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the TCP in %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1106,10 +1629,6 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Plots</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Waypoints, I/O, Log</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1353,10 +1872,6 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Colours, sizes, units, the speed cap, and the key of every command.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Help</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1374,10 +1889,6 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Name of the program on the robot, as in pick.urp</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed cap %1 mm/s, from the next connection on</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1409,15 +1920,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog speed %1 mm/s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Stops the arm; the next press has this speed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Jog step %1 mm, %2°</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1442,6 +1945,66 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>What the hand can move while Freedrive is held.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waypoints, Frames, I/O, Log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has gone silent while it moved the arm, which was stopped. Let go of it; if it stays silent, plug it in again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours, sizes, units, the speed cap, devices, and the key of every command.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the program on the robot, as the tablet shows it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed cap %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog speed %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog step %1, %2°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog speed, other…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks for the speed of the TCP; turns and joints in proportion.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog step, other…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks for the length of a step; turns make as many degrees as millimetres.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog until contact, other force…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks for the force in N at which the motion ends.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1967,14 +2530,6 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep everybody out of the arm&apos;s reach.
-Keep the emergency stop at hand: STOP in this window is a software stop.
-Begin slowly: the first speed is 50 mm/s.
-Watch the arm, not the screen, while a key is held.
-Let go of the key and the arm stops.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Look again</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2004,6 +2559,14 @@ Let go of the key and the arm stops.</source>
     </message>
     <message>
         <source>Connect anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep everybody out of the arm&apos;s reach.
+Keep the emergency stop at hand: STOP in this window is a software stop.
+Begin slowly: the first speed is %1.
+Watch the arm, not the screen, while a key is held.
+Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2091,10 +2654,6 @@ Let go of the key and the arm stops.</source>
 </context>
 <context>
     <name>RobotSession</name>
-    <message>
-        <source>Stopped: %1 (%2 ms, %3 mm)</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>Connecting to %1 (%2)</source>
         <translation type="unfinished"></translation>
@@ -2201,6 +2760,10 @@ Let go of the key and the arm stops.</source>
     </message>
     <message>
         <source>Input register %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped: %1 (%2 ms, %3)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2367,23 +2930,7 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source> mm/s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How poses and distances are shown. Speeds, the jog column&apos;s keys, plots and files keep millimetres and degrees.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Speed cap</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>▲ Above 250 mm/s. Nothing else limits a jog from a PC: neither manual mode nor the enabling device of the pendant. The header says so, and it ends with the program. It holds from the next connection on.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No motion of this program gets above it, at the TCP and at the elbow. It holds from the next connection on.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2416,6 +2963,22 @@ Let go of the key and the arm stops.</source>
     </message>
     <message>
         <source>%1 belongs to &quot;%2&quot;. Take it away there first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How lengths, speeds of the TCP and orientations are shown and typed. Plots and files keep metres, millimetres and degrees.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Above %1. Nothing else limits a jog from a PC: neither manual mode nor the enabling device of the pendant. The header says so, and it ends with the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No motion of this program gets above it, at the TCP and at the elbow. It holds at once and stops what moves.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2552,6 +3115,18 @@ not an e-stop</source>
         <source>pose rules</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Frame of the waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The frame it is given in and moves with. The place stays where it is. —: the joints rule</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>WaypointModel</name>
@@ -2644,10 +3219,6 @@ not an e-stop</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Blend mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Reach</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2684,15 +3255,19 @@ not an e-stop</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is outside %2 to %3 %4.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Set the blend of “%1”</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Set the speed of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blend %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is outside %2 to %3.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3097,18 +3672,6 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Controller message C%1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The controller reported this number.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Look C%1 up in the manufacturer&apos;s error code directory.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Unknown robot mode %1. See the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3348,6 +3911,10 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
     <message>
         <source>Program Tiller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3671,6 +4238,14 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
     <message>
         <source>A script of your own is running. Control comes back when it ends.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PolyScope X before 10.11 takes no such commands over the network: use the tablet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PolyScope X has no command for closing popups over the network: use the tablet.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
