@@ -18,6 +18,7 @@
 #include <QRegularExpression>
 #include <QStyle>
 #include <QStyleOptionComboBox>
+#include <QStyleOptionFrame>
 #include <QTabBar>
 #include <QTextDocument>
 #include <QToolButton>
@@ -98,6 +99,17 @@ inline QString problemOfField(const QString& text, const QWidget& field, int roo
                : QString();
 }
 
+/// What border, padding and margin leave of a line to type in.
+inline int roomIn(const QLineEdit& field) {
+    QStyleOptionFrame option;
+    option.initFrom(&field);
+    option.lineWidth =
+        field.hasFrame() ? field.style()->pixelMetric(QStyle::PM_DefaultFrameWidth, &option, &field) : 0;
+    constexpr int kQtsOwnMargin = 2;
+    return field.style()->subElementRect(QStyle::SE_LineEditContents, &option, &field).width() -
+           2 * kQtsOwnMargin;
+}
+
 inline QString problemOfTabs(const QTabBar& bar) {
     for (int i = 0; i < bar.count(); ++i) {
         const QRect tab = bar.tabRect(i);
@@ -161,7 +173,7 @@ inline QString problemOf(const QWidget& widget) {
     }
     if (const auto* box = qobject_cast<const QAbstractSpinBox*>(&widget)) {
         const auto* field = box->findChild<QLineEdit*>();
-        return field == nullptr ? QString() : problemOfField(box->text(), *field, field->width() - 2);
+        return field == nullptr ? QString() : problemOfField(box->text(), *field, roomIn(*field));
     }
     if (const auto* field = qobject_cast<const QLineEdit*>(&widget)) {
         return problemOfField(field->placeholderText(), *field, field->width() - 8);

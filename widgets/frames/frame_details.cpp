@@ -68,6 +68,7 @@ FrameDetails::FrameDetails(QWidget* parent) : QWidget(parent), name_(new QLabel)
         boxes_[at]->setToolTip(
             tr("%1, in Base. Enter applies it; nothing moves but the frame.").arg(spoken[at]));
         boxes_[at]->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        boxes_[at]->setProperty("dense", true);
         boxes_[at]->setMinimumWidth(80);
         letter->setBuddy(boxes_[at]);
         grid->addWidget(letter, i / 3, i % 3 * 2);
@@ -122,7 +123,7 @@ void FrameDetails::showFigures() {
         box.setRange(-most, most);
         box.setSingleStep(length ? 1 : asVector() ? 0.01 : 1);
         box.setSuffix(length       ? QLatin1Char(' ') + format::lengthUnit()
-                      : asVector() ? QString()
+                      : asVector() ? QStringLiteral(" rad")
                                    : QStringLiteral("°"));
         box.setValue(shown_[i]);
         // Rounded to what can be seen: only what was typed counts as a change.

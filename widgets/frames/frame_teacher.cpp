@@ -191,9 +191,11 @@ void FrameTeacher::refresh() {
     const bool wrong = found.problem != Problem::None && found.problem != Problem::Incomplete;
     const QString words = feedback();
     feedback_->setText(wrong ? QStringLiteral("▲ ") + words : words);
-    QPalette colours = palette();
-    colours.setColor(QPalette::WindowText, wrong ? Theme::current().warning : Theme::current().text);
-    feedback_->setPalette(colours);
+    const char* const role = wrong ? "warning" : "";
+    if (feedback_->property("role") != QLatin1String(role)) {
+        feedback_->setProperty("role", QLatin1String(role));
+        feedback_->setStyleSheet(feedback_->styleSheet());  // looks at the role anew
+    }
     make_->setEnabled(found.ok());
     make_->setToolTip(found.ok() ? QString() : words);
 }

@@ -261,7 +261,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(frame(0).T_base_frame.rotation.z() - std::numbers::pi / 2) < 1e-9);
         applyNotation(*qApp, {LengthUnit::Inches, RotationNotation::RotationVector});
         QCOMPARE(box("z")->text(), QStringLiteral("3.937 in"));
-        QCOMPARE(box("rz")->text(), QStringLiteral("1.5708"));
+        QCOMPARE(box("rz")->text(), QStringLiteral("1.5708 rad"));
         type("z", "10");
         QVERIFY(std::abs(frame(0).T_base_frame.position.z() - 0.254) < 1e-12);
         for (int steps = 0; steps < 3; ++steps) {
