@@ -3,13 +3,13 @@
 
 // The list itself: rows of 36 px, edited in place (F2 or double click), reordered by dragging.
 
-#include <QTableView>
+#include "widgets/common/row_table.h"
 
 namespace tiller {
 
 class WaypointModel;
 
-class WaypointTable : public QTableView {
+class WaypointTable : public RowTable {
     Q_OBJECT
 
 public:
@@ -17,13 +17,8 @@ public:
 
     /// Selected rows in ascending order.
     QList<int> selectedRows() const;
-    void renameCurrent();
-
-Q_SIGNALS:
-    void currentRowChanged(int row);
 
 protected:
-    void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
     void resizeEvent(QResizeEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 

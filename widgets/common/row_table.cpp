@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/row_table.h"
+
+#include <QHeaderView>
+#include <utility>
+
+#include "widgets/common/density.h"
+
+namespace tiller {
+
+RowTable::RowTable(QAbstractItemModel& model, int nameColumn, QWidget* parent)
+    : QTableView(parent), nameColumn_(nameColumn) {
+    setModel(&model);
+    setSelectionBehavior(SelectRows);
+    setEditTriggers(DoubleClicked | EditKeyPressed);
+    setShowGrid(false);
+    setWordWrap(false);
+    setTabKeyNavigation(false);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setVerticalScrollMode(ScrollPerPixel);
+    setFrameShape(NoFrame);
+    verticalHeader()->hide();
+    verticalHeader()->setMinimumSectionSize(tiller::rowHeight(Density::Compact));
+    followDensity(*this);
+    horizontalHeader()->setHighlightSections(false);
+    horizontalHeader()->setSectionsClickable(false);
+    horizontalHeader()->setStretchLastSection(false);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    horizontalHeader()->setSectionResizeMode(nameColumn, QHeaderView::Stretch);
+    horizontalHeader()->setMinimumSectionSize(24);
+    // The headings may use the gap to the next column.
+    horizontalHeader()->setStyleSheet(QStringLiteral("QHeaderView::section { padding: 6px 0 6px 12px; }"));
+}
+
+void RowTable::renameCurrent() {
+    if (currentIndex().isValid()) {
+        const QModelIndex name = model()->index(currentIndex().row(), nameColumn_);
+        selectionModel()->setCurrentIndex(name, QItemSelectionModel::NoUpdate);
+        setFocus();
+        edit(name);
+    }
+}
+
+void RowTable::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
+    QTableView::currentChanged(current, previous);
+    if (current.row() != previous.row()) {
+        Q_EMIT currentRowChanged(current.row());
+    }
+}
+
+RowDelegate::RowDelegate(QString editorName, QObject* parent)
+    : QStyledItemDelegate(parent), editorName_(std::move(editorName)) {}
+
+QWidget* RowDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem& option,
+                                   const QModelIndex& index) const {
+    QWidget* editor = named(QStyledItemDelegate::createEditor(parent, option, index), index);
+    // The cell's own height is small: no margins inside it.
+    editor->setStyleSheet(QStringLiteral("min-height: 0; padding: 0 8px;"));
+    return editor;
+}
+
+void RowDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                                       const QModelIndex&) const {
+    editor->setGeometry(option.rect.adjusted(0, 1, 0, -2));
+}
+
+void RowDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
+    QStyledItemDelegate::initStyleOption(option, index);
+    option->state &= ~QStyle::State_HasFocus;  // the row is the unit, not the cell
+    option->textElideMode = Qt::ElideRight;
+}
+
+QWidget* RowDelegate::named(QWidget* editor, const QModelIndex& index) const {
+    editor->setObjectName(editorName_);
+    editor->setAccessibleName(index.model()->headerData(index.column(), Qt::Horizontal).toString());
+    return editor;
+}
+
+}  // namespace tiller
