@@ -41,8 +41,12 @@ Error errorOf(StopCause cause) {
             return {ErrorCode::LimitExceeded, context,
                     QStringLiteral("a target was further away than the arm can get in one step")};
         case StopCause::LinkLost:
+            return {ErrorCode::LinkLost, context,
+                    QStringLiteral("the connection ended, or the control program no longer answered")};
         case StopCause::DataStale:
-            return {ErrorCode::LinkLost, context, {}};
+            return {ErrorCode::LinkLost, context,
+                    QStringLiteral("the robot's data came too late; a real-time priority helps on a busy "
+                                   "computer")};
         case StopCause::ControlLost:
             return {ErrorCode::NotInControl, context, QStringLiteral("the control program ended")};
         case StopCause::Superseded:
