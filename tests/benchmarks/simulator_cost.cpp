@@ -3,9 +3,9 @@
 // What a simulated controller costs and how regularly it ticks, in real time over real sockets: three RTDE
 // clients with the receiver's whole recipe at full rate, a primary client and a running 500 Hz script, first
 // one controller, then several side by side. Beside them a thread of the same priority does nothing but wake
-// up every 2 ms: what it finds is the machine's own doing. Last, one controller again, cut into tenths of a
-// second, and those left out in which a processor was away (machine_watch.h): what an idle machine of its own
-// would show. Prints tables and, with --json, one JSON object; asserts nothing.
+// up every 2 ms: what it finds is the machine's own doing. Last, both second by second: on a machine that is
+// shared with others there are seconds in which it is theirs, and the middle one tells what is usual. Prints
+// tables and, with --json, one JSON object; asserts nothing.
 //
 //   simulator_cost [--seconds 20] [--controllers 8] [--priority 95] [--json]
 
@@ -17,6 +17,7 @@
 #include <QTcpSocket>
 #include <QTextStream>
 #include <QThread>
+#include <algorithm>
 #include <atomic>
 #include <fstream>
 #include <memory>
@@ -29,7 +30,6 @@
 #include "robot/receive/receiver.h"
 #include "robot/script/primary_client.h"
 #include "robot/simulator/controller.h"
-#include "tests/benchmarks/machine_watch.h"
 
 using namespace tiller;
 using namespace std::chrono_literals;
@@ -193,57 +193,38 @@ std::optional<QJsonArray> measure(QTextStream& out, int controllers, int clients
     return all;
 }
 
-std::int64_t nowNs() {
-    return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-/// One controller, without the moments at which the machine was not there.
-std::optional<QJsonObject> measureWhileThere(QTextStream& out, int priority, int seconds) {
+/// One controller and a bare timer, second by second: the seconds in which the machine kept away from both
+/// tell what the controller adds.
+std::optional<QJsonObject> measureBySeconds(QTextStream& out, int priority, int seconds) {
     Cell cell(1, priority, 3);
     if (!cell.error.isEmpty()) {
         QTextStream(stderr) << cell.error << '\n';
         return std::nullopt;
     }
     std::this_thread::sleep_for(1s);
-    struct Slice {
-        std::int64_t fromNs = 0;
-        std::int64_t toNs = 0;
-        realtime::Histogram lateness;
-    };
-    std::vector<Slice> slices(static_cast<std::size_t>(seconds) * 10);
-    const benchmark::MachineWatch watch;
-    for (Slice& slice : slices) {
-        slice.fromNs = nowNs();
+    constexpr double kLimitUs = 200;
+    std::vector<double> controller;
+    std::vector<double> timer;
+    for (int i = 0; i < seconds; ++i) {
+        BareTimer bare(priority);
         cell.robot->resetTiming();
-        std::this_thread::sleep_for(100ms);
-        slice.lateness = cell.robot->timing().lateness;
-        slice.toNs = nowNs();
+        std::this_thread::sleep_for(1s);
+        controller.push_back(us(cell.robot->timing().lateness.percentileNs(99.9)));
+        timer.push_back(us(bare.stop().percentileNs(99.9)));
     }
-    realtime::Histogram there;
-    int kept = 0;
-    constexpr std::int64_t kMargin = 3'000'000;  // the tick before and the tick after
-    for (const Slice& slice : slices) {
-        if (!watch.wasAway(slice.fromNs - kMargin, slice.toNs + kMargin)) {
-            there.merge(slice.lateness);
-            ++kept;
-        }
-    }
-    out << "one controller, without the tenths of a second in which a processor was away (" << watch.count()
-        << " times, " << watch.seconds() * 1000 << " ms in all): " << kept << " of " << slices.size()
-        << " tenths, " << there.count() << " ticks"
-        << (watch.isWatching() ? "" : "  (NO REAL-TIME PRIORITY: WORTH NOTHING)") << "\n  lateness us   p50 "
-        << us(there.percentileNs(50)) << "  p99 " << us(there.percentileNs(99)) << "  p99.9 "
-        << us(there.percentileNs(99.9)) << "  max " << us(there.maxNs()) << "\n";
-    return QJsonObject{{"watching", watch.isWatching()},
-                       {"tenths", static_cast<qint64>(slices.size())},
-                       {"tenths_kept", kept},
-                       {"away", static_cast<qint64>(watch.count())},
-                       {"away_seconds", watch.seconds()},
-                       {"ticks", static_cast<qint64>(there.count())},
-                       {"lateness_us_p50", us(there.percentileNs(50))},
-                       {"lateness_us_p99", us(there.percentileNs(99))},
-                       {"lateness_us_p99_9", us(there.percentileNs(99.9))},
-                       {"lateness_us_max", us(there.maxNs())}};
+    const auto tell = [&](const char* name, std::vector<double>& p999) {
+        std::sort(p999.begin(), p999.end());
+        const auto below = std::lower_bound(p999.begin(), p999.end(), kLimitUs) - p999.begin();
+        const double middle = p999.empty() ? 0 : p999[p999.size() / 2];
+        out << name << ", second by second: lateness us p99.9   best second " << (p999.empty() ? 0 : p999[0])
+            << "  middle second " << middle << "  below " << kLimitUs << ": " << below << " of "
+            << p999.size() << " seconds\n";
+        return QJsonObject{{"middle_second_lateness_us_p99_9", middle},
+                           {"seconds_below_200_us", static_cast<qint64>(below)},
+                           {"seconds", static_cast<qint64>(p999.size())}};
+    };
+    return QJsonObject{{"controller", tell("one controller", controller)},
+                       {"bare_timer", tell("a timer alone", timer)}};
 }
 
 }  // namespace
@@ -283,8 +264,8 @@ int main(int argc, char* argv[]) {
         }
         side = *found;
     }
-    const auto there = measureWhileThere(out, priority, seconds);
-    if (!there) {
+    const auto bySeconds = measureBySeconds(out, priority, seconds);
+    if (!bySeconds) {
         return 1;
     }
     const QString after = load();
@@ -294,7 +275,7 @@ int main(int argc, char* argv[]) {
         console << QJsonDocument(QJsonObject{{"one", (*one)[0]},
                                              {"bare_timer", (*one)[1]},
                                              {"side_by_side", side},
-                                             {"while_the_machine_was_there", *there},
+                                             {"second_by_second", *bySeconds},
                                              {"load_before", before},
                                              {"load_after", after}})
                        .toJson(QJsonDocument::Compact)

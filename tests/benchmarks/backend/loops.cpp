@@ -192,6 +192,39 @@ Spans roundTrips(const receive::Receiver& receiver, const QString& host, int cou
     return trips;
 }
 
+/// A thread that does nothing but wake up every 2 ms, above all that is measured: what it finds is found by
+/// any program on this machine.
+class BareTimer {
+public:
+    explicit BareTimer(int priority) : thread_([this, priority] { run(priority); }) {}
+    ~BareTimer() { stop(); }
+    BareTimer(const BareTimer&) = delete;
+    BareTimer& operator=(const BareTimer&) = delete;
+    const Histogram& stop() {
+        over_ = true;
+        if (thread_.joinable()) {
+            thread_.join();
+        }
+        return cycles_;
+    }
+
+private:
+    void run(int priority) {
+        (void)realtime::requestThreadPriority(priority);
+        realtime::PeriodicTimer timer(2ms);
+        std::int64_t previous = SteadyClock::shared().nowNs();
+        while (!over_) {
+            timer.wait();
+            const std::int64_t now = SteadyClock::shared().nowNs();
+            cycles_.add(now - previous);
+            previous = now;
+        }
+    }
+    std::atomic<bool> over_{false};
+    Histogram cycles_;
+    std::thread thread_;
+};
+
 struct Condition {
     const char* name;
     bool realtime;
@@ -245,10 +278,15 @@ void measure(Report& report, const Wishes& wishes, const Condition& condition, c
             const test::HotCounts before = test::hotCounts();
             const std::uint64_t packets = receiver.counters().packets;
             test::countHotThreads(true);
+            constexpr int kAboveAll = 97;
+            BareTimer bare(condition.realtime ? kAboveAll : 0);
             const CircleResult timer = timerCircle(controller, seconds);
+            robot.resetTiming();
             const CircleResult packet = packetCircle(controller, seconds);
             test::countHotThreads(false);
+            const Histogram idle = bare.stop();
             const test::HotCounts after = test::hotCounts();
+            const simulator::TickTiming ticks = robot.timing();
             for (const auto& [loop, circle] : {std::pair("timer loop", &timer), {"packet loop", &packet}}) {
                 const QString what = name + QLatin1String(loop);
                 if (circle->error.code != ErrorCode::None) {
@@ -262,6 +300,19 @@ void measure(Report& report, const Wishes& wishes, const Condition& condition, c
             if (!longest) {
                 continue;
             }
+            report.add(QStringLiteral("a timer that does nothing, during both: p99.9"),
+                       static_cast<double>(idle.percentileNs(99.9)) / 1e6, QStringLiteral("ms"));
+            report.add(QStringLiteral("a timer that does nothing, during both: above 2.5 ms"),
+                       static_cast<double>(idle.countAbove(kCycleLimitNs)), QString());
+            // The packet loop is as even as its packages are sent.
+            report.add(QStringLiteral("simulated controller, lateness of a period: p99.9"),
+                       static_cast<double>(ticks.lateness.percentileNs(99.9)) / 1e6, QStringLiteral("ms"));
+            report.add(QStringLiteral("simulated controller, work of a period: p50"),
+                       static_cast<double>(ticks.work.percentileNs(50)) / 1e6, QStringLiteral("ms"));
+            report.add(QStringLiteral("simulated controller, work of a period: p99.9"),
+                       static_cast<double>(ticks.work.percentileNs(99.9)) / 1e6, QStringLiteral("ms"));
+            report.add(QStringLiteral("simulated controller, periods caught up"),
+                       static_cast<double>(ticks.late), QString());
             const auto ratio = [](const Histogram& locked, const Histogram& timed) {
                 return static_cast<double>(locked.percentileNs(99.9)) /
                        std::max(static_cast<double>(timed.percentileNs(99.9)), 1.0);
