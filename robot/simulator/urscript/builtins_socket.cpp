@@ -16,6 +16,14 @@ namespace {
 constexpr std::int64_t kConnectNs = 2'000'000'000;
 constexpr int kMaxReadCount = 30;
 
+// The maker of a gripper numbers its sockets: 1 is the socket "1".
+const std::string& socketName(Call& c, std::size_t i) {
+    if (c.args[i].isNumber()) {
+        c.args[i] = Value(toStr(c.args[i], kMaxStringLength));
+    }
+    return c.string(i);
+}
+
 bool expired(const Call& c, std::size_t timeoutArgument) {
     const double seconds = c.number(timeoutArgument);
     return seconds > 0 && static_cast<double>(c.waitedNs) >= seconds * 1e9 - 1.0;
@@ -30,7 +38,7 @@ bool over(Call& c, const std::string& socket, std::size_t timeoutArgument) {
 }
 
 Status socketOpen(Call& c) {
-    const std::string& name = c.string(2);
+    const std::string& name = socketName(c, 2);
     if (c.first && !c.host.openSocket(name, c.string(0), c.integerIn(1, 1, 65535))) {
         c.result = false;
         return Status::Done;
@@ -54,13 +62,13 @@ Status socketOpen(Call& c) {
 }
 
 Status socketClose(Call& c) {
-    c.host.closeSocket(c.string(0));
+    c.host.closeSocket(socketName(c, 0));
     return Status::Done;
 }
 
 Status readBinaryInteger(Call& c) {
     const auto count = static_cast<std::size_t>(c.integerIn(0, 0, kMaxReadCount));
-    const std::string& name = c.string(1);
+    const std::string& name = socketName(c, 1);
     const std::string_view bytes = c.host.receivedBytes(name);
     std::vector<std::int32_t> out(count + 1, -1);
     if (bytes.size() >= 4 * count && count > 0) {
@@ -84,7 +92,7 @@ Status readBinaryInteger(Call& c) {
 
 Status readByteList(Call& c) {
     const auto count = static_cast<std::size_t>(c.integerIn(0, 0, kMaxReadCount));
-    const std::string& name = c.string(1);
+    const std::string& name = socketName(c, 1);
     const std::string_view bytes = c.host.receivedBytes(name);
     std::vector<std::int32_t> out(count + 1, -1);
     if (bytes.size() >= count && count > 0) {
@@ -104,7 +112,7 @@ Status readByteList(Call& c) {
 // "( 1.4 , 3.1 )": everything up to the closing bracket is one message.
 Status readAsciiFloat(Call& c) {
     const auto count = static_cast<std::size_t>(c.integerIn(0, 0, kMaxReadCount));
-    const std::string& name = c.string(1);
+    const std::string& name = socketName(c, 1);
     const std::string_view bytes = c.host.receivedBytes(name);
     std::vector<double> out(count + 1, std::numeric_limits<double>::quiet_NaN());
     out[0] = 0;
@@ -147,7 +155,7 @@ std::string unescaped(const std::string& s) {
 }
 
 Status readString(Call& c) {
-    const std::string& name = c.string(0);
+    const std::string& name = socketName(c, 0);
     const bool escapes = c.boolean(3);
     const std::string prefix = escapes ? unescaped(c.string(1)) : c.string(1);
     const std::string suffix = escapes ? unescaped(c.string(2)) : c.string(2);
@@ -174,7 +182,7 @@ Status readString(Call& c) {
 }
 
 Status readLine(Call& c) {
-    const std::string& name = c.string(0);
+    const std::string& name = socketName(c, 0);
     const std::string_view bytes = c.host.receivedBytes(name);
     const std::size_t newline = bytes.find('\n');
     if (newline != std::string_view::npos) {
@@ -195,7 +203,7 @@ Status readLine(Call& c) {
 
 Status sendByte(Call& c) {
     const char byte = static_cast<char>(c.integer(0) & 0xff);
-    c.result = c.host.sendSocket(c.string(1), {&byte, 1});
+    c.result = c.host.sendSocket(socketName(c, 1), {&byte, 1});
     return Status::Done;
 }
 
@@ -203,24 +211,24 @@ Status sendInt(Call& c) {
     const auto value = static_cast<std::uint32_t>(c.integer(0));
     const char bytes[4] = {static_cast<char>(value >> 24), static_cast<char>(value >> 16 & 0xff),
                            static_cast<char>(value >> 8 & 0xff), static_cast<char>(value & 0xff)};
-    c.result = c.host.sendSocket(c.string(1), {bytes, 4});
+    c.result = c.host.sendSocket(socketName(c, 1), {bytes, 4});
     return Status::Done;
 }
 
 Status sendLine(Call& c) {
-    c.result = c.host.sendSocket(c.string(1), toStr(c.args[0], kMaxStringLength) + "\n");
+    c.result = c.host.sendSocket(socketName(c, 1), toStr(c.args[0], kMaxStringLength) + "\n");
     return Status::Done;
 }
 
 Status sendString(Call& c) {
-    c.result = c.host.sendSocket(c.string(1), toStr(c.args[0], kMaxStringLength));
+    c.result = c.host.sendSocket(socketName(c, 1), toStr(c.args[0], kMaxStringLength));
     return Status::Done;
 }
 
 // Asks "GET name" and waits for "name value".
 Status getVar(Call& c) {
     const std::string& variable = c.string(0);
-    const std::string& name = c.string(1);
+    const std::string& name = socketName(c, 1);
     c.result = std::int32_t{0};
     if (c.first && !c.host.sendSocket(name, "GET " + variable + "\n")) {
         return Status::Done;
@@ -244,7 +252,7 @@ Status getVar(Call& c) {
 }
 
 Status setVar(Call& c) {
-    c.host.sendSocket(c.string(2), "SET " + c.string(0) + " " + std::to_string(c.integer(1)) + "\n");
+    c.host.sendSocket(socketName(c, 2), "SET " + c.string(0) + " " + std::to_string(c.integer(1)) + "\n");
     return Status::Done;
 }
 

@@ -111,6 +111,17 @@ private Q_SLOTS:
         bytes.frames(1);
         QCOMPARE(bytes.value("a"), "[2, 255, 1]");
     }
+    void aNumberNamesASocketToo() {
+        ScriptRun run;
+        run.host.sockets["1"].state = SocketHost::State::Open;
+        run.host.sockets["1"].in = "ack";
+        run.load(
+            "def m():\nsocket_set_var(\"POS\", 7, 1)\na = socket_read_byte_list(3, "
+            "1)\nsocket_send_line(\"x\", 1)\nend\n");
+        QCOMPARE(run.frames(1), State::Finished);
+        QCOMPARE(run.value("a"), "[3, 97, 99, 107]");
+        QCOMPARE(run.host.sockets["1"].out, "SET POS 7\nx\n");
+    }
     void variablesAreAskedFor() {
         SocketRun run("a = socket_get_var(\"POS\")\nsocket_set_var(\"POS\", 7)\nsocket_send_line(\"x\")", "");
         run.frames(1);
