@@ -148,6 +148,7 @@ public:
 
     // SocketHost
     bool openSocket(std::string_view name, std::string_view address, int port) override;
+    ScriptSockets& sockets() { return sockets_; }
     State socketState(std::string_view name) const override;
     void closeSocket(std::string_view name) override;
     bool sendSocket(std::string_view name, std::string_view bytes) override;

@@ -13,6 +13,11 @@ const ScriptSockets::Connection* ScriptSockets::find(std::string_view name) cons
     return it == sockets_.end() ? nullptr : &it->second;
 }
 
+void ScriptSockets::setOwnServices(const QString& address, std::map<int, int> ports) {
+    ownAddress_ = address;
+    ownPorts_ = std::move(ports);
+}
+
 bool ScriptSockets::open(std::string_view name, std::string_view address, int port) {
     close(name);
     if (address.empty() || port <= 0 || port > 65535) {
@@ -21,7 +26,12 @@ bool ScriptSockets::open(std::string_view name, std::string_view address, int po
     Connection connection;
     connection.socket = std::make_unique<QTcpSocket>();
     connection.socket->setReadBufferSize(kMostUnread);
-    const auto host = QString::fromUtf8(address.data(), static_cast<qsizetype>(address.size()));
+    auto host = QString::fromUtf8(address.data(), static_cast<qsizetype>(address.size()));
+    const auto own = ownPorts_.find(port);
+    if (own != ownPorts_.end() && (address == "127.0.0.1" || address == "localhost")) {
+        host = ownAddress_;
+        port = own->second;
+    }
     QTcpSocket* socket = connection.socket.get();
     QObject::connect(socket, &QTcpSocket::connected, socket,
                      [socket] { socket->setSocketOption(QAbstractSocket::LowDelayOption, 1); });

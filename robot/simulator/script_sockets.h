@@ -4,6 +4,7 @@
 // TCP client sockets of a running program, by name.
 
 #include <QByteArray>
+#include <QString>
 #include <QTcpSocket>
 #include <map>
 #include <memory>
@@ -18,6 +19,9 @@ namespace tiller::simulator {
 class ScriptSockets {
 public:
     using State = urscript::SocketHost::State;
+
+    /// What a program finds at 127.0.0.1, for it the controller itself, by the port it knows.
+    void setOwnServices(const QString& address, std::map<int, int> ports);
 
     bool open(std::string_view name, std::string_view address, int port);
     State state(std::string_view name) const;
@@ -38,6 +42,8 @@ private:
     const Connection* find(std::string_view name) const;
 
     std::map<std::string, Connection, std::less<>> sockets_;
+    QString ownAddress_;
+    std::map<int, int> ownPorts_;  ///< where it is, by its standard number
 };
 
 }  // namespace tiller::simulator

@@ -17,6 +17,7 @@ constexpr double kFastest = 150.0 / 85.0 * 255.0;  ///< [steps/s]
 /// Closing and opening once.
 constexpr double kActivationTime = 1.2;
 constexpr double kReleaseSpeed = kSlowest;
+constexpr std::string_view kLights[] = {"LBP", "LRD", "LBL", "LGN"};
 
 }  // namespace
 
@@ -32,7 +33,7 @@ bool Gripper::set(std::string_view name, int value) {
         if (bit == 0 && (fault_ == kReleasing || fault_ == kReleased) && activated_ == 0) {
             fault_ = kNone;
         }
-    } else if (name == "ARD") {
+    } else if (name == "ARD" || name == "ADR") {
         releaseDirection_ = bit;
     } else if (name == "POS") {
         requested_ = byte;
@@ -41,7 +42,7 @@ bool Gripper::set(std::string_view name, int value) {
     } else if (name == "FOR") {
         force_ = byte;
     } else {
-        return name == "SID" || name == "MOD";  // one gripper, basic mode: accepted, nothing to choose
+        return setAside(name, byte);
     }
     if (goTo_ != 0 && (name == "POS" || name == "GTO")) {
         if (status_ == kActive) {
@@ -51,6 +52,21 @@ bool Gripper::set(std::string_view name, int value) {
         }
     }
     return true;
+}
+
+// What changes nothing of its motion.
+bool Gripper::setAside(std::string_view name, int value) {
+    for (std::size_t i = 0; i < std::size(kLights); ++i) {
+        if (name == kLights[i]) {
+            lights_[i] = value;
+            return true;
+        }
+    }
+    if (name == "MSC") {
+        currentLimit_ = value;
+        return true;
+    }
+    return name == "SID" || name == "MOD" || name == "SCN_BLOCK";  // one gripper, one mode: nothing to choose
 }
 
 void Gripper::activate(bool active) {
@@ -77,6 +93,7 @@ std::optional<int> Gripper::get(std::string_view name) const {
         {"GTO", goTo_},
         {"ATR", release_},
         {"ARD", releaseDirection_},
+        {"ADR", releaseDirection_},
         {"FOR", force_},
         {"SPE", speed_},
         {"POS", static_cast<int>(std::lround(position_))},
@@ -84,6 +101,8 @@ std::optional<int> Gripper::get(std::string_view name) const {
         {"PRE", requested_},
         {"OBJ", objectStatus_},
         {"FLT", fault_},
+        {"COU", 0},
+        {"MSC", currentLimit_},
         {"MOD", 0},
         {"SID", 9},
     };

@@ -26,6 +26,7 @@ private:
     enum Object { kMoving = 0, kStoppedOpening = 1, kStoppedClosing = 2, kAtDestination = 3 };
     enum Fault { kNone = 0, kNotActivated = 7, kReleasing = 11, kReleased = 15 };
 
+    bool setAside(std::string_view name, int value);
     void activate(bool active);
     void move(double target, double speed, double dt);
     double fingerSpeed() const;
@@ -36,6 +37,8 @@ private:
     int status_ = kReset;
     int objectStatus_ = kMoving;
     int fault_ = kNone;
+    int lights_[4] = {};         ///< LBP, LRD, LBL, LGN
+    int currentLimit_ = 0;       ///< [10 mA]
     double position_ = 3;        ///< 0..255; fingers wide open stand at 3 of 255
     double activationTime_ = 0;  ///< [s] since it began
     std::optional<int> object_;

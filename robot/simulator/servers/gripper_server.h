@@ -7,8 +7,12 @@
 //     SET POS 200 SPE 255 GTO 1       ack          (several at once; no newline behind "ack")
 //     GET POS                         POS 187
 //
-// A variable that does not exist reads as "?". Source: what ur_rtde's gripper class and the gripper's own
-// URScript send and expect.
+// A variable that does not exist reads as "?". The maker's own URScript asks without a newline, and reads
+// digits of a fixed number:
+//
+//     GET STA    3        GET FLT    00        GET PRE    007        GET SID    [9] and blanks, 17 in all
+//
+// Source: what ur_rtde's gripper class and the maker's URScript send and expect.
 
 #include "robot/simulator/servers/gripper.h"
 #include "robot/simulator/servers/line_server.h"
@@ -23,6 +27,7 @@ public:
 
 protected:
     Answer answer(std::string_view line, std::uint64_t tag) override;
+    std::optional<Answer> answerUnfinished(std::string_view line) override;
 
 private:
     Gripper gripper_;

@@ -39,16 +39,26 @@ void LineServer::read(Client& client) {
         bool closes = false;
         for (std::size_t i = 0; i < got && !closes; ++i) {
             const char c = static_cast<char>(buffer[i]);
-            if (c == '\n') {
+            if (c == '\n' && client.answeredUnfinished && client.line.empty()) {
+                client.answeredUnfinished = false;
+            } else if (c == '\n') {
                 const Answer given = answer(client.line, client.tag);
                 out += given.text;
                 closes = given.closes;
                 client.line.clear();
             } else if (client.line.size() < kLongestLine) {
                 client.line += c;
+                client.answeredUnfinished = false;
             } else {
                 client.peer.close();  // this is no client of ours
                 return;
+            }
+        }
+        if (!client.line.empty() && got < buffer.size()) {
+            if (const std::optional<Answer> given = answerUnfinished(client.line)) {
+                out += given->text;
+                client.answeredUnfinished = true;
+                client.line.clear();
             }
         }
         if (!out.empty() && !client.peer.send(out)) {

@@ -4,6 +4,7 @@
 // A service that is spoken to in lines of text. What a client sends in one piece is answered in one piece:
 // there are clients that ask for several things at once and read once.
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -26,6 +27,8 @@ protected:
     virtual std::string greeting() { return {}; }
     /// line  without its end
     virtual Answer answer(std::string_view line, std::uint64_t tag) = 0;
+    /// What has come so far of a line: an answer to it takes it as it stands, and no end is waited for.
+    virtual std::optional<Answer> answerUnfinished(std::string_view) { return std::nullopt; }
 
 private:
     struct Client {
@@ -34,6 +37,7 @@ private:
         Peer peer;
         std::uint64_t tag;
         std::string line;
+        bool answeredUnfinished = false;  ///< the end of that line may come still
     };
     void read(Client& client);
 

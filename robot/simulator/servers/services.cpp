@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "robot/simulator/servers/services.h"
 
+#include <map>
+
 #include "robot/simulator/plant.h"
+#include "robot/simulator/script_host.h"
 
 namespace tiller::simulator {
 
@@ -82,6 +85,16 @@ Result<void> Services::open(const ControllerOptions& options) {
             return opened;
         }
     }
+    // Listening everywhere includes the address that programs have for this controller.
+    const bool everywhere = address == QHostAddress(QHostAddress::AnyIPv4);
+    std::map<int, int> own;
+    for (const Entry& entry : all_) {
+        if (entry.server->port() != 0) {
+            own.emplace(Ports().*entry.port, entry.server->port());
+        }
+    }
+    plant_.scriptHost().sockets().setOwnServices(
+        everywhere ? QStringLiteral("127.0.0.1") : options.listenAddress, std::move(own));
     return {};
 }
 

@@ -72,6 +72,50 @@ private Q_SLOTS:
         QCOMPARE(gripper.socket().readAll(), QByteArray("ACT 0\nSTA 0\nFLT 0\n"));
     }
 
+    void theMakersScriptAsksWithoutALineEnd() {
+        VirtualRobot robot;
+        GripperClient gripper(robot);
+        const auto ask = [&](const QByteArray& name, int bytes) {
+            gripper.send("GET " + name);
+            return gripper.take(bytes);
+        };
+        QCOMPARE(ask("STA", 1), QByteArray("0"));
+        QCOMPARE(ask("FLT", 2), QByteArray("00"));
+        QVERIFY(gripper.set("POS 7"));
+        QCOMPARE(ask("PRE", 3), QByteArray("007"));
+        const QByteArray addresses = ask("SID", 17);
+        QCOMPARE(addresses[1], '9');
+        QVERIFY(gripper.takeAll().isEmpty());
+        // A line in two pieces: its end is not another question.
+        gripper.send("\n");
+        QCOMPARE(gripper.get("PRE"), QByteArray("PRE 7\n"));
+        QVERIFY(gripper.set("LBP 1") && gripper.set("LRD 0") && gripper.set("MSC 40") &&
+                gripper.set("SCN_BLOCK 1"));
+        QCOMPARE(ask("MSC", 3), QByteArray("040"));
+        // What is only begun is waited for.
+        gripper.send("SET POS");
+        QVERIFY(gripper.takeAll().isEmpty());
+        gripper.send(" 9\n");
+        QCOMPARE(gripper.take(3), QByteArray("ack"));
+    }
+
+    void aProgramFindsItAtTheControllersOwnAddress() {
+        auto options = VirtualRobot::options();
+        options.listenAddress = "127.0.0.7";  // of the controller; its programs know it as 127.0.0.1
+        VirtualRobot robot(options);
+        RawClient scripts(robot.host(), robot.controller.ports().secondary);
+        scripts.send(
+            "def p():\n"
+            "  opened = socket_open(\"127.0.0.1\", 63352, \"1\")\n"
+            "  socket_set_var(\"POS\", 42, 1)\n"
+            "  ack = socket_read_byte_list(3, 1)\n"
+            "  set_standard_digital_out(0, opened and ack[0] == 3)\n"
+            "end\n");
+        QVERIFY(robot.stepUntil([&] { return robot.controller.truth().digitalOutputs == 1; }));
+        GripperClient gripper(robot);
+        QCOMPARE(gripper.value("PRE"), 42);
+    }
+
     void itIsActivatedBeforeItMoves() {
         VirtualRobot robot;
         GripperClient gripper(robot);
