@@ -5,6 +5,8 @@
 //
 // Errors: std::runtime_error when there is no connection, it breaks, or the URCap does not answer within 2 s.
 
+#include <ur_rtde/rtde.h>
+
 #include <cstdint>
 #include <memory>
 #include <string>

@@ -15,20 +15,16 @@
 // thread is waiting for; a move after servoing needs no servoStop(); a lost connection is not taken up again
 // without reconnect().
 
-// Existing programs count on some of these coming along.
 #include <ur_rtde/async_operation_status.h>
 #include <ur_rtde/dashboard_enums.h>
+#include <ur_rtde/rtde.h>
 #include <ur_rtde/rtde_path.h>
 #include <ur_rtde/rtde_utility.h>
 
-#include <atomic>
 #include <chrono>
 #include <cstdint>
-#include <functional>
-#include <iostream>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace ur_rtde {

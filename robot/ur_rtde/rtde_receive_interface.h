@@ -7,16 +7,13 @@
 // Errors of the getters: std::runtime_error naming the field when it is not followed (see `variables`) or the
 // robot does not have it.
 
+#include <ur_rtde/rtde.h>
 #include <ur_rtde/rtde_utility.h>
 
 #include <chrono>
 #include <cstdint>
-#include <fstream>
-#include <map>
 #include <memory>
 #include <string>
-#include <thread>
-#include <tuple>
 #include <vector>
 
 namespace ur_rtde {

@@ -3,14 +3,9 @@
 
 // Small helpers of the ur_rtde interface: splitting text, keeping time, asking for real-time priority.
 
-// Some of these are for programs, which count on their coming along.
+#include <ur_rtde/rtde.h>
+
 #include <chrono>
-#include <cmath>
-#include <cstdint>
-#include <fstream>
-#include <iomanip>
-#include <iostream>
-#include <sstream>
 #include <string>
 #include <vector>
 

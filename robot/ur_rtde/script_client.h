@@ -3,6 +3,8 @@
 
 // Sends URScript: a file, a text, or the built-in control program, prepared for the controller's software.
 
+#include <ur_rtde/rtde.h>
+
 #include <cstdint>
 #include <memory>
 #include <string>

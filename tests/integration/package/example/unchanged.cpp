@@ -1,21 +1,44 @@
 // SPDX-License-Identifier: MIT
 // Leans on what ur_rtde's headers bring along, as programs of its users do.
+#include <ur_rtde/robot_state.h>
+#include <ur_rtde/rtde.h>
 #include <ur_rtde/rtde_control_interface.h>
+#include <ur_rtde/rtde_export.h>
 #include <ur_rtde/rtde_receive_interface.h>
 
+using namespace ur_rtde;
+using namespace std::chrono;
+
+bool running = true;
+void raiseFlag(int) {
+    running = false;
+}
+
+RTDE_EXPORT std::vector<double> home() {
+    return {0, -M_PI / 2, 0, -M_PI / 2, 0, 0};
+}
+
 int main(int argc, char** argv) {
+    signal(SIGINT, raiseFlag);
+    usleep(1);
+    std::vector<double> sorted = home();
+    std::sort(sorted.begin(), sorted.end());
+    double sum = std::accumulate(sorted.begin(), sorted.end(), 0.0);
+    std::mutex mutex;
+    std::lock_guard<std::mutex> lock(mutex);
+    printf("%.1f %zu\n", sum, strlen("done"));
     std::ofstream log("/dev/null");
     std::ostringstream text;
     std::map<std::string, std::tuple<double, int>> times;
     std::unique_ptr<ur_rtde::RTDEControlInterface> control;
-    std::atomic<bool> running{false};
+    std::atomic<bool> known{false};
     std::function<double(double)> turn = [](double angle) { return std::cos(angle); };
     text << std::setprecision(3) << turn(0);
     log << text.str() << times.size() << std::endl;
     ur_rtde::AsyncOperationStatus status = 5;
     if (argc > 1) {
         control.reset(new ur_rtde::RTDEControlInterface(argv[1]));
-        running = control->versions().major > 0 && !control->serial_number().empty();
+        known = control->versions().major > 0 && !control->serial_number().empty();
     }
     return status.progress() == -1 ? 0 : 1;
 }
