@@ -47,7 +47,7 @@ void checkRows(const std::vector<List>& path) {
 }  // namespace
 
 PathEntry::PathEntry(eMoveType move_type, ePositionType position_type, const List parameters)
-    : move_type_(move_type), position_type_(position_type), param_(parameters) {
+    : move_type_(move_type), pos_type_(position_type), param_(parameters) {
     std::size_t speedAt = 6;
     if (move_type_ == MoveC) {
         speedAt = 12;
@@ -55,12 +55,12 @@ PathEntry::PathEntry(eMoveType move_type, ePositionType position_type, const Lis
             param_.push_back(0.0);
         }
         check::list("parameters", param_, kRow + 7);
-        checkPosition("parameters (via)", position_type_, param_, 0);
+        checkPosition("parameters (via)", pos_type_, param_, 0);
         check::number("parameters[15] (mode)", param_[15], 0, 1);
     } else {
         check::list("parameters", param_, kRow);
     }
-    checkPosition("parameters", position_type_, param_, speedAt - 6);
+    checkPosition("parameters", pos_type_, param_, speedAt - 6);
     if (move_type_ == MoveJ) {
         check::jointMove(param_[speedAt], param_[speedAt + 1]);
     } else {
@@ -72,16 +72,16 @@ PathEntry::PathEntry(eMoveType move_type, ePositionType position_type, const Lis
 std::string PathEntry::toScriptCode() const {
     static constexpr const char* kNames[] = {"movej", "movel", "movep", "movec"};
     const std::size_t speedAt = move_type_ == MoveC ? 12 : 6;
-    std::string text = std::string(kNames[move_type_]) + "(" + position(position_type_, param_, 0);
+    std::string text = "\t" + std::string(kNames[move_type_]) + "(" + position(pos_type_, param_, 0);
     if (move_type_ == MoveC) {
-        text += "," + position(position_type_, param_, 6);
+        text += "," + position(pos_type_, param_, 6);
     }
     text += ",a=" + number(param_[speedAt + 1]) + ",v=" + number(param_[speedAt]) +
             ",r=" + number(param_[speedAt + 2]);
     if (move_type_ == MoveC) {
         text += ",mode=" + number(param_[speedAt + 3]);
     }
-    return text + ")";
+    return text + ")\n";
 }
 
 void Path::addEntry(const PathEntry& entry) {
@@ -117,8 +117,7 @@ void Path::appendMovejPath(const std::vector<List>& path) {
 std::string Path::toScriptCode() const {
     std::string text;
     for (std::size_t i = 0; i < waypoints_.size(); ++i) {
-        text +=
-            "\tsignal_async_progress(" + std::to_string(i) + ")\n\t" + waypoints_[i].toScriptCode() + "\n";
+        text += "\tsignal_async_progress(" + std::to_string(i) + ")\n" + waypoints_[i].toScriptCode();
     }
     return text;
 }

@@ -10,8 +10,7 @@
 namespace ur_rtde {
 
 /// One move of a path.
-class PathEntry {
-public:
+struct PathEntry {
     enum eMoveType { MoveJ, MoveL, MoveP, MoveC };
     enum ePositionType { PositionTcpPose, PositionJoints };
 
@@ -23,11 +22,11 @@ public:
     /// std::range_error for one out of range.
     PathEntry(eMoveType move_type, ePositionType position_type, const std::vector<double> parameters);
 
-    /// The line of URScript.
+    /// The line of URScript, with its end.
     std::string toScriptCode() const;
 
     eMoveType move_type_;
-    ePositionType position_type_;
+    ePositionType pos_type_;
     std::vector<double> param_;
 };
 

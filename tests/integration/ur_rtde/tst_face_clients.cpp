@@ -269,7 +269,9 @@ private Q_SLOTS:
                              "\tsignal_async_progress(1)\n\tmovel(p[0.1,0.2,0.3,0,3.14,0],a=1.2,v=0.25,r=0)\n"
                              "\tsignal_async_progress(2)\n\tmovec(p[0.1,0.2,0.3,0,0,0],p[0.2,0.3,0.4,0,0,0],"
                              "a=1.2,v=0.25,r=0.01,mode=0)\n"));
-        QCOMPARE(path.waypoints()[0].toScriptCode().substr(0, 6), std::string("movej("));
+        QCOMPARE(path.waypoints()[1].toScriptCode(),
+                 std::string("\tmovel(p[0.1,0.2,0.3,0,3.14,0],a=1.2,v=0.25,r=0)\n"));
+        QCOMPARE(path.waypoints()[1].pos_type_, PathEntry::PositionTcpPose);
         QVERIFY_EXCEPTION_THROWN(path.appendMovejPath({{1, 2}}), std::invalid_argument);
     }
 };

@@ -92,7 +92,7 @@ private Q_SLOTS:
             {"RobotiqGripper", "gripper\\."},
             {"RTDEUtility", "RTDEUtility::"},
             {"Path", "path\\."},
-            {"PathEntry", "\\[0\\]\\."},
+            {"PathEntry", "\\[\\d\\]\\."},
         };
         static const QHash<QString, QString> python = {
             {"RTDEControlInterface", "(?:control|self\\.control)\\."},
@@ -102,7 +102,7 @@ private Q_SLOTS:
             {"ScriptClient", "client\\."},
             {"RobotiqGripper", "gripper\\."},
             {"Path", "path\\."},
-            {"PathEntry", "\\[0\\]\\."},
+            {"PathEntry", "\\[\\d\\]\\."},
             {"AsyncOperationStatus", "(?:status|AsyncOperationStatus\\(\\w*\\))\\."},
         };
         const auto cppTests =
