@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/ur_rtde/arguments.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -116,6 +117,10 @@ void flags(const char* name, const std::vector<int>& values, std::size_t size) {
 
 void port(const char* name, int value) {
     integer(name, value, 1, 65535);
+}
+
+void priority(int value) {
+    integer("rt_priority", std::max(value, 0), 0, 99);
 }
 
 void frequency(double value) {

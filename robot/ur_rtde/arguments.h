@@ -40,5 +40,7 @@ void flags(const char* name, const std::vector<int>& values, std::size_t size);
 void port(const char* name, int value);
 /// -1 (as many as there are) or 1 ... 500 Hz.
 void frequency(double value);
+/// Up to 99; below 1 is no wish.
+void priority(int value);
 
 }  // namespace tiller::urrtde::check

@@ -27,7 +27,7 @@ SessionOptions checked(const SessionOptions& options) {
     }
     check::frequency(options.frequency);
     check::port("ur_cap_port", options.capPort);
-    check::integer("rt_priority", options.priority, 0, 99);
+    check::priority(options.priority);
     return options;
 }
 

@@ -124,7 +124,7 @@ RTDEIOInterface::RTDEIOInterface(std::string hostname, bool verbose, bool use_up
     if (hostname.empty()) {
         throw std::invalid_argument("hostname is empty");
     }
-    check::integer("rt_priority", rt_priority, 0, 99);
+    check::priority(rt_priority);
     if (rt_priority > 0) {
         tiller::realtime::requestThreadPriority(rt_priority);  // there is no other thread than the caller's
     }

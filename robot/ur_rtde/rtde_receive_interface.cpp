@@ -34,7 +34,7 @@ ReceiverOptions optionsOf(const std::string& host, double frequency, std::vector
         throw std::invalid_argument("hostname is empty");
     }
     check::frequency(frequency);
-    check::integer("rt_priority", priority, 0, 99);
+    check::priority(priority);
     for (const std::string& name : variables) {
         if (tiller::rtde::findOutput(name) == nullptr) {
             throw std::invalid_argument("variables: there is no RTDE output \"" + name + "\"");
@@ -44,7 +44,7 @@ ReceiverOptions optionsOf(const std::string& host, double frequency, std::vector
     options.host = QString::fromStdString(host);
     options.frequency = frequency > 0 ? frequency : 0;
     options.fields = variables.empty() ? tiller::urrtde::receiveFields(upper) : std::move(variables);
-    options.priority = priority;
+    options.priority = std::max(priority, 0);
     return options;
 }
 

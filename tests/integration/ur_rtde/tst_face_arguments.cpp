@@ -264,6 +264,8 @@ private Q_SLOTS:
                                  std::invalid_argument);
         QVERIFY_EXCEPTION_THROWN(RTDEControlInterface("127.0.0.1", kNan), std::invalid_argument);
         QVERIFY_EXCEPTION_THROWN(RTDEControlInterface("127.0.0.1", -1.0, 1, 0), std::range_error);
+        QVERIFY_EXCEPTION_THROWN(RTDEReceiveInterface("127.0.0.1", -1.0, {}, false, false, 100),
+                                 std::range_error);
         QVERIFY_EXCEPTION_THROWN(DashboardClient("127.0.0.1", 0), std::range_error);
         QVERIFY_EXCEPTION_THROWN(DashboardClient(""), std::invalid_argument);
         QVERIFY_EXCEPTION_THROWN(ScriptClient("127.0.0.1", 5, 0, 70000), std::range_error);

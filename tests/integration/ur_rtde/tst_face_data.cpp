@@ -131,7 +131,7 @@ private Q_SLOTS:
     }
 
     void upperRegistersAreFollowed() {
-        RTDEReceiveInterface upper(cell_->host(), 10.0, {}, true, true);
+        RTDEReceiveInterface upper(cell_->host(), 10.0, {}, true, true, -1);  // no wish for a priority
         QCOMPARE(upper.getOutputIntRegister(36), 0);
         QCOMPARE(upper.getOutputDoubleRegister(43), 0.0);
         QVERIFY_EXCEPTION_THROWN(upper.getOutputIntRegister(12), std::range_error);
