@@ -21,8 +21,12 @@ void appendNumber(std::string& out, Number value) {
 
 }  // namespace
 
-CsvWriter::CsvWriter(const receive::SampleLayout& layout, const std::vector<std::string>& fields) {
-    std::vector<std::string> ordered{"timestamp"};
+CsvWriter::CsvWriter(const receive::SampleLayout& layout, const std::vector<std::string>& fields,
+                     bool asGiven) {
+    std::vector<std::string> ordered;
+    if (!asGiven) {
+        ordered.emplace_back("timestamp");
+    }
     for (const std::string& field : fields) {
         if (std::find(ordered.begin(), ordered.end(), field) == ordered.end()) {
             ordered.push_back(field);
@@ -36,8 +40,13 @@ CsvWriter::CsvWriter(const receive::SampleLayout& layout, const std::vector<std:
             header_ += ',';
         }
     }
-    header_ += kLostColumn;
-    header_ += '\n';
+    asGiven_ = asGiven && !indices_.empty();
+    if (asGiven_) {
+        header_.back() = '\n';
+    } else {
+        header_ += kLostColumn;
+        header_ += '\n';
+    }
 }
 
 void CsvWriter::append(std::string& out, const receive::Sample& sample, std::uint64_t lost) const {
@@ -48,8 +57,12 @@ void CsvWriter::append(std::string& out, const receive::Sample& sample, std::uin
         }
         out += ',';
     }
-    appendNumber(out, lost);
-    out += '\n';
+    if (asGiven_) {
+        out.back() = '\n';
+    } else {
+        appendNumber(out, lost);
+        out += '\n';
+    }
 }
 
 }  // namespace tiller::recording

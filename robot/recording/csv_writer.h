@@ -14,8 +14,10 @@ namespace tiller::recording {
 /// Threads  one
 class CsvWriter {
 public:
-    /// fields  those the layout does not have are left out; timestamp is put first
-    CsvWriter(const receive::SampleLayout& layout, const std::vector<std::string>& fields);
+    /// fields  those the layout does not have are left out; timestamp is put first, the packages lost last
+    /// asGiven  neither of the two is added
+    CsvWriter(const receive::SampleLayout& layout, const std::vector<std::string>& fields,
+              bool asGiven = false);
 
     /// Numbers per row without the last column.
     std::size_t columns() const { return indices_.size(); }
@@ -26,6 +28,7 @@ public:
 private:
     std::vector<std::size_t> indices_;
     std::string header_;
+    bool asGiven_ = false;
 };
 
 }  // namespace tiller::recording

@@ -209,7 +209,7 @@ Result<void> Recorder::start(const RecorderOptions& options, receive::Subscripti
     stop();  // what is left of a failed one
     auto next = std::make_shared<Worker>();
     next->path = options.path;
-    next->writer = std::make_unique<CsvWriter>(*layout, options.fields);
+    next->writer = std::make_unique<CsvWriter>(*layout, options.fields, options.asGiven);
     if (next->writer->columns() == 0) {
         return Error{ErrorCode::InvalidArgument, QStringLiteral("no field to record"), {}};
     }

@@ -32,6 +32,7 @@ struct RecorderOptions {
     QString path;
     /// Field names; those the receiver does not follow are left out. `timestamp` always comes first.
     std::vector<std::string> fields = defaultRecordedFields();
+    bool asGiven = false;  ///< these fields in this order and nothing else: no timestamp, no packages_lost
 };
 
 enum class RecorderState {

@@ -197,6 +197,7 @@ bool RTDEReceiveInterface::startFileRecording(const std::string& filename,
     }
     tiller::recording::RecorderOptions options;
     options.path = QString::fromStdString(filename);
+    options.asGiven = true;  // programs find columns by their number
     options.fields.clear();
     for (const auto& entry : d_->receiver.layout()->entries()) {
         options.fields.push_back(entry.name);

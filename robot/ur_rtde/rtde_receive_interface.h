@@ -163,9 +163,10 @@ public:
     /// Sleeps until one period of `frequency` after the beginning of the cycle.
     void waitPeriod(const std::chrono::steady_clock::time_point& t_cycle_start);
 
-    /// Writes one row for each package from now on: `timestamp`, then a column for each number (actual_q_0
-    /// ...). variables  field names; empty: all that is followed Throws std::invalid_argument for a field
-    /// that is not followed. Returns  false when the file cannot be written or a recording is under way
+    /// Writes one row for each package from now on, a column for each number (actual_q_0 ...).
+    /// variables  field names, in the order of the columns; empty: all that is followed, `timestamp` first
+    /// Throws std::invalid_argument for a field that is not followed.
+    /// Returns  false when the file cannot be written or a recording is under way
     bool startFileRecording(const std::string& filename, const std::vector<std::string>& variables = {});
     /// Returns  false when nothing was being recorded, or it failed
     bool stopFileRecording();

@@ -38,6 +38,7 @@ class TestCsv : public QObject {
 
 private Q_SLOTS:
     void columnsAreNamedAsInRecordings();
+    void columnsAreThoseAskedForAlone();
     void numbersReadBackExactly();
     void absentValuesAreEmptyCells();
     void commaLocalesChangeNothing();
@@ -58,6 +59,18 @@ void TestCsv::columnsAreNamedAsInRecordings() {
         QByteArray("timestamp,robot_mode,actual_q_0,actual_q_1,actual_q_2,actual_q_3,actual_q_4,actual_q_5,"
                    "packages_lost\n"));
     QCOMPARE(writer.columns(), std::size_t(8));
+}
+
+void TestCsv::columnsAreThoseAskedForAlone() {
+    const auto layout = std::make_shared<receive::SampleLayout>(
+        std::vector<std::string>{"timestamp", "robot_mode", "actual_q"});
+    const CsvWriter writer(*layout, {"robot_mode", "timestamp"}, true);
+    receive::Sample sample = sampleOf(layout);
+    sample.values = {1.5, 7, 1, 2, 3, 4, 5, 6};
+    std::string text = writer.header();
+    writer.append(text, sample, 17);
+    QCOMPARE(text, std::string("robot_mode,timestamp\n7,1.5\n"));
+    QCOMPARE(CsvWriter(*layout, {"ft_raw_wrench"}, true).columns(), std::size_t(0));
 }
 
 void TestCsv::numbersReadBackExactly() {
