@@ -245,7 +245,9 @@ bool ControlSession::endProgram(ControlLink& link) {
     if (!ended && dashboard_ && dashboard_->isConnected()) {
         try {
             dashboard_->stop();
-        } catch (const std::logic_error& error) {
+        } catch (const Interrupted&) {
+            throw;
+        } catch (const std::exception& error) {
             say(error.what());
         }
     }

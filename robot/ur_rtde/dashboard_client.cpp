@@ -27,11 +27,12 @@ struct DashboardClient::Private {
     bool verbose;
     std::deque<std::string> replies;  ///< to lines sent with send()
 
+    template <class Refused = std::logic_error>
     std::string ask(const std::string& line) {
         const std::lock_guard lock(mutex);
         const auto reply = client.command(QString::fromStdString(line), within(kReplyTime));
         if (!reply && reply.error().code == tiller::ErrorCode::RemoteControlRequired) {
-            throw std::logic_error(line + ": " + reply.error().controllerMessage.toStdString());
+            throw Refused(line + ": " + reply.error().controllerMessage.toStdString());
         }
         if (!reply && reply.error().code == tiller::ErrorCode::InvalidArgument) {
             throw std::invalid_argument(reply.error().toString().toStdString());
@@ -46,10 +47,11 @@ struct DashboardClient::Private {
     }
 
     /// The server's reply, which has to begin like this.
+    template <class Refused = std::logic_error>
     std::string order(const std::string& line, const std::string& beginning) {
-        const std::string reply = ask(line);
+        const std::string reply = ask<Refused>(line);
         if (reply.compare(0, beginning.size(), beginning) != 0) {
-            throw std::logic_error(line + ": " + reply);
+            throw Refused(line + ": " + reply);
         }
         return reply;
     }
@@ -113,19 +115,19 @@ void DashboardClient::loadURP(const std::string& urp_name) {
     if (urp_name.empty()) {
         throw std::invalid_argument("urp_name is empty");
     }
-    d_->order("load " + urp_name, "Loading program: ");
+    d_->order<std::runtime_error>("load " + urp_name, "Loading program: ");
 }
 
 void DashboardClient::play() {
-    d_->order("play", "Starting program");
+    d_->order<std::runtime_error>("play", "Starting program");
 }
 
 void DashboardClient::stop() {
-    d_->order("stop", "Stopped");
+    d_->order<std::runtime_error>("stop", "Stopped");
 }
 
 void DashboardClient::pause() {
-    d_->order("pause", "Pausing program");
+    d_->order<std::runtime_error>("pause", "Pausing program");
 }
 
 bool DashboardClient::running() {
@@ -138,9 +140,7 @@ std::string DashboardClient::programState() {
 }
 
 std::string DashboardClient::getLoadedProgram() {
-    const std::string prefix = "Loaded program: ";
-    const std::string reply = d_->ask("get loaded program");
-    return reply.compare(0, prefix.size(), prefix) == 0 ? reply.substr(prefix.size()) : reply;
+    return d_->ask("get loaded program");
 }
 
 bool DashboardClient::isProgramSaved() {

@@ -4,10 +4,12 @@
 // The dashboard server of the robot (CB3 and e-Series), one line for each command.
 //
 // Errors of every command: std::runtime_error when there is no connection, it breaks, or no reply comes
-// within 2.5 s; std::logic_error with the server's own words when it answers something else than that it does
-// as told.
+// within 2.5 s. With the server's own words when it answers something else than that it does as told:
+// std::runtime_error from loadURP(), play(), stop() and pause(), std::logic_error from the others, as
+// programs expect it.
 
 #include <ur_rtde/dashboard_enums.h>
+#include <ur_rtde/rtde.h>
 
 #include <cstdint>
 #include <memory>
@@ -42,7 +44,7 @@ public:
     void pause();
     bool running();
     std::string programState();      ///< "STOPPED name"
-    std::string getLoadedProgram();  ///< its path, or the server's sentence when there is none
+    std::string getLoadedProgram();  ///< "Loaded program: " and its path, or that there is none
     bool isProgramSaved();
 
     // Power and safety

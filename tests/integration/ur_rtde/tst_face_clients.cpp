@@ -81,9 +81,11 @@ private Q_SLOTS:
         const auto robot = cell();
         DashboardClient dashboard(robot->host(), 29999, true);
         dashboard.connect(5000);
-        QVERIFY_EXCEPTION_THROWN(dashboard.loadURP("nothing.urp"), std::logic_error);
+        QVERIFY_EXCEPTION_THROWN(dashboard.loadURP("nothing.urp"), std::runtime_error);
+        QVERIFY_EXCEPTION_THROWN(dashboard.play(), std::runtime_error);  // nothing is loaded
         dashboard.loadURP("loaded.urp");
-        QVERIFY(QString::fromStdString(dashboard.getLoadedProgram()).endsWith("loaded.urp"));
+        const QString loaded = QString::fromStdString(dashboard.getLoadedProgram());
+        QVERIFY2(loaded.startsWith("Loaded program: ") && loaded.endsWith("loaded.urp"), qPrintable(loaded));
         dashboard.play();
         QVERIFY(robot->until([&](const simulator::Truth&) { return dashboard.running(); }));
         QCOMPARE(dashboard.programState(), std::string("PLAYING loaded.urp"));
