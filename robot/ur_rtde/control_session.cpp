@@ -29,6 +29,18 @@ const auto hasEnded = [](const LinkState& state) {
     return state.runtime == RuntimeState::Stopped || state.runtime == RuntimeState::Stopping;
 };
 
+// A whole program, as programs of users are; the built-in one is what stands between `def` and `end`.
+bool isWhole(const std::string& text) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t begin = line.find_first_not_of(" \t\r");
+        if (begin != std::string::npos && line[begin] != '#') {
+            return line.compare(0, 4, "def ") == 0;
+        }
+    }
+    return false;
+}
+
 // Addresses where a controller in Local is obeyed all the same: itself, and the vendor's virtual machine.
 bool isExempt(const std::string& host) {
     return host == "localhost" || host == "127.0.0.1" || host == "192.168.56.101";
@@ -207,7 +219,7 @@ std::string ControlSession::program(const SoftwareVersion& version, const std::s
         throw std::runtime_error("The script " + scriptFile_ +
                                  " has a version mark that cannot be understood");
     }
-    if (bare || text.compare(0, 4, "def ") == 0) {
+    if (bare || isWhole(text)) {
         return text;
     }
     return "def rtde_control():\n" + text + "end\n";
@@ -276,6 +288,16 @@ bool ControlSession::reupload() {
         return stopped;
     };
     return awaitProgram(*current, kProgramStart, isStopped) || stopped;
+}
+
+void ControlSession::useScriptFile(const std::string& file) {
+    {
+        const TurnLock turn = takeTurn();
+        scriptFile_ = file;
+    }
+    if (isConnected()) {
+        reupload();
+    }
 }
 
 void ControlSession::stopProgram() {

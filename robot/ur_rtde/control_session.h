@@ -139,7 +139,8 @@ public:
     };
     const Identity& identity() const { return identity_; }
     int offset() const;  ///< of the registers: 0 or 24
-    void setScriptFile(const std::string& file) { scriptFile_ = file; }
+    /// From now on; the program that runs is replaced.
+    void useScriptFile(const std::string& file);
 
 private:
     using TurnLock = std::unique_lock<Turn>;

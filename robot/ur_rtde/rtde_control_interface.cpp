@@ -125,7 +125,7 @@ void RTDEControlInterface::setCustomScriptFile(const std::string& file_path) {
     if (!file_path.empty() && !std::ifstream(file_path)) {
         throw std::invalid_argument("file_path: cannot read " + file_path);
     }
-    d_->session.setScriptFile(file_path);
+    d_->session.useScriptFile(file_path);
 }
 
 void RTDEControlInterface::stopScript() {

@@ -102,7 +102,7 @@ public:
     bool sendCustomScriptFunction(const std::string& function_name, const std::string& script);
     bool sendCustomScript(const std::string& script);
     bool sendCustomScriptFile(const std::string& file_path);
-    /// A file to use in place of the built-in control program from the next upload on; empty: the built-in
+    /// Replaces the control program by a file's, at once and in every later upload; empty: by the built-in
     /// one.
     void setCustomScriptFile(const std::string& file_path);
     void stopScript();

@@ -160,12 +160,19 @@ $6.0   P = 6
     sync()
   end
 )";
-        control_->setCustomScriptFile(file);
+        control_->setCustomScriptFile(file);  // runs at once
+        QCOMPARE(control_->getStepTime(), 5.0);
         QVERIFY(control_->reuploadScript());
         QCOMPARE(control_->getStepTime(), 5.0);
         control_->setCustomScriptFile("");
-        QVERIFY(control_->reuploadScript());
         QCOMPARE(control_->getStepTime(), 0.002);
+
+        // A whole program, with words of its author before it.
+        std::ifstream body(file);
+        const std::string whole = folder.filePath("whole.script").toStdString();
+        std::ofstream(whole) << "# mine\n\ndef rtde_control():\n" << body.rdbuf() << "end\nrun program\n";
+        control_->setCustomScriptFile(whole);
+        QCOMPARE(control_->getStepTime(), 5.0);
     }
 
     // ---- moves ------------------------------------------------------------------------------------------
