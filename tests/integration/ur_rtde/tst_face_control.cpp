@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every function of RTDEControlInterface against the simulated robot.
 #include <ur_rtde/rtde_control_interface.h>
+#include <ur_rtde/script_client.h>
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -370,6 +371,17 @@ $6.0   P = 6
         QVERIFY(control_->forceModeStop());
         QVERIFY(untilStanding());
         QVERIFY(control_->moveJ(kStart));
+    }
+
+    void forceModeIsAsCalmAsProgramsExpect() {
+        ur_rtde::ScriptClient asking(cell_->host(), 5, 22, 30002);
+        asking.connect();
+        QVERIFY(
+            asking.sendScriptCommand("sec s():\n"
+                                     "  set_standard_digital_out(0, force_mode_get_damping() == 0.025)\n"
+                                     "  set_standard_digital_out(1, force_mode_get_gain_scaling() == 0.5)\n"
+                                     "end\n"));
+        QVERIFY(cell_->until([](const simulator::Truth& truth) { return truth.digitalOutputs == 3; }));
     }
 
     void externalSensorIsAccepted() {
