@@ -128,6 +128,12 @@ void ScriptClient::setScriptInjection(const std::string& search_string, const st
         throw std::invalid_argument("search_string is empty");
     }
     const std::lock_guard lock(d_->mutex);
+    for (auto& [place, code] : d_->injections) {
+        if (place == search_string) {
+            code = inject_string;
+            return;
+        }
+    }
     d_->injections.emplace_back(search_string, inject_string);
 }
 

@@ -35,7 +35,8 @@ public:
     bool sendScript(const std::string& file_name);
     /// Sends a text; a missing line end is added.
     bool sendScriptCommand(const std::string& cmd_str);
-    /// From now on `inject_string` is put behind the first `search_string` of every program sent.
+    /// From now on `inject_string` is put behind the first `search_string` of every program sent, in place of
+    /// what was registered for it before.
     void setScriptInjection(const std::string& search_string, const std::string& inject_string);
     /// What sendScript() would send now. Throws std::runtime_error when the file cannot be read.
     std::string getScript();

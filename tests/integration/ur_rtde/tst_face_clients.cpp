@@ -155,7 +155,8 @@ private Q_SLOTS:
         std::ofstream(file) << "def mine():\n$5.4   set_standard_digital_out(1, True)\n"
                                "$6.0   unknown_function()\n# place\n  sync()\nend\n";
         client.setScriptFile(file);
-        client.setScriptInjection("# place\n", "  set_standard_digital_out(2, True)\n");
+        client.setScriptInjection("# place\n", "  set_standard_digital_out(3, True)\n");
+        client.setScriptInjection("# place\n", "  set_standard_digital_out(2, True)\n");  // in its place
         const QString text = QString::fromStdString(client.getScript());
         QVERIFY(text.contains("set_standard_digital_out(2, True)"));
         QVERIFY(!text.contains("unknown_function"));
