@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <limits>
 #include <stdexcept>
 #include <thread>
 
@@ -39,11 +40,11 @@ struct RobotiqGripper::Private {
 
     int minPosition = 0;           ///< open, device units
     int maxPosition = kDeviceMax;  ///< closed
-    int range_mm = 85;             ///< stroke
+    int range_mm = 40;             ///< stroke
     eUnit units[3] = {UNIT_NORMALIZED, UNIT_NORMALIZED, UNIT_NORMALIZED};
     int speed = kDeviceMax;  ///< presets, device units
-    int force = kDeviceMax;
-    int requested = -1;  ///< the last position commanded, device units; -1: none
+    int force = 0;           // as gentle as can be
+    int requested = 0;       ///< the last position commanded, device units
 
     void close() {
         if (descriptor >= 0) {
@@ -175,8 +176,11 @@ struct RobotiqGripper::Private {
         return 1.0F;
     }
 
-    int toDevice(eMoveParameter param, const char* name, float value) const {
-        check::number(name, static_cast<double>(value), 0, static_cast<double>(highest(param)));
+    /// Held to what the gripper can, as programs count on.
+    int toDevice(eMoveParameter param, const char* name, float wanted) const {
+        const double limit = std::numeric_limits<float>::max();
+        check::number(name, static_cast<double>(wanted), -limit, limit);
+        const float value = std::clamp(wanted, 0.0F, highest(param));
         if (units[param] == UNIT_DEVICE) {
             return static_cast<int>(std::lround(value));
         }
@@ -188,9 +192,13 @@ struct RobotiqGripper::Private {
         return minPosition + static_cast<int>(std::lround((1.0F - part) * span));
     }
 
-    int moveDevice(int position, int withSpeed, int withForce) {
+    /// Returns when the gripper has taken the request: before that its status is that of an earlier one.
+    void moveDevice(int position, int withSpeed, int withForce) {
         requested = std::clamp(position, 0, kDeviceMax);
-        return set({{"POS", requested}, {"SPE", withSpeed}, {"FOR", withForce}, {"GTO", 1}}) ? 1 : 0;
+        if (!set({{"POS", requested}, {"SPE", withSpeed}, {"FOR", withForce}, {"GTO", 1}}) ||
+            !poll(kReplyTime, [this] { return get("PRE") == requested; })) {
+            throw std::runtime_error("the gripper does not take the request to move");
+        }
     }
 };
 
@@ -292,8 +300,8 @@ int RobotiqGripper::move(float Position, float Speed, float Force, eMoveMode Mov
     const int position = d_->toDevice(POSITION, "Position", Position);
     const int speed = Speed < 0 ? d_->speed : d_->toDevice(SPEED, "Speed", Speed);
     const int force = Force < 0 ? d_->force : d_->toDevice(FORCE, "Force", Force);
-    const int acknowledged = d_->moveDevice(position, speed, force);
-    return MoveMode == WAIT_FINISHED ? waitForMotionComplete() : acknowledged;
+    d_->moveDevice(position, speed, force);
+    return MoveMode == WAIT_FINISHED ? waitForMotionComplete() : objectDetectionStatus();
 }
 
 int RobotiqGripper::open(float Speed, float Force, eMoveMode MoveMode) {
@@ -305,11 +313,18 @@ int RobotiqGripper::close(float Speed, float Force, eMoveMode MoveMode) {
 }
 
 void RobotiqGripper::emergencyRelease(ePostionId Direction, eMoveMode MoveMode) {
+    constexpr milliseconds kBetween(100);
     d_->set({{"ATR", 0}});
-    d_->set({{"ADR", Direction == OPEN ? 1 : 0}});
+    d_->set({{"ARD", Direction == OPEN ? 1 : 0}});
+    d_->set({{"ACT", 1}});
+    tiller::urrtde::sleepUntil(std::chrono::steady_clock::now() + kBetween);
     d_->set({{"ATR", 1}});
-    if (MoveMode == WAIT_FINISHED &&
-        !d_->poll(kMotionTime, [this] { return faultStatus() == FAULT_EMCY_RELEASE_FINISHED; })) {
+    const auto hasEnded = [this] { return faultStatus() == FAULT_EMCY_RELEASE_FINISHED; };
+    const auto hasBegun = [&] { return faultStatus() == FAULT_EMCY_RELEASE_ACTIVE || hasEnded(); };
+    if (!d_->poll(kReplyTime, hasBegun)) {
+        throw std::runtime_error("the gripper's emergency release does not begin");
+    }
+    if (MoveMode == WAIT_FINISHED && !d_->poll(kMotionTime, hasEnded)) {
         throw std::runtime_error("the gripper's emergency release does not end");
     }
 }
@@ -323,11 +338,10 @@ RobotiqGripper::eObjectStatus RobotiqGripper::objectDetectionStatus() {
 }
 
 RobotiqGripper::eObjectStatus RobotiqGripper::waitForMotionComplete() {
-    // The status belongs to the last command only once the gripper echoes its position as requested.
     eObjectStatus status = MOVING;
     d_->poll(kMotionTime, [&] {
         status = objectDetectionStatus();
-        return status != MOVING && (d_->requested < 0 || d_->get("PRE") == d_->requested);
+        return status != MOVING;
     });
     return status;
 }

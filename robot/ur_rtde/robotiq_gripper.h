@@ -16,8 +16,9 @@
 namespace ur_rtde {
 
 /// Positions, speeds and forces are in the units of setUnit(); at first all are normalized (0 ... 1).
-/// Position 1 is open, 0 is closed. A negative speed or force means the one preset by setSpeed() and
-/// setForce(). Threads  one at a time
+/// Position 1 is open, 0 is closed. Values beyond what the gripper can are held to that. A negative speed or
+/// force means the one preset by setSpeed() and setForce(), at first full speed with the least force.
+/// Threads  one at a time
 class RobotiqGripper {
 public:
     enum eStatus { RESET = 0, ACTIVATING = 1, ACTIVE = 3 };
@@ -63,7 +64,7 @@ public:
     bool isOpen();
     bool isClosed();
 
-    /// Returns  the object status (eObjectStatus) when it waits, else 1 when the command was acknowledged
+    /// Returns  the object status (eObjectStatus), with START_MOVE when the motion has begun
     int move(float Position, float Speed = -1.0, float Force = -1.0, eMoveMode MoveMode = START_MOVE);
     int open(float Speed = -1.0, float Force = -1.0, eMoveMode MoveMode = START_MOVE);
     int close(float Speed = -1.0, float Force = -1.0, eMoveMode MoveMode = START_MOVE);
@@ -72,7 +73,7 @@ public:
     int faultStatus();  ///< eFaultCode
 
     void setUnit(eMoveParameter Param, eUnit Unit);
-    /// Stroke of the gripper, for UNIT_MM.
+    /// Stroke of the gripper, for UNIT_MM; 40 unless set.
     void setPositionRange_mm(int Range);
     /// Preset for moves without one; held to what the gripper can.
     /// Returns  the preset in force
@@ -82,7 +83,7 @@ public:
     eObjectStatus objectDetectionStatus();
     eObjectStatus waitForMotionComplete();
 
-    // The URCap's own variables: ACT, GTO, ATR, ADR, FOR, SPE, POS, STA, PRE, OBJ, FLT.
+    // The URCap's own variables: ACT, GTO, ATR, ARD, FOR, SPE, POS, STA, PRE, OBJ, FLT.
     bool setVars(const std::vector<std::pair<std::string, int>> Vars);
     bool setVar(const std::string& Var, int Value);
     int getVar(const std::string& var);

@@ -129,7 +129,7 @@ class TestClients(unittest.TestCase):
             self.assertEqual(gripper.close(MoveMode=RobotiqGripper.WAIT_FINISHED), 3)
             self.assertTrue(gripper.isClosed())
             self.assertEqual(gripper.getClosedPosition(), 0.0)
-            self.assertEqual(gripper.open(), 1)
+            self.assertEqual(gripper.open(), RobotiqGripper.AT_DEST)
             self.assertEqual(gripper.waitForMotionComplete(), RobotiqGripper.AT_DEST)
             self.assertTrue(gripper.isOpen())
             self.assertEqual(gripper.getOpenPosition(), 100.0)

@@ -212,7 +212,8 @@ private Q_SLOTS:
         QVERIFY(gripper.isClosed());
         QCOMPARE(gripper.getClosedPosition(), 0.0F);
         QCOMPARE(gripper.getOpenPosition(), 1.0F);
-        QCOMPARE(gripper.open(), 1);
+        QCOMPARE(gripper.open(), int(RobotiqGripper::MOVING));
+        QCOMPARE(gripper.getVars({"SPE", "FOR"}), (std::vector<int>{255, 0}));  // gentle unless told
         QCOMPARE(gripper.waitForMotionComplete(), RobotiqGripper::AT_DEST);
         QCOMPARE(gripper.getCurrentPosition(), 1.0F);
 
@@ -233,9 +234,13 @@ private Q_SLOTS:
         QCOMPARE(gripper.objectDetectionStatus(), RobotiqGripper::AT_DEST);
         gripper.emergencyRelease(RobotiqGripper::OPEN);
         QCOMPARE(gripper.faultStatus(), int(RobotiqGripper::FAULT_EMCY_RELEASE_FINISHED));
+        QCOMPARE(gripper.getVar("ARD"), 1);  // opening
         gripper.setNativePositionRange(0, 255);
         QVERIFY_EXCEPTION_THROWN(gripper.setNativePositionRange(10, 5), std::range_error);
-        QVERIFY_EXCEPTION_THROWN(gripper.move(90.0F), std::range_error);
+        QCOMPARE(gripper.move(90.0F, -1.0F, 3.0F, RobotiqGripper::WAIT_FINISHED),
+                 int(RobotiqGripper::AT_DEST));
+        QCOMPARE(gripper.getVars({"PRE", "FOR"}), (std::vector<int>{0, 255}));  // held to what it can
+        QVERIFY_EXCEPTION_THROWN(gripper.move(std::nanf("")), std::invalid_argument);
         gripper.disconnect();
         QVERIFY(!gripper.isConnected());
     }

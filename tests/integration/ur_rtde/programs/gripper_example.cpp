@@ -12,7 +12,10 @@ int main(int, char** argv) {
               << std::endl;
     gripper.setUnit(RobotiqGripper::POSITION, RobotiqGripper::UNIT_NORMALIZED);
     require(gripper.move(1, 1, 0, RobotiqGripper::WAIT_FINISHED) != RobotiqGripper::MOVING, "move");
-    require(gripper.close(0.02F, 0, RobotiqGripper::START_MOVE) == 1, "close");
+    require(gripper.close(0.02F, 0, RobotiqGripper::START_MOVE) == RobotiqGripper::MOVING, "close");
+    while (gripper.objectDetectionStatus() == RobotiqGripper::MOVING) {
+    }
+    require(gripper.isClosed() || gripper.getCurrentPosition() < 0.2F, "closed");
     require(gripper.waitForMotionComplete() != RobotiqGripper::MOVING, "waitForMotionComplete");
     gripper.open(1.0F, 0.0F, RobotiqGripper::WAIT_FINISHED);
     gripper.disconnect();
