@@ -102,6 +102,10 @@ void defineMoves(py::class_<Control>& cls) {
     cls.def("movePath", &Control::movePath, py::arg("path"), py::arg("asynchronous") = false, Unlocked());
     cls.def("moveUntilContact", &Control::moveUntilContact, py::arg("xd"), py::arg("direction") = kZeros6,
             py::arg("acceleration") = 1.2, Unlocked());
+    cls.def("startContactDetection", &Control::startContactDetection, py::arg("direction") = kZeros6,
+            Unlocked());
+    cls.def("readContactDetection", &Control::readContactDetection, Unlocked());
+    cls.def("stopContactDetection", &Control::stopContactDetection, Unlocked());
     cls.def("speedJ", &Control::speedJ, py::arg("qd"), py::arg("acceleration") = 0.5, py::arg("time") = 0.0,
             Unlocked());
     cls.def("speedL", &Control::speedL, py::arg("xd"), py::arg("acceleration") = 0.25, py::arg("time") = 0.0,

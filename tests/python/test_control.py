@@ -157,6 +157,9 @@ class TestControl(unittest.TestCase):
         self.assertTrue(control.teachMode())
         self.assertTrue(control.endTeachMode())
         self.assertEqual(control.toolContact([0.0] * 6), 0)
+        self.assertTrue(control.startContactDetection(direction=[0.0, 0.0, -1.0, 0.0, 0.0, 0.0]))
+        self.assertFalse(control.readContactDetection())
+        self.assertFalse(control.stopContactDetection())
         z = self.receive.getActualTCPPose()[2]
         pusher = threading.Thread(target=lambda: (until(lambda: self.receive.getActualTCPPose()[2] < z - 0.005),
                                                   self.robot.tell("hand")))
