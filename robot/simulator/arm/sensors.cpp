@@ -24,8 +24,16 @@ constexpr double kHeatOfElectronics = 6.0;    // K
 constexpr double kSupplyVoltage = 48.0;       // V
 constexpr double kIdlePower = 40.0;           // W of the joints' electronics
 constexpr double kResistance = 1.4;           // ohm, by joint current
+constexpr double kRounding = 1e-9;            // of an acceleration, and rad/s2
 // Start values as recorded from the manufacturer's simulator.
 const Vector6 kStartTemperature = (Vector6() << 25.5, 25.0, 24.5, 24.0, 23.5, 23.5).finished();
+
+/// The acceleration as differences of velocities give it, without their rounding: one that stays the same
+/// stays the same figure, as it does where it is planned. Clients look for the sign of its changes.
+Vector6 withoutRounding(const Vector6& acceleration, const Vector6& before) {
+    const auto change = (acceleration - before).array().abs();
+    return (change <= kRounding * (1 + before.array().abs())).select(before, acceleration);
+}
 }  // namespace
 
 double Noise::uniform() {
@@ -95,7 +103,9 @@ void Sensors::update(const JointTarget& target, DriveState drive, const Environm
 }
 
 void Sensors::updateKinematics(const JointTarget& target, ArmState& state) {
-    const Vector6 qdd = first_ ? Vector6::Zero() : Vector6((target.qd - state.targetQd.values) / period_);
+    const Vector6 qdd =
+        first_ ? Vector6::Zero()
+               : withoutRounding((target.qd - state.targetQd.values) / period_, state.targetQdd.values);
     const Vector6 qdBefore = qd_;
     if (ideal_ || first_) {
         q_ = target.q;

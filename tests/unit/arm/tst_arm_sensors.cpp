@@ -30,6 +30,7 @@ private Q_SLOTS:
     void accelerometerFeelsGravityInTheToolFrame();
     void mountingChangesTheTorques();
     void noiseIsSmallSeededAndStandstillIsVisible();
+    void aSteadyAccelerationIsTheSameFigure();
     void actualFollowsWithALittleLag();
     void temperaturesRiseSlowly();
     void supplyFollowsThePower();
@@ -218,6 +219,32 @@ void TestArmSensors::noiseIsSmallSeededAndStandstillIsVisible() {
     WatchedArm ideal(true);
     ideal.run(0.1);
     QCOMPARE(ideal.state().actualQ, ideal.state().targetQ);
+}
+
+// A script at a quarter of the speed gives a new acceleration every fourth period; what clients see in
+// between must not waver, not even in its last digit.
+void TestArmSensors::aSteadyAccelerationIsTheSameFigure() {
+    WatchedArm arm;
+    arm->setSpeedFraction(0.25);
+    arm.run(1);
+    const double period = 0.002;
+    int steady = 0;
+    for (int n = 1; n <= 50; ++n) {
+        const double speed = 0.0007 * n + 0.00003 * n * n;
+        const double change = 0.0007 + 0.00003 * (2 * n - 1);
+        QVERIFY(
+            arm->motion()
+                .speedJ(JointVelocities(speed, -0.3 * speed, 0.1 * speed, 0, 0, 0), change / period, period)
+                .ok());
+        Vector6 before;
+        for (int tick = 0; tick < 4; ++tick) {
+            arm.step();
+            const Vector6 qdd = arm.state().targetQdd.values;
+            steady += tick > 0 && qdd == before ? 1 : 0;
+            before = qdd;
+        }
+    }
+    QCOMPARE(steady, 150);
 }
 
 void TestArmSensors::actualFollowsWithALittleLag() {
