@@ -18,6 +18,12 @@ bool isNewer(const Telemetry& now) {
     return now.software >= SoftwareVersion{5, 10, 0, 0};
 }
 
+/// The masterboard's data end in one byte more since then: clients take a package of another size for broken.
+/// Source: urcl reads all 75 bytes of a 3.14, ur_modern_driver 74 of a 3.2 and stumbles over a 3.10 and 5.4.
+bool hasSafetyStatus(const SoftwareVersion& software) {
+    return software >= (software.isCb3() ? SoftwareVersion{3, 10, 0, 0} : SoftwareVersion{5, 4, 0, 0});
+}
+
 template <class Body>
 void part(ByteWriter& out, unsigned type, Body body) {
     const std::size_t length = out.openLength();
@@ -98,11 +104,13 @@ void masterboardData(ByteWriter& out, const Telemetry& now) {
         out.u8(static_cast<unsigned>(now.safetyMode));
         out.flag(now.reduced).u8(0);
         out.u32(kInternalWord);
-        if (!now.software.isCb3()) {
+        if (now.software >= SoftwareVersion{3, 2, 0, 0}) {
             // Mode selector: 0 MANUAL, 1 otherwise, as a robot without one reports. Unconfirmed.
             out.u8(now.operationalMode == OperationalMode::Manual ? 0 : 1);
-            const bool middle = now.safetyStatus != SafetyMode::SystemThreePositionEnablingStop;
-            out.flag(middle).u8(1);
+            out.flag(now.safetyStatus != SafetyMode::SystemThreePositionEnablingStop);
+        }
+        if (hasSafetyStatus(now.software)) {
+            out.u8(1);
         }
     });
 }

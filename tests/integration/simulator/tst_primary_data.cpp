@@ -102,6 +102,34 @@ private Q_SLOTS:
         QCOMPARE(parts[13].size(), 7);
     }
 
+    // Clients read it to the last byte and give up where one is missing.
+    void theMasterboardHasTheLengthOfItsSoftware_data() {
+        QTest::addColumn<int>("major");
+        QTest::addColumn<int>("minor");
+        QTest::addColumn<int>("size");
+        QTest::newRow("3.1") << 3 << 1 << 72;
+        QTest::newRow("3.2") << 3 << 2 << 74;
+        QTest::newRow("3.9") << 3 << 9 << 74;
+        QTest::newRow("3.10") << 3 << 10 << 75;
+        QTest::newRow("3.15") << 3 << 15 << 75;
+        QTest::newRow("5.3") << 5 << 3 << 74;
+        QTest::newRow("5.4") << 5 << 4 << 75;
+        QTest::newRow("10.12") << 10 << 12 << 75;
+    }
+    void theMasterboardHasTheLengthOfItsSoftware() {
+        QFETCH(int, major);
+        QFETCH(int, minor);
+        QFETCH(int, size);
+        auto options = VirtualRobot::options();
+        options.model = major == 3 ? RobotModelId::UR5 : RobotModelId::UR5e;
+        options.software = {static_cast<quint32>(major), static_cast<quint32>(minor), 0, 0};
+        VirtualRobot robot(options);
+        RawPrimary primary = robot.primary();
+        primary.next();
+        robot.controller.stepSeconds(0.21);
+        QCOMPARE(int(partsOf(primary.next())[3].size()), size);
+    }
+
     void theProgramsVariablesAreToldOnceAndWhenTheyChange() {
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
