@@ -65,6 +65,8 @@ const char* reason(int status) {
             return "Request Header Fields Too Large";
         case 501:
             return "Not Implemented";
+        case 504:
+            return "Gateway Timeout";
         case 505:
             return "HTTP Version Not Supported";
         default:

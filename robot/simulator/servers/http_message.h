@@ -7,6 +7,7 @@
 // cannot be built on; and it owns its sockets, so that the faults of a cable could not be played on them.
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,6 +32,7 @@ struct HttpResponse {
     std::string body;
     std::string contentType = "application/json";
     std::vector<std::pair<std::string, std::string>> headers;
+    std::function<bool()> due;  ///< the answer is kept back until it says so; empty: none
 
     std::string toBytes(bool keepAlive, bool withBody) const;
 };

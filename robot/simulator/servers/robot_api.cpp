@@ -61,6 +61,15 @@ std::string_view withoutLastSlash(std::string_view path) {
     return path.ends_with('/') ? path.substr(0, path.size() - 1) : path;
 }
 
+HttpResponse changed(const char* state, const char* details, std::function<bool()> due) {
+    HttpResponse response =
+        json({{QStringLiteral("state"), QString::fromLatin1(state)},
+              {QStringLiteral("message"), QStringLiteral("Program state changed: ") + QLatin1String(state)},
+              {QStringLiteral("details"), QString::fromLatin1(details)}});
+    response.due = std::move(due);
+    return response;
+}
+
 QJsonValue milliseconds(const QDateTime& time) {
     return time.isValid() ? QJsonValue(time.toMSecsSinceEpoch()) : QJsonValue();
 }
@@ -82,8 +91,8 @@ const RobotApi::Route RobotApi::kRoutes[] = {
     {"GET", "/program/v1/state", &A::programState, false, false},
     {"GET", "/programs/v1/", &A::programs},
     {"GET", "/programs/v1/*", &A::program},
-    {"POST", "/programs/v1/", &A::postProgram, true},
-    {"PUT", "/programs/v1/", &A::putProgram, true},
+    {"POST", "/programs/v1/", &A::postProgram},
+    {"PUT", "/programs/v1/", &A::putProgram},
 };
 
 bool RobotApi::exists(const Route& route) const {
@@ -168,25 +177,33 @@ HttpResponse RobotApi::docs(const HttpRequest&, const std::string&) {
 
 // ---- robot ----------------------------------------------------------------------------------------------
 
+// Each is answered once the robot has done it: clients ask for the new state, or for the next step, at once.
 HttpResponse RobotApi::putRobotState(const HttpRequest& request, const std::string&) {
     const auto body = bodyOf(request);
     const QString action = body ? body->value(QLatin1String("action")).toString() : QString();
-    const auto done = [&action] {
-        return json(
+    const auto done = [&action](std::function<bool()> due) {
+        HttpResponse response = json(
             {{QStringLiteral("message"), QStringLiteral("Robot state change requested: %1").arg(action)}});
+        response.due = std::move(due);
+        return response;
     };
     SafetySystem& safety = plant_.safety();
+    const PowerSystem& power = plant_.power();
     if (action == QLatin1String("POWER_ON") || action == QLatin1String("BRAKE_RELEASE")) {
-        if (safety.blocksPower() ||
-            (!plant_.power().isPowered() && plant_.power().mode() != RobotMode::PowerOff)) {
+        if (safety.blocksPower() || (!power.isPowered() && power.mode() != RobotMode::PowerOff)) {
             return refuse(409, QStringLiteral("Not possible now"), safetyModeName(safety.mode()));
         }
-        action == QLatin1String("POWER_ON") ? plant_.powerOn() : plant_.releaseBrakes();
-        return done();
+        if (action == QLatin1String("POWER_ON")) {
+            plant_.powerOn();
+            return done(
+                [&power] { return power.mode() == RobotMode::Idle || power.mode() == RobotMode::Running; });
+        }
+        plant_.releaseBrakes();
+        return done([&power] { return power.mode() == RobotMode::Running; });
     }
     if (action == QLatin1String("POWER_OFF")) {
         plant_.power().powerOff();
-        return done();
+        return done([&power] { return power.mode() == RobotMode::PowerOff; });
     }
     if (action == QLatin1String("UNLOCK_PROTECTIVE_STOP")) {
         if (!safety.isProtectiveStopped()) {
@@ -194,11 +211,11 @@ HttpResponse RobotApi::putRobotState(const HttpRequest& request, const std::stri
                           QStringLiteral("There is no protective stop"));
         }
         safety.unlockProtectiveStop(false);  // the vendor's client unlocks within a second here
-        return done();
+        return done([&safety] { return !safety.isProtectiveStopped(); });
     }
     if (action == QLatin1String("RESTART_SAFETY")) {
         plant_.restartSafety();
-        return done();
+        return done({});
     }
     return invalid(
         QStringLiteral("action: POWER_ON, POWER_OFF, BRAKE_RELEASE, UNLOCK_PROTECTIVE_STOP or "
@@ -284,11 +301,6 @@ HttpResponse RobotApi::play(bool resuming) {
     if (plant_.power().mode() != RobotMode::Running || !allowsMotion(plant_.safety().mode())) {
         return notNow(QStringLiteral("The robot is not ready to move"));
     }
-    const auto playing = [](const char* details) {
-        return json({{QStringLiteral("state"), QStringLiteral("PLAYING")},
-                     {QStringLiteral("message"), QStringLiteral("Program state changed: PLAYING")},
-                     {QStringLiteral("details"), QString::fromLatin1(details)}});
-    };
     const bool paused = runner.isPaused() || runner.state() == RuntimeState::Pausing;
     if (resuming != paused) {
         return notNow(paused ? QStringLiteral("The program is paused")
@@ -296,7 +308,8 @@ HttpResponse RobotApi::play(bool resuming) {
     }
     if (resuming) {
         runner.resume();
-        return playing("Resume successful");
+        return changed("PLAYING", "Resume successful",
+                       [&runner] { return runner.state() == RuntimeState::Playing || !runner.isActive(); });
     }
     if (runner.state() == RuntimeState::Stopping || runner.isStopRequested()) {
         runner.stopNow();
@@ -310,19 +323,14 @@ HttpResponse RobotApi::play(bool resuming) {
     if (!text || !runner.submitText(*text)) {
         return notNow(QStringLiteral("The program has errors"));
     }
-    return playing("Play successful");
+    return changed("PLAYING", "Play successful",
+                   [&runner, before = runner.starts()] { return runner.starts() != before; });
 }
 
 HttpResponse RobotApi::putProgramState(const HttpRequest& request, const std::string&) {
     const auto body = bodyOf(request);
     const QString action = body ? body->value(QLatin1String("action")).toString() : QString();
     ProgramRunner& runner = plant_.programs();
-    const auto changed = [](const char* state, const char* details) {
-        return json(
-            {{QStringLiteral("state"), QString::fromLatin1(state)},
-             {QStringLiteral("message"), QStringLiteral("Program state changed: ") + QLatin1String(state)},
-             {QStringLiteral("details"), QString::fromLatin1(details)}});
-    };
     if (action == QLatin1String("play") || action == QLatin1String("resume")) {
         return play(action == QLatin1String("resume"));
     }
@@ -331,11 +339,13 @@ HttpResponse RobotApi::putProgramState(const HttpRequest& request, const std::st
             return refuse(409, QStringLiteral("Not possible now"), QStringLiteral("No program is playing"));
         }
         runner.pause();
-        return changed("PAUSED", "Pause successful");
+        return changed("PAUSED", "Pause successful",
+                       [&runner] { return runner.isPaused() || !runner.isActive(); });
     }
     if (action == QLatin1String("stop")) {
         runner.requestStop();
-        return changed("STOPPED", "Stop successful");
+        return changed("STOPPED", "Stop successful",
+                       [&runner] { return !runner.isActive() && !runner.isStopRequested(); });
     }
     return invalid(QStringLiteral("action: play, pause, resume or stop"));
 }

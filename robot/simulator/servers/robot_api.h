@@ -20,6 +20,7 @@ class RobotApi {
 public:
     RobotApi(Plant& plant, ProgramStore& store) : plant_(plant), store_(store) {}
 
+    /// What takes its time is answered when it is done: see HttpResponse::due.
     HttpResponse run(const HttpRequest& request);
 
 private:

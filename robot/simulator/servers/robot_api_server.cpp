@@ -3,11 +3,15 @@
 
 #include <array>
 
+#include "robot/simulator/plant.h"
+
 namespace tiller::simulator {
 
 namespace {
 /// Bytes of one client read at a stretch, so that one that floods does not keep the others waiting.
 constexpr std::size_t kReadShare = 256 * 1024;
+/// How long an answer waits for the robot [s]: the vendor's client gives up after 10.
+constexpr double kMostPatience = 8.0;
 }  // namespace
 
 void RobotApiServer::service() {
@@ -16,6 +20,7 @@ void RobotApiServer::service() {
         clients_.back()->peer.attach(link());
     }
     for (const auto& client : clients_) {
+        answer(*client);
         read(*client);
         client->peer.flush();
     }
@@ -25,7 +30,8 @@ void RobotApiServer::service() {
 void RobotApiServer::read(Client& client) {
     std::array<std::uint8_t, 16 * 1024> buffer;
     std::size_t total = 0;
-    while (client.peer.isOpen() && total < kReadShare) {
+    // What comes while an answer is kept back is left to the network, which holds only so much.
+    while (client.peer.isOpen() && !client.next && total < kReadShare) {
         const std::size_t got = client.peer.receive(buffer);
         if (got == 0) {
             return;
@@ -39,16 +45,16 @@ void RobotApiServer::read(Client& client) {
 }
 
 void RobotApiServer::answer(Client& client) {
-    while (const auto request = client.parser.next()) {
-        const HttpResponse response = api_.run(*request);
-        if (!client.peer.send(response.toBytes(request->keepAlive, request->method != "HEAD"))) {
-            client.peer.close();
+    while (sendNext(client) && !client.done) {
+        const auto request = client.parser.next();
+        if (!request) {
+            break;
         }
-        if (!request->keepAlive) {
-            client.done = true;
-            client.peer.closeAfterFlush();
-            return;
-        }
+        client.next.emplace(Client::Answer{api_.run(*request), request->keepAlive, request->method != "HEAD",
+                                           plant_.elapsed()});
+    }
+    if (client.done || client.next) {
+        return;
     }
     if (client.parser.takeContinue()) {
         client.peer.send(std::string_view("HTTP/1.1 100 Continue\r\n\r\n"));
@@ -61,6 +67,32 @@ void RobotApiServer::answer(Client& client) {
         client.done = true;
         client.peer.closeAfterFlush();
     }
+}
+
+/// False while there is an answer that is not due yet.
+bool RobotApiServer::sendNext(Client& client) {
+    if (!client.next) {
+        return true;
+    }
+    Client::Answer& answer = *client.next;
+    // In virtual time nobody could wait: time goes on only when whoever asks has been answered.
+    if (answer.response.due && plant_.options().time == Time::Real && !answer.response.due()) {
+        if (plant_.elapsed() - answer.asked < kMostPatience) {
+            return false;
+        }
+        answer.response = HttpResponse{};
+        answer.response.status = 504;
+        answer.response.body = R"({"message":"Timeout waiting for the robot"})";
+    }
+    if (!client.peer.send(answer.response.toBytes(answer.keepAlive, answer.withBody))) {
+        client.peer.close();
+    }
+    if (!answer.keepAlive) {
+        client.done = true;
+        client.peer.closeAfterFlush();
+    }
+    client.next.reset();
+    return true;
 }
 
 }  // namespace tiller::simulator

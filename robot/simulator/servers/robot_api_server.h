@@ -3,6 +3,8 @@
 
 // The web server of a PolyScope X controller, as far as the Robot API goes: HTTP/1.1 with kept connections.
 
+#include <optional>
+
 #include "robot/simulator/servers/http_message.h"
 #include "robot/simulator/servers/robot_api.h"
 #include "robot/simulator/servers/server.h"
@@ -11,7 +13,7 @@ namespace tiller::simulator {
 
 class RobotApiServer final : public Server {
 public:
-    RobotApiServer(Plant& plant, ProgramStore& store) : api_(plant, store) {}
+    RobotApiServer(Plant& plant, ProgramStore& store) : plant_(plant), api_(plant, store) {}
 
     void service() override;
     void closeClients() override { clients_.clear(); }
@@ -23,10 +25,19 @@ private:
         Peer peer;
         HttpParser parser;
         bool done = false;  ///< nothing more is read
+        struct Answer {
+            HttpResponse response;
+            bool keepAlive = true;
+            bool withBody = true;
+            double asked = 0;  ///< when its request came [s]
+        };
+        std::optional<Answer> next;  ///< kept back; those behind it wait
     };
     void read(Client& client);
     void answer(Client& client);
+    bool sendNext(Client& client);
 
+    Plant& plant_;
     RobotApi api_;
     std::vector<std::unique_ptr<Client>> clients_;
 };

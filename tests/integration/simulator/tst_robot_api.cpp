@@ -199,6 +199,58 @@ private Q_SLOTS:
         QCOMPARE(web.ask("GET", "/robotstate/v1/robotmode//").status, 404);
     }
 
+    // Clients ask for the new state, or for the next step, as soon as they have the answer.
+    void whatTakesTimeIsAnsweredWhenItIsDone() {
+        auto options = polyScopeX();
+        options.time = simulator::Time::Real;
+        options.fastTransitions = true;
+        VirtualRobot robot(options);
+        Web web(robot);
+        const auto act = [&web](const QByteArray& path, const QByteArray& action) {
+            return web.ask("PUT", path, "{\"action\":\"" + action + "\"}").status;
+        };
+        const auto value = [&web](const QByteArray& path, const char* key) {
+            return web.ask("GET", path).json()[QLatin1String(key)].toString();
+        };
+        const auto mode = [&value] { return value("/robotstate/v1/robotmode", "mode"); };
+        QCOMPARE(act("/robotstate/v1/state", "POWER_OFF"), 200);
+        QCOMPARE(mode(), QStringLiteral("POWER_OFF"));
+        QCOMPARE(act("/robotstate/v1/state", "POWER_ON"), 200);
+        QCOMPARE(mode(), QStringLiteral("IDLE"));
+        QCOMPARE(act("/robotstate/v1/state", "BRAKE_RELEASE"), 200);
+        QCOMPARE(mode(), QStringLiteral("RUNNING"));
+        robot.controller.protectiveStop();
+        QTRY_COMPARE(value("/robotstate/v1/safetymode", "mode"), QStringLiteral("PROTECTIVE_STOP"));
+        QCOMPARE(act("/robotstate/v1/state", "UNLOCK_PROTECTIVE_STOP"), 200);
+        QCOMPARE(value("/robotstate/v1/safetymode", "mode"), QStringLiteral("NORMAL"));
+
+        QCOMPARE(web.upload("POST", kProgram).status, 200);
+        QCOMPARE(web.ask("PUT", "/program/v1/loaded", R"({"name":"wait"})").status, 200);
+        const std::pair<QByteArray, QString> steps[] = {{"play", QStringLiteral("PLAYING")},
+                                                        {"pause", QStringLiteral("PAUSED")},
+                                                        {"resume", QStringLiteral("PLAYING")},
+                                                        {"stop", QStringLiteral("STOPPED")}};
+        for (const auto& [action, state] : steps) {
+            QCOMPARE(act("/program/v1/state", action), 200);
+            QCOMPARE(value("/program/v1/state", "state"), state);
+        }
+    }
+
+    void onlyItsOwnConnectionWaitsForAnAnswer() {
+        auto options = polyScopeX();
+        options.time = simulator::Time::Real;
+        options.poweredOn = false;
+        VirtualRobot robot(options);
+        Web web(robot);
+        const QByteArray path = "/universal-robots/robot-api/robotstate/v1/";
+        web.send("PUT " + path +
+                 "state HTTP/1.1\r\nContent-Length: 26\r\n\r\n{\"action\":\"BRAKE_RELEASE\"}" + "GET " +
+                 path + "robotmode HTTP/1.1\r\n\r\n");
+        QVERIFY(Web(robot).ask("GET", "/robotstate/v1/robotmode").json()["mode"] != QLatin1String("RUNNING"));
+        QCOMPARE(web.next().status, 200);
+        QCOMPARE(web.next().json()["mode"].toString(), QStringLiteral("RUNNING"));
+    }
+
     void localControlRefusesWhatChangesAnything() {
         auto options = polyScopeX();
         options.remoteControl = false;
@@ -208,6 +260,8 @@ private Q_SLOTS:
         const Answer refused = web.ask("PUT", "/robotstate/v1/state", R"({"action":"POWER_OFF"})");
         QCOMPARE(refused.status, 403);
         QCOMPARE(refused.json()["message"].toString(), QStringLiteral("Forbidden - Operation Not Allowed"));
+        QCOMPARE(web.upload("POST", kProgram).status, 200);  // storing a program moves nothing
+        QCOMPARE(web.ask("PUT", "/program/v1/loaded", R"({"name":"wait"})").status, 403);
         QCOMPARE(web.ask("GET", "/robotstate/v1/robotmode").json()["mode"].toString(),
                  QStringLiteral("RUNNING"));
         robot.controller.setRemoteControl(true);
