@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/simulator/program_runner.h"
 
+#include <QHostAddress>
 #include <algorithm>
 #include <utility>
 
@@ -16,6 +17,7 @@ using urscript::ProgramKind;
 ProgramRunner::ProgramRunner(Plant& plant, ScriptHost& host) : plant_(plant), host_(host) {}
 
 void ProgramRunner::endAll() {
+    controlled_.reset();
     runningSecondary_ = true;  // secondaries end without touching the arm
     secondaries_.clear();
     runningSecondary_ = false;
@@ -32,6 +34,29 @@ void ProgramRunner::submit(const Unit& unit) {
 
 bool ProgramRunner::submitText(std::string_view text) {
     return enqueue(text, true);
+}
+
+void ProgramRunner::submitControlled(std::string text, ScriptProvider provider) {
+    // Whoever listens on this machine alone can be spoken to, and answered, from this machine only.
+    const QHostAddress here(plant_.options().listenAddress);
+    if (here.isLoopback() && !QHostAddress(provider.host).isLoopback()) {
+        provider.host = QStringLiteral("127.0.0.1");
+    }
+    controlled_ = std::make_unique<Controlled>(std::move(text), std::move(provider));
+}
+
+void ProgramRunner::takeControlScript() {
+    std::optional<std::string> script = controlled_ ? controlled_->request.poll() : std::nullopt;
+    if (!script) {
+        return;
+    }
+    const std::unique_ptr<Controlled> done = std::move(controlled_);
+    if (script->empty()) {
+        const ScriptProvider& from = done->provider;
+        script = "popup(\"No script came from " + from.host.toStdString() + ':' + std::to_string(from.port) +
+                 "\", title=\"External Control\", error=True, blocking=True)";
+    }
+    enqueue(withControlScript(std::move(done->text), std::move(*script)), true);
 }
 
 bool ProgramRunner::enqueue(std::string_view text, bool fromFile) {
@@ -69,6 +94,7 @@ void ProgramRunner::runCommand(std::string_view words) {
 }
 
 void ProgramRunner::requestStop() {
+    controlled_.reset();
     requests_.push_back({});
 }
 
@@ -122,6 +148,7 @@ void ProgramRunner::startSecondary(std::shared_ptr<const Program> program) {
 }
 
 void ProgramRunner::step() {
+    takeControlScript();
     takeRequests();
     stepMain();
     stepSecondaries();
@@ -211,6 +238,7 @@ void ProgramRunner::beginStopping() {
 }
 
 void ProgramRunner::stopNow() {
+    controlled_.reset();
     if (main_) {
         main_->stop();
     }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "robot/core/modes.h"
+#include "robot/simulator/external_control.h"
 #include "robot/simulator/urscript/interpreter.h"
 #include "robot/simulator/urscript/program.h"
 #include "robot/simulator/urscript/source_splitter.h"
@@ -40,6 +41,9 @@ public:
     void submit(const urscript::SourceSplitter::Unit& unit);
     /// The same for a program file. False when it does not compile.
     bool submitText(std::string_view text);
+    /// For one with External Control nodes: it begins once the provider's script has come. Without it, the
+    /// program tells the operator so in place of the node, and waits.
+    void submitControlled(std::string text, ScriptProvider provider);
 
     void requestStop();
     /// A stop has been asked for and not begun.
@@ -80,7 +84,16 @@ private:
         bool fromFile = false;
     };
 
+    struct Controlled {
+        Controlled(std::string program, ScriptProvider from)
+            : text(std::move(program)), provider(std::move(from)), request(provider) {}
+        std::string text;
+        ScriptProvider provider;
+        ControlScriptRequest request;
+    };
+
     void runCommand(std::string_view words);
+    void takeControlScript();
     bool enqueue(std::string_view text, bool fromFile);
     void takeRequests();
     void startMain(std::shared_ptr<const urscript::Program> program);
@@ -94,6 +107,7 @@ private:
     Plant& plant_;
     ScriptHost& host_;
     std::deque<Request> requests_;
+    std::unique_ptr<Controlled> controlled_;  ///< waits for its script
     std::unique_ptr<urscript::Interpreter> main_;
     std::vector<std::unique_ptr<urscript::Interpreter>> secondaries_;
     std::string name_;  ///< of the main program

@@ -97,7 +97,17 @@ ProgramStore::Outcome ProgramStore::loadInstallation(const QString& name) {
     if (!path) {
         return name == QLatin1String("default.installation") ? Outcome::Done : Outcome::NotFound;
     }
-    return contentOf(*path) ? Outcome::Done : Outcome::Unreadable;
+    if (!contentOf(*path)) {
+        return Outcome::Unreadable;
+    }
+    installation_ = name;
+    return Outcome::Done;
+}
+
+ScriptProvider ProgramStore::scriptProvider() const {
+    const std::optional<QString> path = find(installation_);
+    const std::optional<QByteArray> content = path ? contentOf(*path) : std::nullopt;
+    return content ? scriptProviderOf(*content).value_or(ScriptProvider()) : ScriptProvider();
 }
 
 std::optional<std::string> ProgramStore::script() const {

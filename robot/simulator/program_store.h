@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+#include "robot/simulator/external_control.h"
+
 namespace tiller::simulator {
 
 /// Threads  the simulator's.
@@ -29,9 +31,11 @@ public:
     /// name  relative to the folder, or absolute; what a robot has below /programs is looked for in the
     /// folder too. Unchanged unless Done
     Outcome load(const QString& name);
-    /// The installation file, whose content the simulated robot has no use for. Every robot has a
+    /// The installation file, of which the simulated robot uses little. Every robot has a
     /// default.installation.
     Outcome loadInstallation(const QString& name);
+    /// Of the installation: who is asked for the scripts of External Control nodes.
+    ScriptProvider scriptProvider() const;
 
     /// As a fresh controller: nothing is loaded.
     void unload() {
@@ -59,6 +63,7 @@ private:
     std::optional<QString> find(const QString& name) const;
 
     QString folder_;
+    QString installation_ = QStringLiteral("default.installation");
     std::unique_ptr<QTemporaryDir> own_;
     QString path_;
     std::string name_;

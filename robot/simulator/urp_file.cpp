@@ -5,6 +5,8 @@
 #include <QStringList>
 #include <QXmlStreamReader>
 
+#include "robot/simulator/external_control.h"
+
 namespace tiller::simulator {
 
 namespace {
@@ -55,7 +57,10 @@ private:
         while (good_ && xml_.readNextStartElement()) {
             if (is("MainProgram")) {
                 sawMain_ = true;
+                const bool forever = attribute("runOnlyOnce") == QLatin1String("false");
+                script_ += QLatin1String(forever ? "while True:\n" : "");
                 readChildrenOfNode();
+                script_ += QLatin1String(forever ? "end\n" : "");
             } else if (is("InitVariablesNode")) {
                 xml_.skipCurrentElement();
             } else {
@@ -96,6 +101,10 @@ private:
             } else if (is("Popup")) {
                 readPopup();
             } else if (is("Comment")) {
+                xml_.skipCurrentElement();
+            } else if (is("Contributed") &&
+                       attribute("strategyClass").startsWith(QLatin1String(kControlNodeOwner))) {
+                emitLine(QString::fromUtf8(kControlNode.data(), kControlNode.size()).trimmed());
                 xml_.skipCurrentElement();
             } else {
                 refuse();

@@ -190,7 +190,14 @@ std::string DashboardCommands::play(const std::string&) {
         programs.stopNow();  // "stop" has been answered: "play" may follow at once
     }
     const std::optional<std::string> text = store_.script();
-    return text && !programs.isActive() && programs.submitText(*text) ? "Starting program" : kFailed;
+    if (!text || programs.isActive()) {
+        return kFailed;
+    }
+    if (text->find(kControlNode) != std::string::npos) {
+        programs.submitControlled(*text, store_.scriptProvider());
+        return "Starting program";
+    }
+    return programs.submitText(*text) ? "Starting program" : kFailed;
 }
 
 std::string DashboardCommands::stop(const std::string&) {

@@ -154,6 +154,9 @@ private Q_SLOTS:
             "-0.8, 1.6, 0\"/>"
             "</position></Waypoint></children></Move>";
         write("nodes.urp", gzipped(head + nodes + tail));
+        write("forever.urp",
+              gzipped(QByteArray(head).replace("<MainProgram>", "<MainProgram runOnlyOnce=\"false\">") +
+                      "<Wait type=\"Sleep\"><waitTime>0.1</waitTime></Wait>" + tail));
         write("unknown.urp", gzipped(head + "<Palletizing/>" + tail));
         write("broken.urp", gzipped(head + nodes).chopped(20));
         write("beside.urp", gzipped(head + "<Palletizing/>" + tail));
@@ -174,6 +177,10 @@ private Q_SLOTS:
         QCOMPARE(robot.controller.truth().digitalOutputs, quint64(1) << 2);
         QVERIFY(robot.controller.truth().timestamp - begin > 0.3);
         QVERIFY(std::abs(robot.controller.truth().q[0] - -1.5) < 1e-3);
+        QCOMPARE(dashboard.ask("load forever.urp"), QByteArray("Loading program: forever.urp\n"));
+        dashboard.ask("play");
+        robot.controller.stepSeconds(1);
+        QCOMPARE(dashboard.ask("programState"), QByteArray("PLAYING forever.urp\n"));
         QCOMPARE(dashboard.ask("load beside.urp"), QByteArray("Loading program: beside.urp\n"));
         dashboard.ask("play");
         robot.controller.step(10);
