@@ -38,8 +38,9 @@ std::optional<ScriptProvider> scriptProviderOf(const QByteArray& installation) {
     while (!xml.atEnd()) {
         xml.readNext();
         if (xml.name() == QLatin1String("Contributed")) {
-            inside = xml.isStartElement() &&
-                     xml.attributes().value(QLatin1String("ownerId")) == QLatin1String(kControlNodeOwner);
+            inside =
+                xml.isStartElement() &&
+                xml.attributes().value(QLatin1String("ownerId")).contains(QLatin1String(kControlNodeOwner));
             found = found || inside;
         } else if (inside && xml.isStartElement() && xml.name() == QLatin1String("data")) {
             const auto key = xml.attributes().value(QLatin1String("key"));

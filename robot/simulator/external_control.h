@@ -26,7 +26,8 @@ struct ScriptProvider {
 /// What an installation file (XML, gzipped) says of it. Nothing when it says nothing.
 std::optional<ScriptProvider> scriptProviderOf(const QByteArray& installation);
 
-inline constexpr const char* kControlNodeOwner = "com.fzi.externalcontrol";
+/// In the names of its owner and class, whoever publishes it.
+inline constexpr const char* kControlNodeOwner = ".externalcontrol";
 /// Stands for the node in a program; means nothing to the interpreter.
 inline constexpr std::string_view kControlNode = "$ 0 \"External Control\"\n";
 

@@ -103,7 +103,7 @@ private:
             } else if (is("Comment")) {
                 xml_.skipCurrentElement();
             } else if (is("Contributed") &&
-                       attribute("strategyClass").startsWith(QLatin1String(kControlNodeOwner))) {
+                       attribute("strategyClass").contains(QLatin1String(kControlNodeOwner))) {
                 emitLine(QString::fromUtf8(kControlNode.data(), kControlNode.size()).trimmed());
                 xml_.skipCurrentElement();
             } else {
