@@ -5,7 +5,9 @@
 // Source: RTDE guide; URScript read_/write_..._register.
 
 #include <array>
+#include <bitset>
 #include <cstdint>
+#include <optional>
 
 namespace tiller::simulator {
 
@@ -29,9 +31,38 @@ struct RegisterBank {
     }
 };
 
+/// What a program writes and overwrites within one period. RTDE runs beside programs and catches such a value
+/// now and then: ur_rtde answers getActualToolFlangePose() with one, period after period until it is seen.
+class OverwrittenIntegers {
+public:
+    void beginPeriod() {
+        for (std::size_t n = 0; n < periods_.size(); ++n) {
+            periods_[n] = overwritten_[n] ? periods_[n] % kCaught + 1 : 0;
+            overwritten_[n].reset();
+        }
+        written_.reset();
+    }
+    void write(std::size_t n, std::int32_t before) {
+        if (written_[n] && !overwritten_[n]) {
+            overwritten_[n] = before;
+        }
+        written_.set(n);
+    }
+    std::int32_t seen(std::size_t n, std::int32_t now) const {
+        return periods_[n] == kCaught ? overwritten_[n].value_or(now) : now;
+    }
+
+private:
+    static constexpr int kCaught = 125;  ///< one in so many in a row
+    std::bitset<48> written_;
+    std::array<std::optional<std::int32_t>, 48> overwritten_{};
+    std::array<int, 48> periods_{};
+};
+
 struct Registers {
     RegisterBank input;   ///< written by RTDE clients
     RegisterBank output;  ///< written by scripts
+    OverwrittenIntegers overwritten;
     std::array<bool, 33> flags{};
 };
 

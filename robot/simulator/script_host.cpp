@@ -52,7 +52,9 @@ void ScriptHost::setBoolOutput(int address, bool value) {
     plant_.registers().output.bits[at(address)] = value;
 }
 void ScriptHost::setIntOutput(int address, std::int32_t value) {
-    plant_.registers().output.ints[at(address)] = value;
+    std::int32_t& number = plant_.registers().output.ints[at(address)];
+    plant_.registers().overwritten.write(at(address), number);
+    number = value;
 }
 void ScriptHost::setFloatOutput(int address, double value) {
     plant_.registers().output.doubles[at(address)] = value;

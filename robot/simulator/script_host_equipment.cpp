@@ -18,6 +18,7 @@ std::size_t at(int number) {
 
 void ScriptHost::beginPeriod() {
     sockets_.service();
+    plant_.registers().overwritten.beginPeriod();
     if (const bool running = plant_.programs().isActive(); running != wasRunning_) {
         wasRunning_ = running;
         rules_.programChanged(running, plant_.pins(), plant_.registers());

@@ -159,7 +159,9 @@ constexpr RegisterFamily kRegisterFamilies[] = {
     {"input_bit_register_", 128,
      [](const Telemetry& t, std::size_t n, double* into) { put(into, t.registers->input.bits[n]); }},
     {"output_int_register_", 48,
-     [](const Telemetry& t, std::size_t n, double* into) { put(into, t.registers->output.ints[n]); }},
+     [](const Telemetry& t, std::size_t n, double* into) {
+         put(into, t.registers->overwritten.seen(n, t.registers->output.ints[n]));
+     }},
     {"input_int_register_", 48,
      [](const Telemetry& t, std::size_t n, double* into) { put(into, t.registers->input.ints[n]); }},
     {"output_double_register_", 48,

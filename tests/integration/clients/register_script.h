@@ -386,7 +386,6 @@ def register_control():
             ft_rtde_input_enable(i_in(1) == 1, f_in(0), [f_in(1), f_in(2), f_in(3)], [f_in(4), f_in(5), f_in(6)])
         elif cmd == 57:
             enable_external_ft_sensor(i_in(1) == 1, f_in(0), [f_in(1), f_in(2), f_in(3)], [f_in(4), f_in(5), f_in(6)])
-        elif cmd == 58: results(get_actual_tool_flange_pose())
         elif cmd == 59: set_gravity([f_in(0), f_in(1), f_in(2)])
         elif cmd == 60 or cmd == 61:
             local found = False
@@ -437,6 +436,8 @@ def register_control():
             results(get_actual_joint_positions_history(i_in(1)))
         elif cmd == 38:
             results(get_joint_torques())
+        elif cmd == 58:
+            results(get_actual_tool_flange_pose())
         else:
             return False
         end
@@ -452,6 +453,7 @@ def register_control():
             executing = False
             answer(1)
         elif process_each_frame(cmd):
+            answer(2)
             answer(1)
         elif not executing:
             keep_running = process(cmd)
