@@ -14,6 +14,7 @@ namespace tiller {
 namespace {
 
 constexpr int kPadding = 12;
+constexpr int kDensePadding = 8;
 constexpr int kShapeRoom = 18;
 constexpr int kArrowRoom = 16;
 constexpr int kMarkRoom = 12;
@@ -111,6 +112,18 @@ void StateChip::setFigures(bool figures) {
     updateGeometry();
 }
 
+void StateChip::setDense(bool dense) {
+    if (dense != dense_) {
+        dense_ = dense;
+        updateGeometry();
+        update();
+    }
+}
+
+int StateChip::padding() const {
+    return dense_ ? kDensePadding : kPadding;
+}
+
 void StateChip::setLeastCharacters(int characters) {
     if (characters != leastCharacters_) {
         leastCharacters_ = characters;
@@ -127,7 +140,8 @@ void StateChip::setMenuArrow(bool arrow) {
 
 QFont StateChip::valueFont() const {
     const bool strong = emphasis_ != Emphasis::Normal && emphasis_ != Emphasis::Muted;
-    return figures_ ? figureFont(15) : textFont(15, strong ? QFont::Bold : QFont::Normal);
+    const int size = dense_ ? 14 : 15;
+    return figures_ ? figureFont(size) : textFont(size, strong ? QFont::Bold : QFont::Normal);
 }
 
 int StateChip::widthFor(const QString& value, const QString& caption) const {
@@ -135,7 +149,7 @@ int StateChip::widthFor(const QString& value, const QString& caption) const {
     // On scaled screens letters have fractions of a pixel: a chip that is short by one loses three letters.
     const int letters = static_cast<int>(std::ceil(QFontMetricsF(valueFont()).horizontalAdvance(value))) + 1;
     const int valueWidth = letters + shapeRoom() + (menuArrow_ ? kArrowRoom : 0);
-    return std::max(captionWidth, valueWidth) + 2 * kPadding + 2;
+    return std::max(captionWidth, valueWidth) + 2 * padding() + 2;
 }
 
 QSize StateChip::sizeHint() const {
@@ -162,11 +176,11 @@ void StateChip::paintEvent(QPaintEvent*) {
     const bool strong = emphasis_ != Emphasis::Normal && emphasis_ != Emphasis::Muted;
     painter.setFont(captionFont(strong));
     painter.setPen(colours.caption);
-    const QRect above(kPadding, 7, width() - 2 * kPadding, 16);
+    const QRect above(padding(), 7, width() - 2 * padding(), 16);
     painter.drawText(above, Qt::AlignLeft | Qt::AlignVCenter,
                      painter.fontMetrics().elidedText(caption_, Qt::ElideRight, above.width() + 1));
 
-    int x = kPadding;
+    int x = padding();
     constexpr int kValueTop = 23;
     constexpr int kValueHeight = 22;
     if (shape_ != Shape::None) {
@@ -176,7 +190,7 @@ void StateChip::paintEvent(QPaintEvent*) {
     }
     painter.setFont(valueFont());
     painter.setPen(colours.value);
-    const int room = width() - x - kPadding - (menuArrow_ ? kArrowRoom : 0);
+    const int room = width() - x - padding() - (menuArrow_ ? kArrowRoom : 0);
     const QString shown = painter.fontMetrics().elidedText(text_, Qt::ElideRight, room + 1);
     painter.drawText(QRect(x, kValueTop, room + 1, kValueHeight), Qt::AlignLeft | Qt::AlignVCenter, shown);
     if (menuArrow_) {

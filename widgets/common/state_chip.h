@@ -51,6 +51,8 @@ public:
     QString mark() const { return mark_; }
     /// Numbers in the fixed-width face.
     void setFigures(bool figures);
+    /// Smaller letters and margins, for a narrow window.
+    void setDense(bool dense);
     /// Never narrower than the caption and this many characters of the value; the rest is elided.
     void setLeastCharacters(int characters);
     /// Shows the little arrow of something that opens a menu.
@@ -71,6 +73,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    int padding() const;
     QFont valueFont() const;
     int widthFor(const QString& value, const QString& caption) const;
     int shapeRoom() const;
@@ -85,6 +88,7 @@ private:
     bool figures_ = false;
     bool menuArrow_ = false;
     int leastCharacters_ = 4;
+    bool dense_ = false;
 };
 
 }  // namespace tiller

@@ -242,13 +242,16 @@ void HeaderBar::arrange() {
     const int below = cap_->isVisibleTo(this) ? kBannerHeight : 1;
     cap_->setGeometry(0, kHeight, width(), kBannerHeight);
     layout_->setContentsMargins(tight ? 10 : 16, 0, tight ? 10 : 16, below);
-    layout_->setSpacing(tight ? 6 : narrow ? 8 : 12);
+    layout_->setSpacing(tight ? 5 : narrow ? 8 : 12);
+    for (StateChip* chip : {robot_, mode_, safety_, control_, link_, lastStop_}) {
+        chip->setDense(tight);
+    }
     name_->setVisible(!tight);
     stop_->setFixedWidth(tight ? 132 : narrow ? 160 : 230);
     speed_->setMaximumWidth(tight ? 120 : narrow ? 170 : 230);
     // What gives way when words are long: figures first, then names, a state's words last.
     simulation_->setFixedWidth(tight ? 112 : 145);
-    robot_->setMaximumWidth(tight ? 124 : narrow ? 170 : 250);
+    robot_->setMaximumWidth(tight ? 150 : narrow ? 170 : 250);
     robot_->setLeastCharacters(tight ? 4 : 8);
     mode_->setLeastCharacters(tight ? 11 : narrow ? 15 : 20);
     safety_->setLeastCharacters(tight ? 12 : narrow ? 20 : 26);

@@ -305,6 +305,27 @@ private Q_SLOTS:
         }
     }
 
+    void theOrdinaryWordsAreWholeInTheSmallestWindow() {
+        FakeSession session;
+        HeaderBar header(session.port());
+        header.resize(1280, HeaderBar::kHeight);
+        header.show();
+        for (const bool moving : {false, true}) {
+            SessionState state = movingState();
+            state.robotName = QStringLiteral("Virtual UR10e");
+            state.moving = state.jogActive = moving;
+            header.applyState(state);
+            QCoreApplication::processEvents();
+            for (const StateChip* chip : header.findChildren<StateChip*>()) {
+                QVERIFY2(!chip->isVisible() || chip->width() >= chip->sizeHint().width(),
+                         qPrintable(QStringLiteral("%1: %2 of %3 px")
+                                        .arg(chip->objectName())
+                                        .arg(chip->width())
+                                        .arg(chip->sizeHint().width())));
+            }
+        }
+    }
+
     void followsASession() {
         RobotSession session;
         HeaderBar header(session);
