@@ -68,6 +68,8 @@ QTableView::item, QTreeView::item, QListView::item { border: none; border-bottom
     padding: 0 10px; }
 QTableView::item:selected, QTreeView::item:selected, QListView::item:selected { background: @movingTint;
     color: @text; }
+QListView::item:disabled { color: @secondary; }
+#paletteList::item { padding: 5px 10px; }
 QTableView:focus, QTreeView:focus, QListView:focus { border-color: @moving; }
 QHeaderView { background: transparent; border: none; }
 QHeaderView::section { background: transparent; color: @secondary; border: none;

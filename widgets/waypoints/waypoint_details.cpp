@@ -18,6 +18,10 @@
 
 namespace tiller {
 
+namespace {
+constexpr int kMargin = 12;
+}  // namespace
+
 WaypointDetails::WaypointDetails(WaypointModel& model, QWidget* parent)
     : QWidget(parent)
     , model_(model)
@@ -35,7 +39,6 @@ WaypointDetails::WaypointDetails(WaypointModel& model, QWidget* parent)
     facts_->setProperty("role", "secondary");
     facts_->setFont(textFont(15));
     pose_->setObjectName(QStringLiteral("waypoint.details.pose"));
-    pose_->setFont(figureFont(13));
     advice_->setObjectName(QStringLiteral("waypoint.details.advice"));
     advice_->setProperty("role", "warning");
 
@@ -57,7 +60,7 @@ WaypointDetails::WaypointDetails(WaypointModel& model, QWidget* parent)
     headline->addWidget(facts_, 1);
     headline->addWidget(frame_);
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(12, 12, 12, 12);
+    layout->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
     layout->setSpacing(6);
     layout->addLayout(headline);
     layout->addWidget(pose_);
@@ -122,6 +125,19 @@ void WaypointDetails::refresh() {
                              ? QString()
                              : QStringLiteral("✕ ") + WaypointModel::reachAdvice(model_.reach(row_)));
     setAccessibleDescription(headline() + QStringLiteral(", ") + poseLine());
+    fitPose();
+}
+
+// A figure that is cut off is no figure: rather smaller ones.
+void WaypointDetails::fitPose() {
+    const int room = contentsRect().width() - 2 * kMargin;
+    for (const int size : {13, 12, 11}) {
+        const QFont font = figureFont(size);
+        if (QFontMetrics(font).horizontalAdvance(pose_->fullText()) < room || size == 11) {
+            pose_->setFont(font);
+            return;
+        }
+    }
 }
 
 void WaypointDetails::showFrame() {
@@ -143,6 +159,11 @@ void WaypointDetails::changeEvent(QEvent* event) {
         refresh();
     }
     QWidget::changeEvent(event);
+}
+
+void WaypointDetails::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitPose();
 }
 
 void WaypointDetails::paintEvent(QPaintEvent*) {

@@ -358,6 +358,9 @@ private Q_SLOTS:
         QTRY_VERIFY2(details->headline().contains("61.2 mm"), qPrintable(details->headline()));
         QVERIFY(details->headline().startsWith("waypoint 1"));
         QVERIFY(details->poseLine().contains("RX"));
+        // Every figure of it can be read, in the smallest window too.
+        details->resize(496, details->height());
+        QTRY_COMPARE(details->findChild<QLabel*>("waypoint.details.pose")->text(), details->poseLine());
     }
 
     void theFrameIsChosenInTheDetailsAndThePlaceStays() {
