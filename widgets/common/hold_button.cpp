@@ -7,6 +7,7 @@
 #include <QTouchEvent>
 #include <QWheelEvent>
 
+#include "widgets/common/density.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
@@ -53,7 +54,8 @@ void HoldButton::setUnavailable(const QString& reason) {
 
 QSize HoldButton::sizeHint() const {
     const QFontMetrics metrics(textFont(15));
-    return {metrics.horizontalAdvance(text()) + 24, 40};
+    // As high as the keys beside it, which have a border besides.
+    return {metrics.horizontalAdvance(text()) + 24, keyHeight(currentDensity()) + 2};
 }
 
 QSize HoldButton::minimumSizeHint() const {

@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QStringList>
 #include <QVBoxLayout>
+#include <array>
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "widgets/common/choice_box.h"
@@ -20,6 +21,7 @@ namespace tiller {
 
 namespace {
 constexpr int kMargin = 12;
+constexpr std::array kPoseSizes = {13, 12, 11};  // of letters [px]: the largest that fits
 }  // namespace
 
 WaypointDetails::WaypointDetails(WaypointModel& model, QWidget* parent)
@@ -39,6 +41,7 @@ WaypointDetails::WaypointDetails(WaypointModel& model, QWidget* parent)
     facts_->setProperty("role", "secondary");
     facts_->setFont(textFont(15));
     pose_->setObjectName(QStringLiteral("waypoint.details.pose"));
+    pose_->setFont(figureFont(kPoseSizes.front()));
     advice_->setObjectName(QStringLiteral("waypoint.details.advice"));
     advice_->setProperty("role", "warning");
 
@@ -131,10 +134,12 @@ void WaypointDetails::refresh() {
 // A figure that is cut off is no figure: rather smaller ones.
 void WaypointDetails::fitPose() {
     const int room = contentsRect().width() - 2 * kMargin;
-    for (const int size : {13, 12, 11}) {
+    for (const int size : kPoseSizes) {
         const QFont font = figureFont(size);
-        if (QFontMetrics(font).horizontalAdvance(pose_->fullText()) < room || size == 11) {
-            pose_->setFont(font);
+        if (QFontMetrics(font).horizontalAdvance(pose_->fullText()) < room || size == kPoseSizes.back()) {
+            if (font.pixelSize() != pose_->font().pixelSize()) {
+                pose_->setFont(font);
+            }
             return;
         }
     }

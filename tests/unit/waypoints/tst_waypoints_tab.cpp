@@ -359,8 +359,12 @@ private Q_SLOTS:
         QVERIFY(details->headline().startsWith("waypoint 1"));
         QVERIFY(details->poseLine().contains("RX"));
         // Every figure of it can be read, in the smallest window too.
-        details->resize(496, details->height());
-        QTRY_COMPARE(details->findChild<QLabel*>("waypoint.details.pose")->text(), details->poseLine());
+        auto* pose = details->findChild<QLabel*>("waypoint.details.pose");
+        for (const int width : {900, 496, 900}) {
+            details->resize(width, details->height());
+            QTRY_COMPARE(pose->text(), details->poseLine());
+            QVERIFY(QFontInfo(pose->font()).fixedPitch());
+        }
     }
 
     void theFrameIsChosenInTheDetailsAndThePlaceStays() {
