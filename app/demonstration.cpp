@@ -218,9 +218,11 @@ QString Demonstration::summary() const {
     }
     out.setRealNumberNotation(QTextStream::FixedNotation);
     out.setRealNumberPrecision(1);
-    out << tr("jogged               ") << distanceMm(jogStart_, jogEnd_) << " mm\n"
-        << tr("release to standstill ") << jogStop_.durationMs << " ms, " << jogStop_.distanceMm << " mm\n"
-        << tr("packets              ") << state.quality.packets << tr(" received, ") << state.quality.late
+    if (jogEnd_) {
+        out << tr("jogged               ") << distanceMm(jogStart_, *jogEnd_) << " mm\n"
+            << tr("release to standstill ") << jogStop_.durationMs << " ms, " << jogStop_.distanceMm << " mm\n";
+    }
+    out << tr("packets              ") << state.quality.packets << tr(" received, ") << state.quality.late
         << tr(" late, ") << state.quality.lost << tr(" lost\n") << tr("recorded             ")
         << state.recording.rows << tr(" rows, ") << state.recording.seconds << " s\n"
         << tr("files                ") << folder_.absolutePath() << '\n';

@@ -11,6 +11,7 @@
 #include <QStringList>
 #include <QTimer>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "robot/core/spatial.h"
@@ -74,7 +75,7 @@ private:
     QStringList troubles_;  ///< warnings and errors the operator would have read
 
     Pose jogStart_;
-    Pose jogEnd_;
+    std::optional<Pose> jogEnd_;  ///< once it came to rest
     control::StopMeasurement jogStop_;
 };
 

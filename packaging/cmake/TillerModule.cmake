@@ -75,6 +75,19 @@ function(tiller_module)
     tiller_precompile(tiller_${ARG_NAME})
 endfunction()
 
+# tiller_test_surroundings(<name> <timeout s> [<variable=value>...])
+# What every Qt Test program of ctest finds around it, and its time, of which a sanitizer gets more.
+function(tiller_test_surroundings name timeout)
+    if(TILLER_SANITIZE)
+        math(EXPR timeout "${timeout} * 8")
+    endif()
+    set(support ${CMAKE_SOURCE_DIR}/tests/support)
+    set_tests_properties(${name} PROPERTIES TIMEOUT ${timeout}
+        ENVIRONMENT "TILLER_TEST_DATA=${CMAKE_SOURCE_DIR}/tests/data;LC_ALL=C.UTF-8;QT_QPA_PLATFORM=offscreen;\
+TSAN_OPTIONS=suppressions=${support}/tsan.supp die_after_fork=0;\
+LSAN_OPTIONS=suppressions=${support}/lsan.supp;${ARGN}")
+endfunction()
+
 # tiller_test(NAME <tst_x> SOURCES <files...> DEPENDS <targets...> [OFFSCREEN] [SERIAL] [TIMEOUT s])
 # A Qt Test program, run by ctest under the name <last folder>/<tst_x>.
 # OFFSCREEN runs it on Qt's offscreen platform; SERIAL keeps other tests away from the machine while it runs.
@@ -90,15 +103,8 @@ function(tiller_test)
     if(NOT ARG_TIMEOUT)
         set(ARG_TIMEOUT 120)
     endif()
-    if(TILLER_SANITIZE)
-        math(EXPR ARG_TIMEOUT "${ARG_TIMEOUT} * 8")
-    endif()
-    set(environment "TILLER_TEST_DATA=${CMAKE_SOURCE_DIR}/tests/data" "LC_ALL=C.UTF-8")
-    list(APPEND environment "QT_QPA_PLATFORM=offscreen")
-    list(APPEND environment "TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/tsan.supp die_after_fork=0")
-    list(APPEND environment "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/lsan.supp")
-    set_tests_properties(${folder}/${ARG_NAME} PROPERTIES
-        TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "${environment}" LABELS "${ARG_LABELS}")
+    tiller_test_surroundings(${folder}/${ARG_NAME} ${ARG_TIMEOUT})
+    set_tests_properties(${folder}/${ARG_NAME} PROPERTIES LABELS "${ARG_LABELS}")
     if(ARG_SERIAL)
         set_tests_properties(${folder}/${ARG_NAME} PROPERTIES RUN_SERIAL ON)
     endif()
