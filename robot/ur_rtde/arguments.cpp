@@ -6,6 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "robot/ur_rtde/rtde_control_interface.h"
+
 namespace tiller::urrtde::check {
 
 namespace {
@@ -96,13 +98,15 @@ void twist(const std::string& name, const List& xd) {
 }
 
 void jointMove(double speed, double acceleration) {
-    inRange("speed", speed, 0, kMaxJointSpeed, "rad/s", kDegrees);
-    inRange("acceleration", acceleration, 0, kMaxJointAcceleration, "rad/s2", kDegrees);
+    inRange("speed", speed, UR_JOINT_VELOCITY_MIN, UR_JOINT_VELOCITY_MAX, "rad/s", kDegrees);
+    inRange("acceleration", acceleration, UR_JOINT_ACCELERATION_MIN, UR_JOINT_ACCELERATION_MAX, "rad/s2",
+            kDegrees);
 }
 
 void toolMove(double speed, double acceleration) {
-    inRange("speed", speed, 0, kMaxToolSpeed, "m/s", kMillimetres);
-    inRange("acceleration", acceleration, 0, kMaxToolAcceleration, "m/s2", kMillimetres);
+    inRange("speed", speed, UR_TOOL_VELOCITY_MIN, UR_TOOL_VELOCITY_MAX, "m/s", kMillimetres);
+    inRange("acceleration", acceleration, UR_TOOL_ACCELERATION_MIN, UR_TOOL_ACCELERATION_MAX, "m/s2",
+            kMillimetres);
 }
 
 void flags(const char* name, const std::vector<int>& values, std::size_t size) {

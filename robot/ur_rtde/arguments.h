@@ -13,12 +13,6 @@ namespace tiller::urrtde::check {
 
 using List = std::vector<double>;
 
-// Those of ur_rtde.
-inline constexpr double kMaxJointSpeed = 3.14;         ///< [rad/s]
-inline constexpr double kMaxJointAcceleration = 40.0;  ///< [rad/s2]
-inline constexpr double kMaxToolSpeed = 3.0;           ///< [m/s]
-inline constexpr double kMaxToolAcceleration = 150.0;  ///< [m/s2]
-
 void number(const char* name, double value, double lowest, double highest, const char* unit = "");
 void integer(const char* name, int value, int lowest, int highest);
 /// A list of this many numbers, whatever they are.

@@ -28,11 +28,11 @@ List reals(const std::vector<int>& values) {
 }
 
 List servoValues(List target, double speed, double acceleration, double time, double lookahead, double gain) {
-    check::number("speed", speed, 0, check::kMaxJointSpeed, "rad/s");
-    check::number("acceleration", acceleration, 0, check::kMaxJointAcceleration, "rad/s2");
+    check::number("speed", speed, 0, UR_JOINT_VELOCITY_MAX, "rad/s");
+    check::number("acceleration", acceleration, 0, UR_JOINT_ACCELERATION_MAX, "rad/s2");
     check::number("time", time, 0, 10, "s");
-    check::number("lookahead_time", lookahead, 0.03, 0.2, "s");
-    check::number("gain", gain, 100, 2000);
+    check::number("lookahead_time", lookahead, UR_SERVO_LOOKAHEAD_TIME_MIN, UR_SERVO_LOOKAHEAD_TIME_MAX, "s");
+    check::number("gain", gain, UR_SERVO_GAIN_MIN, UR_SERVO_GAIN_MAX);
     return joined(std::move(target), {speed, acceleration, time, lookahead, gain});
 }
 
@@ -41,12 +41,12 @@ List servoValues(List target, double speed, double acceleration, double time, do
 // ---- moves ----------------------------------------------------------------------------------------------
 
 void RTDEControlInterface::stopL(double a, bool asynchronous) {
-    check::number("a", a, 0.01, check::kMaxToolAcceleration, "m/s2");
+    check::number("a", a, 0.01, UR_TOOL_ACCELERATION_MAX, "m/s2");
     d_->session.stop({CommandId::StopL, 20, {a, flag(asynchronous)}}, !asynchronous);
 }
 
 void RTDEControlInterface::stopJ(double a, bool asynchronous) {
-    check::number("a", a, 0.01, check::kMaxJointAcceleration, "rad/s2");
+    check::number("a", a, 0.01, UR_JOINT_ACCELERATION_MAX, "rad/s2");
     d_->session.stop({CommandId::StopJ, 20, {a, flag(asynchronous)}}, !asynchronous);
 }
 
@@ -96,7 +96,7 @@ bool RTDEControlInterface::movePath(const Path& path, bool asynchronous) {
 bool RTDEControlInterface::moveUntilContact(const List& xd, const List& direction, double acceleration) {
     check::twist("xd", xd);
     check::list("direction", direction, 6);
-    check::number("acceleration", acceleration, 0.01, check::kMaxToolAcceleration, "m/s2");
+    check::number("acceleration", acceleration, 0.01, UR_TOOL_ACCELERATION_MAX, "m/s2");
     return d_->feelsContact() &&
            d_->done(CommandId::MoveUntilContact, 16, joined(joined(xd, direction), {acceleration}));
 }
@@ -114,20 +114,20 @@ int RTDEControlInterface::getAsyncOperationProgress() {
 
 bool RTDEControlInterface::speedJ(const List& qd, double acceleration, double time) {
     check::jointSpeeds("qd", qd);
-    check::number("acceleration", acceleration, 0.001, check::kMaxJointAcceleration, "rad/s2");
+    check::number("acceleration", acceleration, 0.001, UR_JOINT_ACCELERATION_MAX, "rad/s2");
     check::number("time", time, 0, 3600, "s");
     return d_->session.stream({CommandId::SpeedJ, 13, joined(qd, {acceleration, time})});
 }
 
 bool RTDEControlInterface::speedL(const List& xd, double acceleration, double time) {
     check::twist("xd", xd);
-    check::number("acceleration", acceleration, 0.001, check::kMaxToolAcceleration, "m/s2");
+    check::number("acceleration", acceleration, 0.001, UR_TOOL_ACCELERATION_MAX, "m/s2");
     check::number("time", time, 0, 3600, "s");
     return d_->session.stream({CommandId::SpeedL, 13, joined(xd, {acceleration, time})});
 }
 
 bool RTDEControlInterface::speedStop(double a) {
-    check::number("a", a, 0.01, check::kMaxToolAcceleration, "m/s2");
+    check::number("a", a, 0.01, UR_TOOL_ACCELERATION_MAX, "m/s2");
     return d_->session.stop({CommandId::SpeedStop, 8, {a}});
 }
 
@@ -148,19 +148,19 @@ bool RTDEControlInterface::servoL(const List& pose, double speed, double acceler
 bool RTDEControlInterface::servoC(const List& pose, double speed, double acceleration, double blend) {
     check::pose("pose", pose);
     check::toolMove(speed, acceleration);
-    check::number("blend", blend, 0, 2, "m");
+    check::number("blend", blend, UR_BLEND_MIN, UR_BLEND_MAX, "m");
     return d_->session.stream({CommandId::ServoC, 5, joined(pose, {speed, acceleration, blend})});
 }
 
 bool RTDEControlInterface::servoStop(double a) {
-    check::number("a", a, 0.01, check::kMaxJointAcceleration, "rad/s2");
+    check::number("a", a, 0.01, UR_JOINT_ACCELERATION_MAX, "rad/s2");
     return d_->session.stop({CommandId::ServoStop, 8, {a}});
 }
 
 bool RTDEControlInterface::jogStart(const List& speeds, int feature, double acc, const List& custom_frame) {
     check::twist("speeds", speeds);
     check::integer("feature", feature, FEATURE_BASE, FEATURE_CUSTOM);
-    check::number("acc", acc, 0.001, check::kMaxToolAcceleration, "m/s2");
+    check::number("acc", acc, 0.001, UR_TOOL_ACCELERATION_MAX, "m/s2");
     if (!custom_frame.empty()) {
         check::pose("custom_frame", custom_frame);
     } else if (feature == FEATURE_CUSTOM) {

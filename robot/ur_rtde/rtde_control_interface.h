@@ -27,6 +27,22 @@
 #include <string>
 #include <vector>
 
+// The limits of arguments, by the names programs know.
+#define UR_JOINT_VELOCITY_MAX 3.14  // [rad/s]
+#define UR_JOINT_VELOCITY_MIN 0
+#define UR_JOINT_ACCELERATION_MAX 40.0  // [rad/s^2]
+#define UR_JOINT_ACCELERATION_MIN 0
+#define UR_TOOL_VELOCITY_MAX 3.0  // [m/s]
+#define UR_TOOL_VELOCITY_MIN 0
+#define UR_TOOL_ACCELERATION_MAX 150.0  // [m/s^2]
+#define UR_TOOL_ACCELERATION_MIN 0
+#define UR_SERVO_LOOKAHEAD_TIME_MAX 0.2   // [s]
+#define UR_SERVO_LOOKAHEAD_TIME_MIN 0.03  // [s]
+#define UR_SERVO_GAIN_MAX 2000
+#define UR_SERVO_GAIN_MIN 100
+#define UR_BLEND_MAX 2.0  // [m]
+#define UR_BLEND_MIN 0.0
+
 namespace ur_rtde {
 
 struct Versions {

@@ -35,6 +35,8 @@ int main(int argc, char** argv) {
     std::function<double(double)> turn = [](double angle) { return std::cos(angle); };
     text << std::setprecision(3) << turn(0);
     log << text.str() << times.size() << std::endl;
+    double speed = std::min(5.0, UR_JOINT_VELOCITY_MAX), gain = std::max(20, UR_SERVO_GAIN_MIN);
+    log << speed << gain << UR_BLEND_MAX << UR_SERVO_LOOKAHEAD_TIME_MIN << RT_PRIORITY_UNDEFINED;
     ur_rtde::AsyncOperationStatus status = 5;
     if (argc > 1) {
         control.reset(new ur_rtde::RTDEControlInterface(argv[1]));
