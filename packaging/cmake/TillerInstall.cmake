@@ -4,12 +4,27 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
+# What programs written for ur_rtde include; the rest of that room is not theirs.
+set(ur_rtde_headers async_operation_status.h dashboard_client.h dashboard_enums.h robot_state.h robotiq_gripper.h
+    rtde.h rtde_control_interface.h rtde_export.h rtde_io_interface.h rtde_path.h rtde_receive_interface.h
+    rtde_utility.h script_client.h)
+
 set(tiller_rooms core realtime rtde receive script dashboard control io kinematics program recording doctor)
 add_library(tiller_robot INTERFACE)
 add_library(tiller::robot ALIAS tiller_robot)
 set_target_properties(tiller_robot PROPERTIES EXPORT_NAME robot)
 list(TRANSFORM tiller_rooms PREPEND tiller:: OUTPUT_VARIABLE tiller_room_targets)
 target_link_libraries(tiller_robot INTERFACE ${tiller_room_targets})
+
+# For programs written for ur_rtde that are built without CMake: #include <ur_rtde/...> and -lrtde.
+add_library(ur_rtde_library SHARED $<TARGET_OBJECTS:tiller_ur_rtde>)
+set_target_properties(ur_rtde_library PROPERTIES OUTPUT_NAME rtde LINKER_LANGUAGE CXX
+    UR_RTDE_HEADERS "${ur_rtde_headers}"
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+target_link_libraries(ur_rtde_library PRIVATE tiller::ur_rtde)
+install(TARGETS ur_rtde_library COMPONENT development)
+list(TRANSFORM ur_rtde_headers PREPEND ${CMAKE_SOURCE_DIR}/robot/ur_rtde/ OUTPUT_VARIABLE ur_rtde_files)
+install(FILES ${ur_rtde_files} DESTINATION include/ur_rtde COMPONENT development)
 
 list(TRANSFORM tiller_rooms PREPEND tiller_ OUTPUT_VARIABLE tiller_room_libraries)
 install(TARGETS tiller_robot ${tiller_room_libraries} tiller_simulator tiller_urscript tiller_arm tiller_ur_rtde
