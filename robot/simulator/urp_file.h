@@ -2,10 +2,11 @@
 #pragma once
 
 // Reading a program as the pendant of a CB3 or e-Series robot saves it: XML, gzipped. The pendant turns its
-// nodes into URScript when it runs them. Of the nodes we know: Script (file, line), Wait (time), Popup,
-// Comment, Folder, Loop (endless, counted), Move with fixed waypoints given as joint angles, and External
-// Control, see external_control.h. A program with another node is refused as a whole: half a program is not
-// what its author taught.
+// nodes into URScript when it runs them. Of the nodes we know: Script (file, line), Assignment, If with its
+// ElseIf and Else, Loop (endless, counted, while), Wait (time), Timer, Popup, Comment, Folder, Halt, Move
+// with waypoints given as joint angles or by a variable, and External Control, see external_control.h; before
+// them the sequence BeforeStart, beside them threads. A program with another node is refused as a whole: half
+// a program is not what its author taught.
 
 #include <QByteArray>
 #include <QString>
