@@ -265,6 +265,15 @@ void writeControllerText(Bytes& out, ProtocolVersion version, const TextMessage&
     });
 }
 
+void writeReadPropertiesReply(Bytes& out, std::string_view types, ByteView values) {
+    writePackage(out, PackageType::ReadProperties, [&] {
+        out.resize(out.size() + 2);
+        big_endian::write16(&out[out.size() - 2], static_cast<std::uint16_t>(types.size()));
+        append(out, types);
+        out.insert(out.end(), values.begin(), values.end());
+    });
+}
+
 Result<std::uint16_t> readProtocolRequest(ByteView payload) {
     if (payload.size() != 2) {
         return wrongSize(PackageType::RequestProtocolVersion, 2, payload.size());
@@ -293,6 +302,10 @@ Result<std::vector<std::string>> readSetupInputsRequest(ByteView payload) {
 
 Result<TextMessage> readClientText(ByteView payload) {
     return readLongText(payload);
+}
+
+std::vector<std::string> readPropertiesRequest(ByteView payload) {
+    return splitNames(asText(payload));
 }
 
 Result<bool> readAccepted(ByteView payload, PackageType type) {

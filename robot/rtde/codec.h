@@ -186,6 +186,8 @@ void writeSetupInputsReply(Bytes& out, std::uint8_t recipeId, std::span<const Fi
 void writeStartReply(Bytes& out, bool accepted);
 void writePauseReply(Bytes& out, bool accepted);
 void writeControllerText(Bytes& out, ProtocolVersion version, const TextMessage& text);
+/// types  as in setup replies, one a property; values  packed behind each other, none when one has no type
+void writeReadPropertiesReply(Bytes& out, std::string_view types, ByteView values);
 
 // ---- payloads a controller reads
 // --------------------------------------------------------------------------- Errors of all readers:
@@ -195,6 +197,7 @@ Result<std::uint16_t> readProtocolRequest(ByteView payload);
 Result<SetupOutputsRequest> readSetupOutputsRequest(ByteView payload, ProtocolVersion version);
 Result<std::vector<std::string>> readSetupInputsRequest(ByteView payload);
 Result<TextMessage> readClientText(ByteView payload);
+std::vector<std::string> readPropertiesRequest(ByteView payload);
 
 // ---- payloads a client reads
 // -------------------------------------------------------------------------------

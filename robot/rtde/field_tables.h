@@ -18,6 +18,8 @@ constexpr Since since(SoftwareVersion cb3, SoftwareVersion eSeries) {
     return {cb3, eSeries, true};
 }
 inline constexpr SoftwareVersion kNoCb3{Since::kNever, 0, 0, 0};
+/// With the newer tool flange, on PolyScope X only. Source: the vendor's Python client, recording with V3.
+inline constexpr Since kSecondFlange{kNoCb3, {10, 15, 0, 0}, true};
 
 using D = DataType;
 
@@ -65,11 +67,11 @@ inline constexpr std::array kOutputs = {
     out("elbow_position", D::Vector3D, "m", "elbow position in the base frame", since({3, 5, 0, 0}, {5, 0, 0, 0})),
     out("elbow_velocity", D::Vector3D, "m/s", "elbow velocity in the base frame", since({3, 5, 0, 0}, {5, 0, 0, 0})),
     out("tcp_force_scalar", D::Double, "N", "norm of the TCP force"),
+    out("dexterity", D::Double, "", "how far from a singularity", kSecondFlange),
     out("ft_raw_wrench", D::Vector6D, "N, Nm", "raw force sensor in the flange frame, not zeroed, with payload",
         since(kNoCb3, {5, 9, 0, 0})),
     out("wrench_calc_from_currents", D::Vector6D, "N, Nm", "TCP wrench estimated from joint currents", kRecent),
-    out("joint_position_deviation_ratio", D::Double, "", "position deviation over its limit; 1 is a protective stop",
-        kRecent),
+    out("joint_position_deviation_ratio", D::Double, "", "position deviation over its limit; 1 is a protective stop"),
     out("collision_detection_ratio", D::Double, "", "collision measure over its limit; 1 is a protective stop", kRecent),
     out("payload", D::Double, "kg", "payload mass", since({3, 11, 0, 0}, {5, 5, 1, 0})),
     out("payload_cog", D::Vector3D, "m", "payload centre of gravity", since({3, 11, 0, 0}, {5, 5, 1, 0})),
@@ -108,7 +110,9 @@ inline constexpr std::array kOutputs = {
     out("tool_analog_input0", D::Double, "mA or V", "tool analog input 0"),
     out("tool_analog_input1", D::Double, "mA or V", "tool analog input 1"),
     out("tool_output_voltage", D::Int32, "V", "tool supply: 0, 12 or 24"),
+    out("tool_output_voltage_2", D::Int32, "V", "supply of the second pin of a newer tool flange", kSecondFlange),
     out("tool_output_current", D::Double, "mA", "current drawn by the tool"),
+    out("tool_output_current_2", D::Double, "mA", "current drawn from the second pin", kSecondFlange),
     out("tool_temperature", D::Double, "degC", "tool temperature"),
     out("actual_main_voltage", D::Double, "V", "main voltage of the safety board"),
     out("actual_robot_voltage", D::Double, "V", "arm supply voltage"),

@@ -32,6 +32,8 @@ const char* packageTypeName(PackageType type) {
             return "RTDE_CONTROL_PACKAGE_START";
         case PackageType::Pause:
             return "RTDE_CONTROL_PACKAGE_PAUSE";
+        case PackageType::ReadProperties:
+            return "RTDE_READ_PROPERTIES";
     }
     return "unknown";
 }

@@ -22,8 +22,9 @@ inline constexpr std::size_t kMaxPortablePackageSize = 4093;
 /// Longest comma-separated name list a controller promises to accept in one setup request [bytes].
 inline constexpr std::size_t kMaxNameListSize = 2048;
 
-/// A fresh connection speaks V1 until V2 has been accepted.
-enum class ProtocolVersion : std::uint16_t { V1 = 1, V2 = 2 };
+/// A fresh connection speaks V1 until another has been accepted. V3 is V2 with room for more configurable
+/// outputs: `configurable_digital_output` and its mask are UINT32. Source: the vendor's Python client.
+enum class ProtocolVersion : std::uint16_t { V1 = 1, V2 = 2, V3 = 3 };
 
 enum class PackageType : std::uint8_t {
     RequestProtocolVersion = 'V',
@@ -34,6 +35,7 @@ enum class PackageType : std::uint8_t {
     SetupInputs = 'I',
     Start = 'S',
     Pause = 'P',
+    ReadProperties = 'R',  ///< since 5.26 and 10.15
 };
 
 /// The guide's name of a package type, for messages: "RTDE_DATA_PACKAGE"; "unknown" for anything else.

@@ -87,6 +87,8 @@ void Session::handle(const PackageView& package, Bytes& out) {
                 state_ = State::Ready;
             }
             return;
+        case PackageType::ReadProperties:
+            return;  // never asked for
     }
     // Another kind of package is the controller's affair; clients log it at most.
 }

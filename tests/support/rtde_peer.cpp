@@ -134,6 +134,7 @@ struct RtdePeer::Conversation {
                 take(package.payload);
                 break;
             case PackageType::TextMessage:
+            case PackageType::ReadProperties:  // no client of ours asks
                 break;
         }
         link.send(out);

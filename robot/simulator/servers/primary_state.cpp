@@ -153,7 +153,10 @@ void configurationData(ByteWriter& out, const Telemetry& now) {
         out.i32(6).i32(controllerBoxType(*now.model)).i32(now.model->robotType);
         out.i32(now.model->isCb3() ? 2 : 3);
         if (isNewer(now)) {
-            out.u16(0).u16(0);
+            // Kind of control box and of tool flange, in software that tells them; reserved before.
+            const bool told = now.software >= (now.software.isPolyScopeX() ? SoftwareVersion{10, 13, 0, 0}
+                                                                           : SoftwareVersion{5, 26, 0, 0});
+            out.u16(told ? 5 : 0).u16(told ? 1 : 0);
         }
     });
 }

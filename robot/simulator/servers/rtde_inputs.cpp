@@ -20,12 +20,19 @@ std::optional<std::size_t> numberAfter(std::string_view name, std::string_view p
     return parsed.ec == std::errc() ? std::optional(number) : std::nullopt;
 }
 
+rtde::DataType typeIn(rtde::ProtocolVersion protocol, const rtde::Field& field) {
+    const bool wide = protocol == rtde::ProtocolVersion::V3 &&
+                      std::string_view(field.name).starts_with("configurable_digital_output");
+    return wide ? rtde::DataType::UInt32 : field.type;
+}
+
 }  // namespace
 
 RtdeInputs::RtdeInputs(Plant& plant, const SoftwareVersion& software)
     : plant_(plant), software_(software), owners_(rtde::inputFields().size(), 0) {}
 
-RtdeInputs::Claim RtdeInputs::claim(ClientId client, const std::vector<std::string>& names) {
+RtdeInputs::Claim RtdeInputs::claim(ClientId client, const std::vector<std::string>& names,
+                                    rtde::ProtocolVersion protocol) {
     Claim claim;
     InputRecipe recipe;
     std::vector<rtde::DataType> types;
@@ -43,9 +50,10 @@ RtdeInputs::Claim RtdeInputs::claim(ClientId client, const std::vector<std::stri
             granted = false;
             continue;
         }
-        claim.answers.push_back(rtde::FieldAnswer::of(field->type));
+        const rtde::DataType type = typeIn(protocol, *field);
+        claim.answers.push_back(rtde::FieldAnswer::of(type));
         recipe.fields.push_back(index);
-        types.push_back(field->type);
+        types.push_back(type);
     }
     if (granted) {
         for (const std::size_t index : recipe.fields) {

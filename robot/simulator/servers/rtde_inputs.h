@@ -34,8 +34,8 @@ public:
         std::vector<rtde::FieldAnswer> answers;
         std::optional<InputRecipe> recipe;  ///< nothing when a name is unknown or owned by another client
     };
-    /// Takes ownership of all names, or of none.
-    Claim claim(ClientId client, const std::vector<std::string>& names);
+    /// Takes ownership of all names, or of none. protocol: the client's, on which some types depend
+    Claim claim(ClientId client, const std::vector<std::string>& names, rtde::ProtocolVersion protocol);
     /// Frees what the client owned; the values stay.
     void release(ClientId client);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "robot/simulator/plant.h"
+#include "robot/simulator/servers/rtde_properties.h"
 
 namespace tiller::simulator {
 
@@ -110,6 +111,12 @@ void RtdeServer::handle(Client& client, const rtde::PackageView& package) {
             break;
         case rtde::PackageType::TextMessage:
             break;  // taken note of, as the guide says: never answered
+        case rtde::PackageType::ReadProperties:
+            if (hasProperties(plant_.options().software)) {
+                writeProperties(reply_, rtde::readPropertiesRequest(package.payload),
+                                plant_.options().software);
+            }
+            break;
     }
     reply(client);
 }
@@ -129,7 +136,8 @@ void RtdeServer::reply(Client& client) {
 
 void RtdeServer::onProtocol(Client& client, rtde::ByteView payload) {
     const Result<std::uint16_t> wanted = rtde::readProtocolRequest(payload);
-    const bool accepted = wanted && (*wanted == 1 || *wanted == 2);
+    const std::uint16_t newest = hasProperties(plant_.options().software) ? 3 : 2;
+    const bool accepted = wanted && *wanted >= 1 && *wanted <= newest;
     if (accepted) {
         client.protocol = static_cast<rtde::ProtocolVersion>(*wanted);
     }
@@ -154,7 +162,7 @@ void RtdeServer::onOutputs(Client& client, rtde::ByteView payload) {
         return;
     }
     client.output.emplace(request->names, plant_.options().software);
-    client.divider = client.protocol == rtde::ProtocolVersion::V2 ? dividerFor(request->frequency) : 1;
+    client.divider = client.protocol == rtde::ProtocolVersion::V1 ? 1 : dividerFor(request->frequency);
     const bool valid = client.output->isValid();
     client.started = client.started && valid;
     rtde::writeSetupOutputsReply(reply_, client.protocol, valid ? 1 : 0, client.output->answers());
@@ -166,7 +174,7 @@ void RtdeServer::onInputs(Client& client, rtde::ByteView payload) {
         rtde::writeSetupInputsReply(reply_, 0, {});
         return;
     }
-    RtdeInputs::Claim claim = inputs_.claim(client.id, *names);
+    RtdeInputs::Claim claim = inputs_.claim(client.id, *names, client.protocol);
     std::uint8_t id = 0;
     if (claim.recipe) {
         client.inputs.push_back(std::move(*claim.recipe));
@@ -195,7 +203,7 @@ void RtdeServer::publish() {
             continue;
         }
         const auto id =
-            client->protocol == rtde::ProtocolVersion::V2 ? std::optional<std::uint8_t>(1) : std::nullopt;
+            client->protocol == rtde::ProtocolVersion::V1 ? std::nullopt : std::optional<std::uint8_t>(1);
         if (!client->peer.send(client->output->write(plant_.telemetry(), id))) {
             client->peer.close();  // as the guide says of a client that does not read
         }
@@ -208,7 +216,7 @@ bool RtdeServer::holdInputs(const QStringList& names) {
     for (const QString& name : names) {
         wanted.push_back(name.toStdString());
     }
-    return inputs_.claim(kNobodyHere, wanted).recipe.has_value();
+    return inputs_.claim(kNobodyHere, wanted, rtde::ProtocolVersion::V2).recipe.has_value();
 }
 
 void RtdeServer::releaseHeldInputs() {

@@ -94,7 +94,9 @@ private Q_SLOTS:
 };
 
 void TestReceiveSimulator::everyCatalogueFieldIsAnsweredWithItsType() {
-    Cell cell;
+    auto newest = standingStill();
+    newest.software = {10, 15, 0, 0};
+    Cell cell(newest);
     for (const auto direction : {rtde::Direction::Output, rtde::Direction::Input}) {
         const auto fields = direction == rtde::Direction::Output ? rtde::outputFields() : rtde::inputFields();
         for (std::size_t from = 0; from < fields.size(); from += 40) {

@@ -158,6 +158,98 @@ private Q_SLOTS:
         QCOMPARE(rtde.request('O', "timestamp").payload, QByteArray("DOUBLE"));
     }
 
+    void newerSoftwareTellsItsProperties_data() {
+        QTest::addColumn<int>("major");
+        QTest::addColumn<int>("minor");
+        QTest::newRow("5.26") << 5 << 26;
+        QTest::newRow("10.15") << 10 << 15;
+    }
+    void newerSoftwareTellsItsProperties() {
+        QFETCH(int, major);
+        QFETCH(int, minor);
+        auto options = VirtualRobot::options();
+        options.software = {static_cast<quint32>(major), static_cast<quint32>(minor), 3, 0};
+        VirtualRobot robot(options);
+        RawRtde rtde = robot.rtde();
+        QVERIFY(rtde.useVersion());  // they do not need version 3
+        const auto counted = [](const QByteArray& types) {
+            return bigEndian(static_cast<quint16>(types.size())) + types;
+        };
+        const auto all =
+            rtde.request('R', "v1.software.version,v1.control_box.type,v1.robot_arm.tool_flange.type");
+        QCOMPARE(all.type, 'R');
+        const QByteArray head = counted("UINT64,UINT32,UINT32");
+        QCOMPARE(all.payload.left(head.size()), head);
+        const QByteArray values = all.payload.mid(head.size());
+        QCOMPARE(values.size(), 16);
+        QCOMPARE(values.left(8), bigEndian(static_cast<quint16>(major)) +
+                                     bigEndian(static_cast<quint16>(minor)) + QByteArray("\0\3\0\0", 4));
+        QCOMPARE(int(values[8]), 5);   // of the control box
+        QCOMPARE(int(values[12]), 1);  // of the tool flange
+        QCOMPARE(rtde.request('R', "v1.software.version,v1.nothing").payload, counted("UINT64,NOT_FOUND"));
+    }
+
+    void olderSoftwareDoesNotKnowProperties() {
+        VirtualRobot robot;
+        RawRtde rtde = robot.rtde();
+        QVERIFY(rtde.useVersion());
+        rtde.sendPackage('R', "v1.software.version");
+        QCOMPARE(rtde.request('v').type, 'v');  // the next answer is to the next request
+    }
+
+    void versionThreeHasRoomForMoreConfigurableOutputs() {
+        auto options = VirtualRobot::options();
+        options.software = {5, 26, 0, 0};
+        VirtualRobot robot(options);
+        RawRtde rtde = robot.rtde();
+        QVERIFY(rtde.useVersion(2));
+        const QByteArray names = "configurable_digital_output_mask,configurable_digital_output";
+        QCOMPARE(rtde.setupInputs(names), QByteArray("\1UINT8,UINT8"));
+        QVERIFY(rtde.useVersion(3));
+        QCOMPARE(rtde.setupInputs(names), QByteArray("\2UINT32,UINT32"));
+        QCOMPARE(rtde.setupOutputs(500, "actual_digital_output_bits"), QByteArray("\1UINT64"));
+        QVERIFY(rtde.start());
+        rtde.sendPackage('U', '\2' + bigEndian(quint32(0b110)) + bigEndian(quint32(0b010)));
+        robot.controller.drainSockets();
+        robot.controller.step();
+        const QByteArray data = rtde.next().payload;
+        QCOMPARE(data.size(), 9);
+        QCOMPARE(wordAt(data, 5), 0b010U << 8);
+    }
+
+    // What the vendor's client records by default, from any robot.
+    void whatIsRecordedByDefaultIsThereOnEverySoftware_data() {
+        QTest::addColumn<RobotModelId>("model");
+        QTest::addColumn<int>("major");
+        QTest::addColumn<int>("minor");
+        QTest::newRow("3.15") << RobotModelId::UR5 << 3 << 15;
+        QTest::newRow("5.11") << RobotModelId::UR5e << 5 << 11;
+        QTest::newRow("10.12") << RobotModelId::UR5e << 10 << 12;
+    }
+    void whatIsRecordedByDefaultIsThereOnEverySoftware() {
+        QFETCH(RobotModelId, model);
+        QFETCH(int, major);
+        QFETCH(int, minor);
+        auto options = VirtualRobot::options();
+        options.model = model;
+        options.software = {static_cast<quint32>(major), static_cast<quint32>(minor), 0, 0};
+        VirtualRobot robot(options);
+        RawRtde rtde = robot.rtde();
+        QVERIFY(rtde.useVersion());
+        const QByteArray types = rtde.setupOutputs(
+            10,
+            "timestamp,target_q,target_qd,target_qdd,target_current,target_moment,actual_q,actual_qd,"
+            "actual_current,joint_control_output,actual_TCP_pose,actual_TCP_speed,actual_TCP_force,"
+            "target_TCP_pose,target_TCP_speed,actual_digital_input_bits,joint_temperatures,"
+            "actual_execution_time,robot_mode,joint_mode,safety_status,actual_tool_accelerometer,speed_"
+            "scaling,"
+            "target_speed_fraction,actual_momentum,actual_main_voltage,actual_robot_voltage,"
+            "actual_robot_current,actual_joint_voltage,actual_digital_output_bits,runtime_state,"
+            "joint_position_deviation_ratio");
+        QCOMPARE(int(types[0]), 1);
+        QVERIFY2(!types.contains("NOT_FOUND"), types.constData());
+    }
+
     void everyFieldOfTheCatalogueIsServedWithItsType() {
         VirtualRobot robot;
         RawRtde rtde = robot.rtde();

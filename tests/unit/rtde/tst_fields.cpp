@@ -26,7 +26,7 @@ constexpr Names kOutputs[] = {
      "actual_robot_braking_energy_dissipated euromap67_24V_voltage euromap67_24V_current tool_analog_input0 "
      "tool_analog_input1 tool_output_current tool_temperature tcp_force_scalar "
      "joint_position_deviation_ratio "
-     "collision_detection_ratio payload"},
+     "collision_detection_ratio payload dexterity tool_output_current_2"},
     {DataType::Vector6D,
      "target_q target_qd target_qdd target_current target_moment actual_q actual_qd actual_current "
      "actual_current_window actual_current_as_torque joint_control_output actual_TCP_pose actual_TCP_speed "
@@ -38,7 +38,8 @@ constexpr Names kOutputs[] = {
      "actual_tool_accelerometer elbow_position elbow_velocity payload_cog target_gravity"},
     {DataType::Vector6Int32, "joint_mode"},
     {DataType::Int32,
-     "robot_mode safety_mode safety_status encoder0_raw encoder1_raw tool_output_voltage time_scale_source"},
+     "robot_mode safety_mode safety_status encoder0_raw encoder1_raw tool_output_voltage time_scale_source "
+     "tool_output_voltage_2"},
     {DataType::UInt32,
      "runtime_state robot_status_bits safety_status_bits analog_io_types euromap67_input_bits "
      "euromap67_output_bits tool_mode tool_analog_input_types script_control_line "
@@ -172,8 +173,11 @@ void TestFields::availabilityFollowsTheSoftware() {
 
 void TestFields::everyOutputExistsOnTheNewestSoftware() {
     for (const Field& field : outputFields()) {
-        QVERIFY2(field.isAvailableOn({5, 22, 0, 0}), field.name);
-        QVERIFY2(field.isAvailableOn({10, 12, 0, 0}), field.name);
+        QVERIFY2(field.isAvailableOn({10, 15, 0, 0}), field.name);
+    }
+    for (const char* later : {"dexterity", "tool_output_voltage_2", "tool_output_current_2"}) {
+        QVERIFY(!findOutput(later)->isAvailableOn({5, 26, 0, 0}));
+        QVERIFY(!findOutput(later)->isAvailableOn({10, 14, 0, 0}));
     }
 }
 
