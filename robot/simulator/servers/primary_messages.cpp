@@ -50,8 +50,10 @@ std::string_view bounded(std::string_view text) {
 
 }  // namespace
 
-Bytes version(std::uint64_t timestampNs, const SoftwareVersion& software) {
-    return message(timestampNs, RobotInterface, Version, [&](ByteWriter& out) {
+Bytes version(const SoftwareVersion& software) {
+    // As recorded from robots: not the time, but all bits set.
+    constexpr std::uint64_t kNoTime = ~std::uint64_t{0};
+    return message(kNoTime, RobotInterface, Version, [&](ByteWriter& out) {
         counted(out, "URControl");
         out.u8(software.major).u8(software.minor);
         out.u32(software.bugfix).u32(software.build);

@@ -29,7 +29,7 @@ inline constexpr const char* kProgramStarted = "PROGRAM_XXX_STARTED";
 inline constexpr const char* kProgramStopped = "PROGRAM_XXX_STOPPED";
 
 /// timestampNs  controller time
-Bytes version(std::uint64_t timestampNs, const SoftwareVersion& software);
+Bytes version(const SoftwareVersion& software);
 Bytes text(std::uint64_t timestampNs, std::string_view text);
 Bytes label(std::uint64_t timestampNs, std::int32_t id, std::string_view text);
 Bytes key(std::uint64_t timestampNs, std::string_view title, std::string_view text);

@@ -25,7 +25,7 @@ void PrimaryServer::service() {
     for (const native_socket::Descriptor descriptor : takeAccepted()) {
         clients_.push_back(std::make_unique<Client>(descriptor, mayWrite));
         clients_.back()->peer.attach(link());
-        clients_.back()->peer.send(primary::version(plant_.timestampNs(), plant_.options().software));
+        clients_.back()->peer.send(primary::version(plant_.options().software));
     }
     for (const auto& client : clients_) {
         client->intake.read(client->peer, acceptsScripts_ ? &plant_ : nullptr);
@@ -63,7 +63,7 @@ void PrimaryServer::publishVariables() {
     if (program == nullptr) {
         return;
     }
-    const primary::VariableBodies variables = primary::variablesOf(*program);
+    const primary::VariableBodies variables = primary::variablesOf(*program, plant_.options().software);
     const bool changed = variables.values != lastValues_;
     for (const auto& client : clients_) {
         if (client->peer.pending() > 0) {

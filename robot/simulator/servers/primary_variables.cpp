@@ -16,9 +16,23 @@ using urscript::Value;
 
 constexpr unsigned kProgramState = 25;
 enum Kind : unsigned { kSetup = 0, kUpdate = 1 };
-enum ValueType : unsigned { kNone = 0, kString = 1, kList = 2, kPose = 3, kBool = 4, kInt = 5, kFloat = 6 };
+enum : unsigned { kNone = 0, kString = 3 };  // in all software
+/// The other types' numbers, which changed when matrices came.
+struct TypeNumbers {
+    unsigned pose, boolean, integer, real, list, matrix;
+};
+constexpr TypeNumbers kSinceMatrices{12, 13, 15, 16, 17, 18};
+constexpr TypeNumbers kBefore{10, 12, 14, 15, 5, kNone};
+
+const TypeNumbers& numbersOf(const SoftwareVersion& software) {
+    const bool matrices =
+        software >= (software.isCb3() ? SoftwareVersion{3, 14, 0, 0} : SoftwareVersion{5, 9, 0, 0});
+    return matrices ? kSinceMatrices : kBefore;
+}
 /// Clients drop packages of 4092 bytes and more.
 constexpr std::size_t kLargest = 3000;
+/// Where one value ends, whatever it holds.
+constexpr std::size_t kLargestValue = 2800;
 
 /// Cuts a row of items into packages. item  appends the n-th one
 std::vector<Bytes> packed(Kind kind, std::size_t count,
@@ -37,69 +51,100 @@ std::vector<Bytes> packed(Kind kind, std::size_t count,
     return all;
 }
 
-void appendList(std::size_t count, Bytes& into, const std::function<void(std::size_t)>& element) {
-    const std::size_t shown = std::min<std::size_t>(count, 0xFFFF);
-    ByteWriter(into).u8(kList).u16(static_cast<unsigned>(shown));
-    for (std::size_t i = 0; i < shown && into.size() < kLargest; ++i) {
-        element(i);
+/// Writes values one after the other, each with its type before it.
+class ValueWriter {
+public:
+    ValueWriter(Bytes& into, const TypeNumbers& numbers) : into_(into), out_(into), types_(numbers) {}
+
+    void write(const Value& value) {
+        if (into_.size() >= kLargestValue) {
+            out_.u8(kNone);
+            return;
+        }
+        switch (value.type()) {
+            case Value::Type::Bool:
+                out_.u8(types_.boolean).flag(value.asBool());
+                return;
+            case Value::Type::Int:
+                out_.u8(types_.integer).i32(value.asInt());
+                return;
+            case Value::Type::Float:
+                out_.u8(types_.real).f32(value.asFloat());
+                return;
+            case Value::Type::Pose:
+                out_.u8(types_.pose);
+                for (const double number : value.pose()) {
+                    out_.f32(number);
+                }
+                return;
+            case Value::Type::String: {
+                const std::string_view text = value.string();
+                const std::size_t shown = thatFit(text.size(), 1);
+                out_.u8(kString).u16(static_cast<unsigned>(shown)).text(text.substr(0, shown));
+                return;
+            }
+            case Value::Type::List:
+                writeList(value.list());
+                return;
+            case Value::Type::Matrix:
+                writeMatrix(value.matrix());
+                return;
+            case Value::Type::Unset:
+            case Value::Type::None:
+            case Value::Type::Struct:
+                out_.u8(kNone);
+                return;
+        }
     }
-}
+
+private:
+    /// How many elements of what is too long for a package are told.
+    std::size_t thatFit(std::size_t count, std::size_t bytesEach) const {
+        const std::size_t room = kLargestValue - std::min(into_.size(), kLargestValue);
+        return std::min(count, room / bytesEach);
+    }
+
+    void writeList(const urscript::ListData& list) {
+        out_.u8(types_.list).u16(0);
+        const std::size_t count = into_.size() - 2;
+        std::size_t shown = 0;
+        for (; shown < list.size() && into_.size() < kLargestValue; ++shown) {
+            write(list.at(shown));
+        }
+        into_[count] = static_cast<std::uint8_t>(shown >> 8);
+        into_[count + 1] = static_cast<std::uint8_t>(shown & 0xFF);
+    }
+
+    void writeMatrix(const urscript::MatrixData& matrix) {
+        constexpr std::size_t kBytes = 5;
+        if (types_.matrix == kNone || matrix.cols == 0) {
+            out_.u8(kNone);
+            return;
+        }
+        const std::size_t rows = thatFit(matrix.rows, kBytes * matrix.cols);
+        out_.u8(types_.matrix).u16(static_cast<unsigned>(rows)).u16(static_cast<unsigned>(matrix.cols));
+        for (std::size_t i = 0; i < rows * matrix.cols; ++i) {
+            const double number = matrix.numbers[i];
+            write(matrix.integer ? Value(static_cast<std::int32_t>(number)) : Value(number));
+        }
+    }
+
+    Bytes& into_;
+    ByteWriter out_;
+    const TypeNumbers& types_;
+};
 
 }  // namespace
 
-void appendValue(const Value& value, Bytes& into) {
-    ByteWriter out(into);
-    switch (value.type()) {
-        case Value::Type::Bool:
-            out.u8(kBool).flag(value.asBool());
-            return;
-        case Value::Type::Int:
-            out.u8(kInt).i32(value.asInt());
-            return;
-        case Value::Type::Float:
-            out.u8(kFloat).f32(value.asFloat());
-            return;
-        case Value::Type::Pose:
-            out.u8(kPose);
-            for (const double number : value.pose()) {
-                out.f32(number);
-            }
-            return;
-        case Value::Type::String: {
-            const std::string& text = value.string();
-            out.u8(kString).u16(static_cast<unsigned>(text.size())).text(text);
-            return;
-        }
-        case Value::Type::List: {
-            const urscript::ListData& list = value.list();
-            appendList(list.size(), into, [&](std::size_t i) { appendValue(list.at(i), into); });
-            return;
-        }
-        case Value::Type::Matrix: {
-            const urscript::MatrixData& matrix = value.matrix();
-            appendList(matrix.rows, into, [&](std::size_t row) {
-                appendList(matrix.cols, into, [&](std::size_t column) {
-                    appendValue(Value(matrix.numbers[row * matrix.cols + column]), into);
-                });
-            });
-            return;
-        }
-        case Value::Type::Unset:
-        case Value::Type::None:
-        case Value::Type::Struct:
-            out.u8(kNone);
-            return;
-    }
-}
-
-VariableBodies variablesOf(const urscript::Interpreter& program) {
+VariableBodies variablesOf(const urscript::Interpreter& program, const SoftwareVersion& software) {
     const std::vector<std::string>& names = program.program().code().globals;
     VariableBodies bodies;
     bodies.names = packed(kSetup, names.size(),
                           [&](std::size_t i, Bytes& into) { ByteWriter(into).text(names[i]).text("\n"); });
     bodies.values = packed(kUpdate, names.size(), [&](std::size_t i, Bytes& into) {
         const Value* value = program.global(names[i]);
-        appendValue(value == nullptr ? Value::none() : *value, into);
+        ValueWriter(into, numbersOf(software)).write(value == nullptr ? Value::none() : *value);
+        ByteWriter(into).text("\n");
     });
     return bodies;
 }

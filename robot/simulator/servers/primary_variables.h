@@ -2,8 +2,9 @@
 #pragma once
 
 // The global variables of the running program as primary clients get them, package type 25: the names once,
-// the values as they change. Source: client interface manual; where its layouts are not confirmed (matrices,
-// structs) a matrix goes as a list of lists and a struct as none.
+// the values as they change. Source: client interface manual, "Variable values", as clients that read it have
+// it: every value ends with a line break, the elements of a list do not; a struct, which it does not know,
+// goes as none.
 
 #include <cstdint>
 #include <vector>
@@ -22,10 +23,8 @@ struct VariableBodies {
     std::vector<Bytes> names, values;
 };
 /// Of the program's own globals; empty for a program without any.
-VariableBodies variablesOf(const urscript::Interpreter& program);
+VariableBodies variablesOf(const urscript::Interpreter& program, const SoftwareVersion& software);
 /// A body with its frame.
 Bytes variablePackage(std::uint64_t timestampNs, const Bytes& body);
-/// A value with its type byte before it.
-void appendValue(const urscript::Value& value, Bytes& into);
 
 }  // namespace tiller::simulator::primary

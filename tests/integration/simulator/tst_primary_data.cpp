@@ -23,6 +23,17 @@ QMap<int, QByteArray> partsOf(const QByteArray& state) {
     return parts;
 }
 
+/// What has come about variables, without frame and time.
+QList<QByteArray> variablesOf(RawPrimary& primary) {
+    QList<QByteArray> found;
+    for (const QByteArray& package : primary.packages()) {
+        if (package[4] == 25) {
+            found << package.mid(13);
+        }
+    }
+    return found;
+}
+
 }  // namespace
 
 class TestPrimaryData : public QObject {
@@ -35,6 +46,7 @@ private Q_SLOTS:
         const QByteArray message = primary.next();
         QCOMPARE(message.size(), 55);
         QCOMPARE(int(message[4]), 20);
+        QCOMPARE(message.mid(5, 8), QByteArray(8, '\xff'));  // it is of no time
         QCOMPARE(int(message[13]), -2);
         QCOMPARE(int(message[14]), int(kVersion));
         QCOMPARE(message.mid(15, 10), QByteArray("\x09URControl"));
@@ -135,33 +147,66 @@ private Q_SLOTS:
         RawPrimary primary = robot.primary();
         primary.send(
             "def p():\n  global n = 1\n  global where = p[1,0,0,0,0,0]\n  global words = \"hi\"\n"
-            "  global all = [True, False]\n  sleep(0.5)\n  n = 7\n  sleep(100)\nend\n");
+            "  global all = [True, False]\n  global table = [[1.0,2.0],[3.0,4.0]]\n  sleep(0.5)\n  n = 7\n"
+            "  sleep(100)\nend\n");
         robot.controller.drainSockets();
-        const auto variables = [&] {
-            QList<QByteArray> found;
-            for (const QByteArray& package : primary.packages()) {
-                if (package[4] == 25) {
-                    found << package.mid(13);
-                }
-            }
-            return found;
-        };
         robot.controller.stepSeconds(0.4);
-        const QList<QByteArray> first = variables();
+        const QList<QByteArray> first = variablesOf(primary);
         QVERIFY(first.size() >= 2);
-        QCOMPARE(first[0], QByteArray("\0\0\0", 3) + "n\nwhere\nwords\nall\n");
+        QCOMPARE(first[0], QByteArray("\0\0\0", 3) + "n\nwhere\nwords\nall\ntable\n");
         QByteArray expected("\1\0\0", 3);
-        expected += QByteArray("\5\0\0\0\1", 5);
-        expected += QByteArray("\3\x3f\x80\0\0", 5) + QByteArray(20, '\0');
-        expected += QByteArray("\1\0\2hi", 5);
-        expected += QByteArray("\2\0\2\4\1\4\0", 7);
+        expected += QByteArray("\17\0\0\0\1\n", 6);
+        expected += QByteArray("\14\x3f\x80\0\0", 5) + QByteArray(20, '\0') + '\n';
+        expected += QByteArray("\3\0\2hi\n", 6);
+        expected += QByteArray("\21\0\2\15\1\15\0\n", 8);
+        expected += QByteArray("\22\0\2\0\2", 5) + QByteArray("\20\x3f\x80\0\0", 5) +
+                    QByteArray("\20\x40\0\0\0", 5) + QByteArray("\20\x40\x40\0\0", 5) +
+                    QByteArray("\20\x40\x80\0\0", 5) + '\n';
         QCOMPARE(first.back(), expected);
         robot.controller.stepSeconds(0.5);
-        const QList<QByteArray> changed = variables();
+        const QList<QByteArray> changed = variablesOf(primary);
         QCOMPARE(changed.size(), qsizetype(1));
-        QCOMPARE(changed[0].mid(3, 5), QByteArray("\5\0\0\0\7", 5));
+        QCOMPARE(changed[0].mid(3, 6), QByteArray("\17\0\0\0\7\n", 6));
         robot.controller.stepSeconds(0.5);
-        QVERIFY(variables().isEmpty());
+        QVERIFY(variablesOf(primary).isEmpty());
+    }
+
+    void olderSoftwareHasOtherNumbersForTheTypesOfVariables() {
+        auto options = VirtualRobot::options();
+        options.model = RobotModelId::UR5;
+        options.software = {3, 13, 0, 0};
+        VirtualRobot robot(options);
+        RawPrimary primary = robot.primary();
+        primary.send(
+            "def p():\n  global n = 1\n  global half = 0.5\n  global yes = True\n  global words = \"hi\"\n"
+            "  global all = [1, 2]\n  global where = p[0,0,0,0,0,0]\n  sleep(100)\nend\n");
+        robot.controller.drainSockets();
+        robot.controller.stepSeconds(0.4);
+        const QByteArray expected = QByteArray("\1\0\0", 3) + QByteArray("\16\0\0\0\1\n", 6) +
+                                    QByteArray("\17\x3f\0\0\0\n", 6) + QByteArray("\14\1\n", 3) +
+                                    QByteArray("\3\0\2hi\n", 6) +
+                                    QByteArray("\5\0\2\16\0\0\0\1\16\0\0\0\2\n", 14) + QByteArray("\12", 1) +
+                                    QByteArray(24, '\0') + '\n';
+        const QList<QByteArray> told = variablesOf(primary);
+        QVERIFY(!told.isEmpty());
+        QCOMPARE(told.back(), expected);
+    }
+
+    void aValueThatIsTooLongForAPackageIsCutWhole() {
+        VirtualRobot robot;
+        RawPrimary primary = robot.primary();
+        primary.send(
+            "def p():\n  global long = make_list(1000, 1.5, 1000)\n  global after = 5\n  sleep(100)\nend\n");
+        robot.controller.drainSockets();
+        robot.controller.stepSeconds(0.4);
+        const QList<QByteArray> told = variablesOf(primary);
+        QVERIFY(told.size() >= 2);
+        const QByteArray& values = told.back();
+        QVERIFY(values.size() < 4000);
+        QCOMPARE(values.left(4), QByteArray("\1\0\0\21", 4));
+        const auto shown = qFromBigEndian<quint16>(values.constData() + 4);
+        QVERIFY(shown > 500 && shown < 1000);
+        QCOMPARE(values.mid(6 + 5 * shown), '\n' + QByteArray("\17\0\0\0\5\n", 6));
     }
 
     void theRealtimeRecordHasTheSizeOfItsSoftware_data() {
