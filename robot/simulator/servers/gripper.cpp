@@ -48,7 +48,7 @@ bool Gripper::set(std::string_view name, int value) {
         if (status_ == kActive) {
             objectStatus_ = kMoving;
         } else {
-            fault_ = kNotActivated;
+            fault_ = status_ == kActivating ? kDelayed : kNotActivated;
         }
     }
     return true;
@@ -149,6 +149,7 @@ void Gripper::step(double dt) {
         if (part >= 1) {
             position_ = kMostOpen;
             status_ = kActive;
+            fault_ = fault_ == kDelayed ? kNone : fault_;  // what was asked for meanwhile is done now
         }
     } else if (status_ == kActive && release_ != 0) {
         if (fault_ != kReleased) {

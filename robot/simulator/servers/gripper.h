@@ -24,7 +24,7 @@ public:
 private:
     enum Status { kReset = 0, kActivating = 1, kActive = 3 };
     enum Object { kMoving = 0, kStoppedOpening = 1, kStoppedClosing = 2, kAtDestination = 3 };
-    enum Fault { kNone = 0, kNotActivated = 7, kReleasing = 11, kReleased = 15 };
+    enum Fault { kNone = 0, kDelayed = 5, kNotActivated = 7, kReleasing = 11, kReleased = 15 };
 
     bool setAside(std::string_view name, int value);
     void activate(bool active);

@@ -188,6 +188,22 @@ private Q_SLOTS:
         QCOMPARE(gripper.move("POS 100"), 3);
     }
 
+    // To a program its own controller is 127.0.0.1 with the usual ports, wherever this one listens.
+    void aProgramReachesTheGripperOfItsOwnController() {
+        VirtualRobot robot;
+        GripperClient gripper(robot);
+        RawPrimary secondary(robot.host(), robot.controller.ports().secondary);
+        secondary.send(
+            "def grip():\n\tsocket_close(\"g\")\n\tsocket_open(\"127.0.0.1\",63352,\"g\")\n"
+            "\tsocket_set_var(\"SPE\",255,\"g\")\n\tsync()\n\tsocket_set_var(\"ACT\",1,\"g\")\n\tsync()\n"
+            "\tsocket_set_var(\"GTO\",1,\"g\")\n\tsync()\n\tsocket_set_var(\"POS\",180,\"g\")\n\tsync()\n"
+            "\tsleep(2.0)\nend\n");
+        robot.controller.drainSockets();
+        gripper.stepUntil([&] { return gripper.value("STA") == 3 && gripper.value("POS") == 180; });
+        QCOMPARE(gripper.value("POS"), 180);
+        QVERIFY(robot.stepUntil([&] { return robot.programState() == RuntimeState::Stopped; }, 5));
+    }
+
     void withoutPowerItAnswersNothingAndForgets() {
         VirtualRobot robot;
         GripperClient gripper(robot);
