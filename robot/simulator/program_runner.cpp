@@ -3,6 +3,7 @@
 
 #include <QHostAddress>
 #include <algorithm>
+#include <charconv>
 #include <utility>
 
 #include "robot/simulator/plant.h"
@@ -13,6 +14,10 @@ namespace tiller::simulator {
 using urscript::Interpreter;
 using urscript::Program;
 using urscript::ProgramKind;
+
+namespace {
+constexpr std::string_view kSetSpeed = "set speed ";  // and the speed slider's new place, 0 to 1
+}
 
 ProgramRunner::ProgramRunner(Plant& plant, ScriptHost& host) : plant_(plant), host_(host) {}
 
@@ -89,8 +94,18 @@ void ProgramRunner::runCommand(std::string_view words) {
         resume();
     } else if (words == "set robotmode freedrive") {
         plant_.setFreedriveButton(true);
+    } else if (words.starts_with(kSetSpeed)) {
+        setSpeed(words.substr(kSetSpeed.size()));
     }
     // "set sim", "set real" and whatever else: understood, nothing to do.
+}
+
+void ProgramRunner::setSpeed(std::string_view fraction) {
+    double value = 0;
+    const auto parsed = std::from_chars(fraction.data(), fraction.data() + fraction.size(), value);
+    if (parsed.ec == std::errc() && parsed.ptr == fraction.data() + fraction.size()) {
+        plant_.setSpeedSlider(value);
+    }
 }
 
 void ProgramRunner::requestStop() {

@@ -94,6 +94,7 @@ private:
 
     void runCommand(std::string_view words);
     void takeControlScript();
+    void setSpeed(std::string_view fraction);
     bool enqueue(std::string_view text, bool fromFile);
     void takeRequests();
     void startMain(std::shared_ptr<const urscript::Program> program);

@@ -31,6 +31,18 @@ private Q_SLOTS:
         QVERIFY(heard.exceptions.empty());
     }
 
+    void theSpeedSliderIsSetByWords() {
+        VirtualRobot robot;
+        RawPrimary primary = robot.primary();
+        for (const char* words :
+             {"set speed 0.35\n", "set speed\n", "set speed fast\n", "set speed 0.35 1\n"}) {
+            primary.send(words);
+            robot.controller.drainSockets();
+            robot.controller.step();
+            QCOMPARE(robot.controller.truth().speedSlider, 0.35);
+        }
+    }
+
     void scriptsRunFromAllThreePortsAndNotFromTheReadOnlyOnes_data() {
         QTest::addColumn<int>("port");
         QTest::addColumn<bool>("runs");
