@@ -134,6 +134,18 @@ Status runState(Call& c) {
     return Status::Done;
 }
 
+/// Of old software, still sent by clients: these outputs are high while a program runs, the others nobody's.
+Status setRunStateOutputs(Call& c) {
+    constexpr int kOutputs = 8;
+    constexpr int kNobodys = 0, kHighWhileRunning = 3;
+    const std::vector<double> high = c.numbers(0);
+    for (int n = 0; n < kOutputs; ++n) {
+        const bool named = std::find(high.begin(), high.end(), n) != high.end();
+        c.host.setRunState(RuledOutput::Standard, n, named ? kHighWhileRunning : kNobodys);
+    }
+    return Status::Done;
+}
+
 constexpr BuiltinRow kRows[] = {
     {"get_standard_digital_in(n)", digitalIn<DigitalBank::Standard, 7>},
     {"get_standard_digital_out(n)", digitalOut<DigitalBank::Standard, 7>},
@@ -165,6 +177,7 @@ constexpr BuiltinRow kRows[] = {
      {0, 0, false}},
     {"set_tool_digital_output_mode(n, mode)", setToolDigitalOutputMode},
     {"set_tool_output_mode(mode)", setToolOutputMode},
+    {"set_runstate_outputs(outputs)", setRunStateOutputs},
     {"set_runstate_standard_digital_output_to_value(outputId, state)", runState<RuledOutput::Standard, 7>},
     {"set_runstate_configurable_digital_output_to_value(outputId, state)",
      runState<RuledOutput::Configurable, 7>},

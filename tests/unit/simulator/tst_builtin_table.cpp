@@ -158,6 +158,7 @@ QString callOf(const Builtin& b) {
         {"path_offset_set", "path_offset_enable()\npath_offset_set(p[0,0,0,0,0,0], 1)"},
         {"path_offset_get", "path_offset_enable()\np0 = path_offset_get(1)"},
         {"set_tool_communication", "set_tool_communication(True, 115200, 0, 1, 1.5, 3.5)"},
+        {"set_runstate_outputs", "set_runstate_outputs([])"},
         {"set_runstate_standard_digital_output_to_value",
          "set_runstate_standard_digital_output_to_value(1, 1)"},
         {"socket_open", "socket_open(\"127.0.0.1\", PORT)"},

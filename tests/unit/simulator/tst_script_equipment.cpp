@@ -175,6 +175,19 @@ private Q_SLOTS:
         robot.steps(40);
         QVERIFY(!Pins::bit(robot.plant.pins().digitalOutputs, kToolPin));
     }
+    void outputsOfAListAreHighWhileAProgramRuns() {
+        Robot robot;
+        robot.told("set_runstate_outputs([1, 4])");
+        robot.submit("sleep(0.05)");
+        robot.steps(10);
+        QCOMPARE(robot.plant.pins().digitalOutputs, std::uint64_t((1 << 1) | (1 << 4)));
+        robot.steps(40);
+        QCOMPARE(robot.plant.pins().digitalOutputs, std::uint64_t(0));
+        robot.told("set_runstate_outputs([])");
+        robot.submit("sleep(0.05)");
+        robot.steps(10);
+        QCOMPARE(robot.plant.pins().digitalOutputs, std::uint64_t(0));
+    }
     void inputsActAsFreedriveButtons() {
         Robot robot;
         robot.told("set_standard_digital_input_action(2, \"freedrive\")");
