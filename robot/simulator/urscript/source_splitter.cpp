@@ -121,6 +121,7 @@ void SourceSplitter::feed(std::string_view bytes) {
 }
 
 void SourceSplitter::takeLine() {
+    std::erase(line_, '\0');  // clients in C send the one that ends their string, too
     const LineShape shape = shapeOf(line_);
     const bool blank = shape.text.empty();
     if (!begun_) {

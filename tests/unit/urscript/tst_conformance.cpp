@@ -137,6 +137,8 @@ private Q_SLOTS:
                  (std::vector<std::string>{"command stop program", "def a():\nend\n"}));
         QCOMPARE(units("textmsg(\"x\")\nmovej([0,0,0,0,0,0],\na=1)\n").size(), std::size_t(2));
         QVERIFY(units("def a():\nend").empty());  // the newline makes it complete
+        // With the zero that ends a string in C behind each.
+        QCOMPARE(units(std::string("f(1)\n\0g(2)\n\0", 12)), (std::vector<std::string>{"f(1)\n", "g(2)\n"}));
     }
     void section3CommandWords() {
         for (const char* words : {"power on", "power off", "set robotmode run", "set unlock protective stop",
