@@ -220,7 +220,8 @@ QString Demonstration::summary() const {
     out.setRealNumberPrecision(1);
     if (jogEnd_) {
         out << tr("jogged               ") << distanceMm(jogStart_, *jogEnd_) << " mm\n"
-            << tr("release to standstill ") << jogStop_.durationMs << " ms, " << jogStop_.distanceMm << " mm\n";
+            << tr("release to standstill ") << jogStop_.durationMs << " ms, " << jogStop_.distanceMm
+            << " mm\n";
     }
     out << tr("packets              ") << state.quality.packets << tr(" received, ") << state.quality.late
         << tr(" late, ") << state.quality.lost << tr(" lost\n") << tr("recorded             ")
