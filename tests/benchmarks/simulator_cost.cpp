@@ -18,20 +18,19 @@
 #include <QTextStream>
 #include <QThread>
 #include <algorithm>
-#include <atomic>
 #include <fstream>
 #include <memory>
 #include <thread>
 #include <vector>
 
 #include "robot/realtime/histogram.h"
-#include "robot/realtime/periodic_timer.h"
-#include "robot/realtime/thread_priority.h"
 #include "robot/receive/receiver.h"
 #include "robot/script/primary_client.h"
 #include "robot/simulator/controller.h"
+#include "tests/benchmarks/bare_timer.h"
 
 using namespace tiller;
+using benchmark::BareTimer;
 using namespace std::chrono_literals;
 
 namespace {
@@ -122,33 +121,6 @@ QJsonObject report(QTextStream& out, const char* name, const simulator::TickTimi
             {"realtime_granted", t.priorityGranted}};
 }
 
-/// How late the machine wakes a thread of that priority that has nothing to do.
-class BareTimer {
-public:
-    explicit BareTimer(int priority) : thread_([this, priority] { run(priority); }) {}
-    ~BareTimer() { stop(); }
-    const realtime::Histogram& stop() {
-        stopping_ = true;
-        if (thread_.joinable()) {
-            thread_.join();
-        }
-        return lateness_;
-    }
-
-private:
-    void run(int priority) {
-        (void)realtime::requestThreadPriority(priority);
-        realtime::PeriodicTimer timer(2ms);
-        while (!stopping_) {
-            timer.wait();
-            lateness_.add(timer.latenessNs());
-        }
-    }
-    realtime::Histogram lateness_;
-    std::atomic<bool> stopping_ = false;
-    std::thread thread_;
-};
-
 QJsonObject report(QTextStream& out, const realtime::Histogram& bare) {
     out << "a timer alone at that priority:\n  lateness us   p50 " << us(bare.percentileNs(50)) << "  p99 "
         << us(bare.percentileNs(99)) << "  p99.9 " << us(bare.percentileNs(99.9)) << "  max "
@@ -189,7 +161,8 @@ std::optional<QJsonArray> measure(QTextStream& out, int controllers, int clients
         const QByteArray name = "controller " + QByteArray::number(static_cast<int>(i) + 1);
         all.append(report(out, name.constData(), timing, playing));
     }
-    all.append(report(out, bare.stop()));
+    bare.stop();
+    all.append(report(out, bare.lateness()));
     return all;
 }
 
@@ -210,7 +183,8 @@ std::optional<QJsonObject> measureBySeconds(QTextStream& out, int priority, int 
         cell.robot->resetTiming();
         std::this_thread::sleep_for(1s);
         controller.push_back(us(cell.robot->timing().lateness.percentileNs(99.9)));
-        timer.push_back(us(bare.stop().percentileNs(99.9)));
+        bare.stop();
+        timer.push_back(us(bare.lateness().percentileNs(99.9)));
     }
     const auto tell = [&](const char* name, std::vector<double>& p999) {
         std::sort(p999.begin(), p999.end());

@@ -19,6 +19,7 @@
 #include "robot/receive/receiver.h"
 #include "robot/simulator/controller.h"
 #include "tests/benchmarks/backend/report.h"
+#include "tests/benchmarks/bare_timer.h"
 #include "tests/support/hot_threads.h"
 
 namespace tiller::benchmark {
@@ -192,39 +193,6 @@ Spans roundTrips(const receive::Receiver& receiver, const QString& host, int cou
     return trips;
 }
 
-/// A thread that does nothing but wake up every 2 ms, above all that is measured: what it finds is found by
-/// any program on this machine.
-class BareTimer {
-public:
-    explicit BareTimer(int priority) : thread_([this, priority] { run(priority); }) {}
-    ~BareTimer() { stop(); }
-    BareTimer(const BareTimer&) = delete;
-    BareTimer& operator=(const BareTimer&) = delete;
-    const Histogram& stop() {
-        over_ = true;
-        if (thread_.joinable()) {
-            thread_.join();
-        }
-        return cycles_;
-    }
-
-private:
-    void run(int priority) {
-        (void)realtime::requestThreadPriority(priority);
-        realtime::PeriodicTimer timer(2ms);
-        std::int64_t previous = SteadyClock::shared().nowNs();
-        while (!over_) {
-            timer.wait();
-            const std::int64_t now = SteadyClock::shared().nowNs();
-            cycles_.add(now - previous);
-            previous = now;
-        }
-    }
-    std::atomic<bool> over_{false};
-    Histogram cycles_;
-    std::thread thread_;
-};
-
 struct Condition {
     const char* name;
     bool realtime;
@@ -284,7 +252,7 @@ void measure(Report& report, const Wishes& wishes, const Condition& condition, c
             robot.resetTiming();
             const CircleResult packet = packetCircle(controller, seconds);
             test::countHotThreads(false);
-            const Histogram idle = bare.stop();
+            bare.stop();
             const test::HotCounts after = test::hotCounts();
             const simulator::TickTiming ticks = robot.timing();
             for (const auto& [loop, circle] : {std::pair("timer loop", &timer), {"packet loop", &packet}}) {
@@ -301,9 +269,9 @@ void measure(Report& report, const Wishes& wishes, const Condition& condition, c
                 continue;
             }
             report.add(QStringLiteral("a timer that does nothing, during both: p99.9"),
-                       static_cast<double>(idle.percentileNs(99.9)) / 1e6, QStringLiteral("ms"));
+                       static_cast<double>(bare.cycles().percentileNs(99.9)) / 1e6, QStringLiteral("ms"));
             report.add(QStringLiteral("a timer that does nothing, during both: above 2.5 ms"),
-                       static_cast<double>(idle.countAbove(kCycleLimitNs)), QString());
+                       static_cast<double>(bare.cycles().countAbove(kCycleLimitNs)), QString());
             // The packet loop is as even as its packages are sent.
             report.add(QStringLiteral("simulated controller, lateness of a period: p99.9"),
                        static_cast<double>(ticks.lateness.percentileNs(99.9)) / 1e6, QStringLiteral("ms"));
