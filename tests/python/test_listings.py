@@ -43,7 +43,8 @@ class TestListings(unittest.TestCase):
 
     def test_listing_2(self):
         self.run_listing(2)
-        self.assertTrue(near(self.receive.getActualQ(), [0, 0.5, -0.5, 0.5, -0.5, 0.5]))
+        # Seen through a connection of its own, which may be behind the one that moved.
+        self.assertTrue(until(lambda: near(self.receive.getActualQ(), [0, 0.5, -0.5, 0.5, -0.5, 0.5])))
 
     def test_listing_4(self):
         time = np.arange(0, 1, 0.002)
@@ -54,7 +55,7 @@ class TestListings(unittest.TestCase):
                 row = moved(START, 0, 0.3 * part)
                 file.write(",".join(repr(float(v)) for v in [100 + t] + row) + "\n")
         self.run_listing(4)
-        self.assertTrue(near(self.receive.getActualQ(), moved(START, 0, 0.3), 0.02))
+        self.assertTrue(until(lambda: near(self.receive.getActualQ(), moved(START, 0, 0.3), 0.02)))
 
     def test_listing_5(self):
         # The arm is somewhere from where a straight line leads to the first pose.
