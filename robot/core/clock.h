@@ -16,6 +16,11 @@ class Clock {
 public:
     virtual ~Clock() = default;
     virtual std::int64_t nowNs() const = 0;
+    /// False where time stands still until it is told to go on: nothing may wait for it then.
+    virtual bool runsByItself() const = 0;
+    /// Returns at this moment and no earlier, to within microseconds if the machine is there: the last of it
+    /// is spun away. At once where time does not run by itself.
+    virtual void waitUntil(std::int64_t ns) const = 0;
 };
 
 class SteadyClock final : public Clock {
@@ -25,6 +30,10 @@ public:
                    std::chrono::steady_clock::now().time_since_epoch())
             .count();
     }
+    bool runsByItself() const override { return true; }
+    void waitUntil(std::int64_t ns) const override;
+    /// Sleeps until this moment at least, without spinning.
+    static void sleepUntil(std::int64_t ns);
     /// For owners that were given no clock: it has no state, so one serves all.
     static const SteadyClock& shared() {
         static const SteadyClock clock;
@@ -37,6 +46,8 @@ class VirtualClock final : public Clock {
 public:
     explicit VirtualClock(std::int64_t startNs = 1'000'000'000) : now_(startNs) {}
     std::int64_t nowNs() const override { return now_.load(std::memory_order_acquire); }
+    bool runsByItself() const override { return false; }
+    void waitUntil(std::int64_t /*ns*/) const override {}
     void advanceNs(std::int64_t ns) { now_.fetch_add(ns, std::memory_order_acq_rel); }
 
 private:

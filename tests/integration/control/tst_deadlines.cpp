@@ -22,6 +22,8 @@ public:
         asked_.fetch_add(1, std::memory_order_acq_rel);
         return now;
     }
+    bool runsByItself() const override { return clock_.runsByItself(); }
+    void waitUntil(std::int64_t ns) const override { clock_.waitUntil(ns); }
     std::uint64_t asked() const { return asked_.load(std::memory_order_acquire); }
 
 private:

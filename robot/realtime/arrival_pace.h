@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// When to work on packages that a sender makes at even times and that arrive unevenly: at even times again,
+// as little after their arrival as that allows. The sender's time stamps give the pace, the arrivals the
+// phase.
+
+#include <cstdint>
+
+namespace tiller::realtime {
+
+/// Threads  one. Real-time: yes
+class ArrivalPace {
+public:
+    /// period  between two packages [s]; none is held back for more than half of it
+    explicit ArrivalPace(double period);
+
+    /// A package made at `senderTime` [s] arrived. Returns  when to work on it [ns]: evenly after the others,
+    ///                                                       or at once when it came too late for that
+    std::int64_t due(std::int64_t arrivedNs, double senderTime);
+
+    /// When the one made then is to be worked on, wherever it is [ns]. Not before the first due().
+    std::int64_t expectedNs(double senderTime) const;
+    /// Whether enough have come to expect the next ones.
+    bool isSettled() const { return packages_ >= 300; }
+    /// How long after its usual arrival a package is worked on [ns]: what all but one in a thousand need.
+    double marginNs() const { return marginNs_; }
+
+private:
+    double periodNs_;
+    double mostNs_;       ///< highest margin
+    double origin_ = 0;   ///< arrival minus sender's time of the first package [ns]
+    double usualNs_ = 0;  ///< median of the same, of the others, since `origin_`
+    double marginNs_ = 0;
+    double packages_ = 0;
+};
+
+}  // namespace tiller::realtime
