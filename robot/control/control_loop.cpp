@@ -2,6 +2,7 @@
 #include "robot/control/control_loop.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <thread>
 
@@ -71,8 +72,9 @@ std::int32_t ControlLoop::ask(Request request) {
 
 void ControlLoop::setHook(CycleHook* hook) {
     hook_.store(hook);
+    // Sleeps rather than yields: it may have to let a thread of lower priority go on.
     while (hookInUse_.load()) {
-        std::this_thread::yield();
+        std::this_thread::sleep_for(std::chrono::microseconds(50));
     }
 }
 
@@ -102,10 +104,11 @@ Command ControlLoop::tick(const Feedback& data) {
     watch(data);
 
     Command command;
+    composedNs_ = data.hostNs;
     compose(data, command);
     noteEnded(data.hostNs);
     meter_.add({data.hostNs, data.tcpPose.position, data.tcpSpeed.linear.norm(), fastest(data.qd)});
-    seal(command, data.hostNs);
+    seal(command, composedNs_);
     publish();
     return command;
 }
@@ -114,6 +117,9 @@ bool ControlLoop::fallback(std::int64_t nowNs, Command& out) {
     const std::int64_t age = nowNs - data_.hostNs;
     if (age > kMaxDataAgeNs) {
         endActive(StopCause::DataStale, nowNs);
+    }
+    if (dueNs() <= nowNs && cycleWithoutPackage(nowNs, out)) {
+        return true;
     }
     // Ends a motion whose holder is silent even when no tick asks.
     mailbox_.active(nowNs);
@@ -126,6 +132,29 @@ bool ControlLoop::fallback(std::int64_t nowNs, Command& out) {
     }
     out = {};
     seal(out, nowNs);
+    return true;
+}
+
+std::int64_t ControlLoop::dueNs() {
+    hookInUse_.store(true);
+    const CycleHook* const hook = hook_.load();
+    const bool waits = hook != nullptr && hook->motion() == followed_ && !endRequested_.load();
+    const std::int64_t due = waits ? hook->dueNs() : kNoCycleDue;
+    hookInUse_.store(false);
+    return due;
+}
+
+bool ControlLoop::cycleWithoutPackage(std::int64_t nowNs, Command& out) {
+    const MotionCommand* motion = mailbox_.active(nowNs);
+    if (motion == nullptr || motion->id != followed_) {
+        return false;  // what there is to do instead, the next package will show
+    }
+    out = {};
+    composedNs_ = nowNs;
+    composeProgram(*motion, data_, false, out);
+    noteEnded(nowNs);
+    seal(out, nowNs);
+    publish();
     return true;
 }
 
@@ -297,11 +326,12 @@ void ControlLoop::compose(const Feedback& data, Command& command) {
     if (motion->kind == MotionCommand::Kind::Jog) {
         composeJog(*motion, data, command);
     } else {
-        composeProgram(*motion, data, command);
+        composeProgram(*motion, data, true, command);
     }
 }
 
-void ControlLoop::composeProgram(const MotionCommand& motion, const Feedback& data, Command& command) {
+void ControlLoop::composeProgram(const MotionCommand& motion, const Feedback& data, bool fresh,
+                                 Command& command) {
     const MotionCommand* from = &motion;
     MotionCommand hooked;
     hookInUse_.store(true);
@@ -309,9 +339,10 @@ void ControlLoop::composeProgram(const MotionCommand& motion, const Feedback& da
     if (hook != nullptr && hook->motion() == motion.id) {
         hooked = motion;
         from = &hooked;
-        if (!hook->cycle(data, period_, hooked)) {
+        if (!hook->cycle(data, fresh, period_, hooked)) {
             mailbox_.end(motion.id, StopCause::Completed, data.hostNs);
         }
+        composedNs_ = std::max(composedNs_, hook->beganNs());
     }
     hookInUse_.store(false);
     switch (from->kind) {

@@ -8,6 +8,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <limits>
 
 #include "robot/control/control_status.h"
 #include "robot/control/mailbox.h"
@@ -24,18 +25,26 @@ inline constexpr std::int64_t kMaxDataAgeNs = 100'000'000;
 /// A link on which a command takes longer than this to the robot and back is none to move on either.
 inline constexpr double kMaxRoundTripMs = 100.0;
 
+inline constexpr std::int64_t kNoCycleDue = std::numeric_limits<std::int64_t>::max();
+
 /// Computes the target of one motion in step with the packages: see packet_loop.h.
 class CycleHook {
 public:
     virtual MotionId motion() const = 0;
     /// Called in the control thread. Returns  false to end the motion
-    virtual bool cycle(const Feedback& data, double period, MotionCommand& target) = 0;
+    /// fresh  `data` have just come; otherwise dueNs() is over, and they are those of the package before
+    virtual bool cycle(const Feedback& data, bool fresh, double period, MotionCommand& target) = 0;
+    /// When the last cycle began, by the clock of Feedback::hostNs: it may have waited for its moment.
+    virtual std::int64_t beganNs() const = 0;
+    /// When the next cycle is to run even if no package comes until then; kNoCycleDue: it waits for one.
+    virtual std::int64_t dueNs() const = 0;
 
 protected:
     ~CycleHook() = default;
 };
 
-/// Threads  tick(), fallback(), lost(): the control thread. begin(): before the control thread starts. All
+/// Threads  tick(), dueNs(), fallback(), lost(): the control thread. begin(): before the control thread
+/// starts. All
 ///          others: any; ask() and setHook() one at a time.
 /// Real-time: yes
 class ControlLoop {
@@ -45,11 +54,16 @@ public:
 
     /// Prepares for a new connection: nothing is in control until the program with this session answers.
     void begin(std::int32_t session, double period, const ArmLimits& arm, std::int64_t nowNs);
-    void setPriorityGranted(bool granted) { status_.priorityGranted = granted; }
+    void setGranted(bool priority, bool cpus) {
+        status_.priorityGranted = priority;
+        status_.cpusGranted = cpus;
+    }
 
     /// One package from the robot in, one back.
     Command tick(const Feedback& data);
-    /// For when no package comes: ends the motion once the data are too old.
+    /// When fallback() has something to do although no package came; kNoCycleDue: nothing.
+    std::int64_t dueNs();
+    /// For when no package comes: ends the motion once the data are too old, and runs the cycle that is due.
     /// Returns  true when `out` shall be sent without waiting any longer
     bool fallback(std::int64_t nowNs, Command& out);
     /// The connection is gone.
@@ -95,7 +109,8 @@ private:
     void leave(ControlLoss loss, StopCause cause, std::int64_t nowNs);
     void endActive(StopCause cause, std::int64_t nowNs);
     void compose(const Feedback& data, Command& command);
-    void composeProgram(const MotionCommand& motion, const Feedback& data, Command& command);
+    void composeProgram(const MotionCommand& motion, const Feedback& data, bool fresh, Command& command);
+    bool cycleWithoutPackage(std::int64_t nowNs, Command& out);
     void composeJog(const MotionCommand& motion, const Feedback& data, Command& command);
     bool feelsContact(const JogTarget& target, const Feedback& data);
     void noteEnded(std::int64_t nowNs);
@@ -124,6 +139,7 @@ private:
 
     Feedback data_;  ///< the newest
     bool hasData_ = false;
+    std::int64_t composedNs_ = 0;  ///< when the command was made that is about to be sent
     std::int32_t sequence_ = 0;
     static constexpr std::size_t kSentMemory = 512;
     std::array<std::int64_t, kSentMemory> sentNs_{};

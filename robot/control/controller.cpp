@@ -9,7 +9,7 @@
 #include "robot/control/argument_check.h"
 #include "robot/control/controller_private.h"
 #include "robot/kinematics/speed_bounds.h"
-#include "robot/realtime/thread_priority.h"
+#include "robot/realtime/realtime_report.h"
 
 namespace tiller::control {
 
@@ -83,7 +83,8 @@ void Controller::release() {
 
 void Controller::Private::run() {
     realtime::nameThread("control");
-    loop.setPriorityGranted(options.priority <= 0 || realtime::requestThreadPriority(options.priority).ok());
+    loop.setGranted(options.priority <= 0 || realtime::requestThreadPriority(options.priority).ok(),
+                    options.cpus.empty() || realtime::bindToCpus(options.cpus).isEmpty());
     std::vector<double> values(connection->outputs().size());
     const auto isSent = [this](Inputs recipe, std::span<const double> inputs) {
         return connection->sendInputs(recipe, inputs) != rtde::Connection::Send::Failed;
@@ -102,7 +103,10 @@ void Controller::Private::run() {
     };
     bool alive = true;
     while (alive && !quit.load(std::memory_order_acquire)) {
-        switch (connection->readPackage(values, kLookUp)) {
+        const std::int64_t due = loop.dueNs();
+        const std::chrono::nanoseconds left(due == kNoCycleDue ? kNoCycleDue
+                                                               : std::max<std::int64_t>(due - now(), 0));
+        switch (connection->readPackage(values, std::min<std::chrono::nanoseconds>(left, kLookUp))) {
             case rtde::Connection::Read::Package:
                 alive = send(loop.tick(layout.decode(values, now())));
                 break;

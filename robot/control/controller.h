@@ -11,6 +11,7 @@
 #include <QString>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "robot/control/control_status.h"
 #include "robot/control/motion_types.h"
@@ -36,6 +37,8 @@ struct ControllerOptions {
     const Clock* clock = &SteadyClock::shared();
     RegisterRange registers = RegisterRange::Upper;
     int priority = 85;  ///< SCHED_FIFO; 0 = leave the thread as it is
+    /// The control thread stays on these CPUs, counted from 0; empty: where the system puts it.
+    std::vector<int> cpus;
     MotionLimits limits;
     /// Used for the limiter until, or unless, the controller has told its own dimensions.
     RobotModelId model = RobotModelId::UR5e;

@@ -2,7 +2,9 @@
 #pragma once
 
 // A control loop locked to the robot's own clock: for each packet received one call, whose target goes out
-// with the answer to that very packet. No timer that would beat against the robot's.
+// with the answer to that very packet. No timer that would beat against the robot's. Packets arrive less
+// evenly than the robot makes them; unless the caller wants each at once, the calls are laid out evenly
+// again, and go on for a while when packets stay away (Pacing::Even).
 
 #include <cstdint>
 #include <functional>
@@ -15,11 +17,14 @@ namespace tiller::control {
 
 /// What the robot reported in the packet a cycle answers.
 struct CycleState {
-    std::uint64_t cycle = 0;   ///< 0, 1, 2 ... without the missed ones
-    std::uint64_t missed = 0;  ///< packets that did not come in time since the beginning
+    std::uint64_t cycle = 0;  ///< 0, 1, 2 ... without the missed ones
+    /// False: its packet did not come in time. What the robot reports, and `hostNs`, are of the one before.
+    bool fresh = true;
+    std::uint64_t missed = 0;  ///< control periods without a cycle since the beginning
     double time = 0;           ///< since the first cycle, by the robot's clock [s]
     double period = 0.002;     ///< [s]
     std::int64_t hostNs = 0;   ///< when the packet came, on the controller's clock
+    std::int64_t beginNs = 0;  ///< when this cycle began, on the same
     JointPositions q;
     JointVelocities qd;
     Pose tcpPose;
@@ -31,11 +36,25 @@ struct CycleState {
 struct CycleReport {
     std::uint64_t cycles = 0;
     std::uint64_t missed = 0;       ///< control periods without a cycle, by the robot's time stamps
-    std::uint64_t late = 0;         ///< cycles more than half a period late by the host's clock
+    std::uint64_t stale = 0;        ///< cycles that ran in time, their packet did not come
+    std::uint64_t late = 0;         ///< cycles that began more than half a period late by the host's clock
     std::uint64_t overruns = 0;     ///< calls that took longer than a period
-    realtime::Histogram intervals;  ///< between cycles on the host
-    realtime::Histogram calls;      ///< time the callback took
-    Motion motion;                  ///< how it ended: motion.state()
+    realtime::Histogram intervals;  ///< from the beginning of a cycle to the next one's, on the host
+    realtime::Histogram ages;   ///< from a packet's coming to the beginning of its cycle; without the stale
+    realtime::Histogram calls;  ///< time the callback took
+    Motion motion;              ///< how it ended: motion.state()
+};
+
+/// When the cycle of a packet begins.
+enum class Pacing {
+    /// In step with the robot: after the usual moment of arrival by what all but one in a thousand packets
+    /// are
+    /// later than that, a quarter of a period at most; the last 0.1 ms of the wait are spun away. A packet
+    /// that is not there by then
+    /// has its cycle without it (CycleState::fresh), up to five in a row.
+    Even,
+    /// When the packet comes, and only then: the newest data, as unevenly as the network brings them.
+    AtOnce,
 };
 
 /// Returns the target of this cycle, or nothing to end the loop (the arm brakes).
@@ -49,7 +68,8 @@ using CycleCallback = std::function<std::optional<Target>(const CycleState&)>;
 /// Threads  any but the control thread; one loop at a time. Blocks: until the loop has ended
 class PacketLoop {
 public:
-    explicit PacketLoop(Controller& controller) : controller_(&controller) {}
+    explicit PacketLoop(Controller& controller, Pacing pacing = Pacing::Even)
+        : controller_(&controller), pacing_(pacing) {}
 
     Result<void> servoJ(const CycleCallback<JointPositions>& callback, const ServoParameters& parameters,
                         const Deadline& deadline, CycleReport* report = nullptr);
@@ -62,6 +82,7 @@ public:
 
 private:
     Controller* controller_;
+    Pacing pacing_;
 };
 
 }  // namespace tiller::control

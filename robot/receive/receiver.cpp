@@ -9,6 +9,7 @@
 #include <mutex>
 #include <thread>
 
+#include "robot/realtime/realtime_report.h"
 #include "robot/realtime/seqlock.h"
 #include "robot/receive/stream_watch.h"
 #include "robot/rtde/connection.h"
@@ -146,7 +147,11 @@ struct Receiver::Worker {
 
     void run() {
         realtime::nameThread("tiller-receive");
-        const auto report = realtime::requestThreadPriority(options.priority);
+        auto report = realtime::requestThreadPriority(options.priority);
+        if (!options.cpus.empty()) {
+            const QStringList said{report.advice, realtime::bindToCpus(options.cpus)};
+            report.advice = said.join(QLatin1Char(' ')).trimmed();
+        }
         {
             const std::lock_guard lock(factsMutex);
             priority = report;

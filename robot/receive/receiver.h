@@ -36,6 +36,8 @@ struct ReceiverOptions {
     std::vector<std::string> fields = defaultFields();
     /// SCHED_FIFO priority of the thread, where the system permits; 0 asks for none.
     int priority = 90;
+    /// The thread stays on these CPUs, counted from 0; empty: where the system puts it.
+    std::vector<int> cpus;
     /// Stamps samples and measures ages. Must outlive the receiver.
     const Clock* clock = &SteadyClock::shared();
     /// How long one attempt to connect and shake hands may take. Together with the longest of the delays it
@@ -118,7 +120,7 @@ public:
     double period() const;
     /// Fields asked for that the robot does not have.
     std::vector<std::string> absentFields() const;
-    /// What the system said to the wish for priority.
+    /// What the system said to the wish for priority; its advice also tells why the CPUs were refused.
     realtime::PriorityReport priority() const;
 
     const std::shared_ptr<const SampleLayout>& layout() const;

@@ -5,6 +5,7 @@
 // step is one control period; the controller's answer has arrived before the next one begins.
 
 #include <QTest>
+#include <atomic>
 #include <functional>
 #include <optional>
 #include <thread>
@@ -16,6 +17,27 @@
 namespace tiller::test {
 
 inline constexpr double kDeg = 3.14159265358979323846 / 180;
+
+/// Stands still until told to go on; and can pretend that it does not.
+class CellClock final : public Clock {
+public:
+    std::int64_t nowNs() const override {
+        asked_.fetch_add(1, std::memory_order_acq_rel);
+        return clock_.nowNs();
+    }
+    /// How often it has been looked at.
+    std::uint64_t asked() const { return asked_.load(std::memory_order_acquire); }
+    bool runsByItself() const override { return pretending_; }
+    void waitUntil(std::int64_t /*ns*/) const override {}
+    void advanceNs(std::int64_t ns) { clock_.advanceNs(ns); }
+    /// What is done at due times is done then; nobody waits for them all the same.
+    void pretendToRun() { pretending_ = true; }
+
+private:
+    VirtualClock clock_;
+    std::atomic<bool> pretending_{false};
+    mutable std::atomic<std::uint64_t> asked_{0};
+};
 
 class Cell {
 public:
@@ -158,7 +180,7 @@ public:
     }
     Pose tcp() const { return robot.truth().tcpPose; }
 
-    VirtualClock clock;
+    CellClock clock;
     simulator::Controller robot;
     std::unique_ptr<control::Controller> controller;
     std::function<void()> everyTick;

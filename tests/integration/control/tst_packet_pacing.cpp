@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// The cycles of a packet loop go on in step with the robot when packets come late or not at all, for a while.
+#include <thread>
+
+#include "robot/control/packet_loop.h"
+#include "tests/integration/control/cell.h"
+
+using namespace tiller;
+using namespace tiller::control;
+using namespace tiller::test;
+
+namespace {
+
+constexpr std::int64_t kPeriodNs = 2 * kNsPerMs;
+constexpr std::int64_t kLateNs = 200'000;
+constexpr std::int64_t kOverdueNs = 300'000;
+constexpr int kLearning = 250;
+constexpr int kSettled = 400;  ///< cycles after which the pace is known
+
+/// A packet loop at work, in which the arm stands. Each cycle is noted.
+class StandingLoop {
+public:
+    StandingLoop(Cell& cell, Pacing pacing) : cell_(cell) {
+        thread_ = std::thread([this, pacing] {
+            const JointPositions here = cell_.robot.truth().q;
+            ended = PacketLoop(*cell_.controller, pacing)
+                        .servoJ(
+                            [&](const CycleState& state) -> std::optional<JointPositions> {
+                                if (quit_) {
+                                    return std::nullopt;
+                                }
+                                lastTime = state.time;
+                                stale = stale + (state.fresh ? 0 : 1);
+                                cycles = cycles + 1;
+                                return here;
+                            },
+                            {}, Deadline::never(), &report);
+            over_ = true;
+        });
+        // Some come late at first: without a margin the test could not say what comes before the next is due.
+        while (!over_ && cycles < kLearning && packetAfter(kPeriodNs + kLateNs) &&
+               packetAfter(kPeriodNs - kLateNs) && cell_.step(8)) {
+        }
+        while (!over_ && cycles < kSettled && cell_.step()) {
+        }
+    }
+    ~StandingLoop() { end(); }
+    StandingLoop(const StandingLoop&) = delete;
+    StandingLoop& operator=(const StandingLoop&) = delete;
+
+    void end() {
+        if (thread_.joinable()) {
+            quit_ = true;
+            cell_.step(3);
+            thread_.join();
+        }
+    }
+
+    /// Time goes on, and nothing comes from the robot.
+    bool silenceFor(std::int64_t ns) {
+        const std::uint64_t inputs = cell_.robot.inputPackages();
+        cell_.clock.advanceNs(ns);
+        return cell_.robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::seconds(20)));
+    }
+    /// A packet comes that should have come before; no time goes on.
+    bool latePacket() {
+        const std::uint64_t inputs = cell_.robot.inputPackages();
+        cell_.robot.step();
+        return cell_.robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::seconds(20)));
+    }
+
+    bool packetAfter(std::int64_t ns) {
+        cell_.clock.advanceNs(ns);
+        return latePacket();
+    }
+
+    std::atomic<int> cycles{0};
+    std::atomic<int> stale{0};
+    std::atomic<double> lastTime{0};
+    Result<void> ended;
+    CycleReport report;
+
+private:
+    Cell& cell_;
+    std::atomic<bool> quit_{false};
+    std::atomic<bool> over_{false};
+    std::thread thread_;
+};
+
+}  // namespace
+
+class TestPacketPacing : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aLatePacketDelaysNoCycle() {
+        Cell cell;
+        cell.clock.pretendToRun();
+        QVERIFY(cell.takeControl().ok());
+        StandingLoop loop(cell, Pacing::Even);
+        QCOMPARE(loop.stale, 0);
+        const int before = loop.cycles;
+        const double time = loop.lastTime;
+        QVERIFY(loop.silenceFor(kPeriodNs + kOverdueNs));
+        QCOMPARE(loop.cycles, before + 1);
+        QCOMPARE(loop.stale, 1);
+        QVERIFY(std::abs(loop.lastTime - time - 0.002) < 1e-6);
+        // The packet comes after all: it is answered, and its cycle is not run again.
+        QVERIFY(loop.latePacket());
+        QCOMPARE(loop.cycles, before + 1);
+        QVERIFY(loop.packetAfter(kPeriodNs - kOverdueNs));
+        QCOMPARE(loop.cycles, before + 2);
+        QCOMPARE(loop.stale, 1);
+        QVERIFY(std::abs(loop.lastTime - time - 0.004) < 1e-6);
+        loop.end();
+        QVERIFY2(loop.ended.ok(), qPrintable(loop.ended.error().toString()));
+        QCOMPARE(loop.report.stale, 1U);
+        QCOMPARE(loop.report.missed, 0U);
+        QCOMPARE(loop.report.cycles, static_cast<std::uint64_t>(loop.cycles) + 1);
+    }
+
+    void aRobotThatStallsIsNotOutrun() {
+        Cell cell;
+        cell.clock.pretendToRun();
+        QVERIFY(cell.takeControl().ok());
+        StandingLoop loop(cell, Pacing::Even);
+        const int before = loop.cycles;
+        for (int i = 0; i < 5; ++i) {
+            QVERIFY(loop.silenceFor(i == 0 ? kPeriodNs + kOverdueNs : kPeriodNs));
+        }
+        QCOMPARE(loop.cycles, before + 5);
+        cell.clock.advanceNs(2 * kPeriodNs);  // nothing more: the next packet is waited for
+        for (int i = 0; i < 5; ++i) {
+            QVERIFY(loop.latePacket());
+            QCOMPARE(loop.cycles, before + 5);
+        }
+        QVERIFY(loop.latePacket());
+        QCOMPARE(loop.cycles, before + 6);
+        QCOMPARE(loop.stale, 5);
+        QVERIFY(cell.step());
+        QCOMPARE(loop.cycles, before + 7);
+        loop.end();
+        QCOMPARE(loop.report.stale, 5U);
+    }
+
+    void aStoppedLoopSendsNothingWithoutPackets() {
+        Cell cell;
+        cell.clock.pretendToRun();
+        QVERIFY(cell.takeControl().ok());
+        StandingLoop loop(cell, Pacing::Even);
+        const int before = loop.cycles;
+        cell.controller->stop(StopCause::ApiCall);
+        cell.clock.advanceNs(kPeriodNs + kOverdueNs);  // a cycle would be due
+        QVERIFY(loop.silenceFor(5 * kPeriodNs));       // and this is what is sent instead: to idle
+        QCOMPARE(loop.cycles, before);
+        loop.end();
+        QCOMPARE(loop.ended.error().code, ErrorCode::Stopped);
+        QCOMPARE(loop.stale, 0);
+    }
+
+    void whoWantsPacketsOnlyWaitsForThem() {
+        Cell cell;
+        cell.clock.pretendToRun();
+        QVERIFY(cell.takeControl().ok());
+        StandingLoop loop(cell, Pacing::AtOnce);
+        const int before = loop.cycles;
+        cell.clock.advanceNs(kPeriodNs + kOverdueNs);
+        const std::uint64_t asked = cell.clock.asked();
+        QTRY_VERIFY_WITH_TIMEOUT(cell.clock.asked() > asked + 20, 60000);  // the control thread has looked up
+        QCOMPARE(loop.cycles, before);
+        QVERIFY(loop.latePacket());
+        QCOMPARE(loop.cycles, before + 1);
+        QCOMPARE(loop.stale, 0);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestPacketPacing)
+#include "tst_packet_pacing.moc"
