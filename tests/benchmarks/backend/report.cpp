@@ -5,6 +5,8 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace tiller::benchmark {
 
@@ -28,30 +30,67 @@ void Spans::add(std::int64_t fromNs, std::int64_t toNs) {
     spans_.push_back({fromNs, toNs});
 }
 
-realtime::Histogram Spans::all() const {
-    realtime::Histogram all;
-    for (const Span& span : spans_) {
-        all.add(span.toNs - span.fromNs);
-    }
-    return all;
+Durations::Durations(std::vector<std::int64_t> ns) : ns_(std::move(ns)) {
+    std::sort(ns_.begin(), ns_.end());
 }
 
-realtime::Histogram Spans::whileThere(const MachineWatch& watch) const {
-    realtime::Histogram there;
+std::int64_t Durations::percentileNs(double percent) const {
+    if (ns_.empty()) {
+        return 0;
+    }
+    const double rank = std::ceil(percent / 100 * static_cast<double>(ns_.size()));
+    return ns_[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
+}
+
+std::size_t Durations::countAbove(std::int64_t ns) const {
+    return static_cast<std::size_t>(ns_.end() - std::upper_bound(ns_.begin(), ns_.end(), ns));
+}
+
+Durations Spans::all() const {
+    std::vector<std::int64_t> all;
+    for (const Span& span : spans_) {
+        all.push_back(span.toNs - span.fromNs);
+    }
+    return Durations(std::move(all));
+}
+
+Durations Spans::quieterHalf() const {
+    constexpr std::int64_t kPartNs = 500'000'000;
+    std::vector<std::vector<std::int64_t>> parts;
+    std::int64_t partFrom = 0;
+    for (const Span& span : spans_) {
+        if (parts.empty() || span.fromNs - partFrom >= kPartNs) {
+            parts.emplace_back();
+            partFrom = span.fromNs;
+        }
+        parts.back().push_back(span.toNs - span.fromNs);
+    }
+    const auto longest = [](const auto& part) { return *std::max_element(part.begin(), part.end()); };
+    std::sort(parts.begin(), parts.end(),
+              [&](const auto& a, const auto& b) { return longest(a) < longest(b); });
+    std::vector<std::int64_t> quieter;
+    for (std::size_t i = 0; i < (parts.size() + 1) / 2; ++i) {
+        quieter.insert(quieter.end(), parts[i].begin(), parts[i].end());
+    }
+    return Durations(std::move(quieter));
+}
+
+Durations Spans::whileThere(const MachineWatch& watch) const {
+    std::vector<std::int64_t> there;
     // What was to be done in a span may have been delayed just before it.
     constexpr std::int64_t kMarginNs = 2'000'000;
     for (const Span& span : spans_) {
         if (!watch.wasAway(span.fromNs - kMarginNs, span.toNs)) {
-            there.add(span.toNs - span.fromNs);
+            there.push_back(span.toNs - span.fromNs);
         }
     }
-    return there;
+    return Durations(std::move(there));
 }
 
 void Report::add(const QString& what, const Spans& spans, const MachineWatch& watch, std::int64_t limitNs,
                  bool required) {
     const auto ms = [](std::int64_t ns) { return static_cast<double>(ns) / 1e6; };
-    const auto rows = [&](const QString& which, const realtime::Histogram& h, std::optional<double> limit) {
+    const auto rows = [&](const QString& which, const Durations& h, std::optional<double> limit) {
         add(which + QStringLiteral(": count"), static_cast<double>(h.count()), QString());
         add(which + QStringLiteral(": p50"), ms(h.percentileNs(50)), QStringLiteral("ms"));
         add(which + QStringLiteral(": p99.9"), ms(h.percentileNs(99.9)), QStringLiteral("ms"));

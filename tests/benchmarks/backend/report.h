@@ -4,10 +4,10 @@
 // What the benchmark of the backend found: one row a figure, with the limit we hold it to where there is one.
 
 #include <QString>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "robot/realtime/histogram.h"
 #include "tests/benchmarks/machine_watch.h"
 
 namespace tiller::benchmark {
@@ -22,6 +22,20 @@ struct Row {
     bool passed() const { return remark.isEmpty() && (!limit || value <= *limit); }
 };
 
+/// Durations in order of length: exact where a histogram's buckets would be wider than what is compared.
+class Durations {
+public:
+    explicit Durations(std::vector<std::int64_t> ns);
+    std::size_t count() const { return ns_.size(); }
+    /// percent  0 ... 100. Returns  0 when there are none
+    std::int64_t percentileNs(double percent) const;
+    std::int64_t maxNs() const { return percentileNs(100); }
+    std::size_t countAbove(std::int64_t ns) const;
+
+private:
+    std::vector<std::int64_t> ns_;
+};
+
 /// Durations, and when they were.
 /// Threads  one at a time. Real-time: yes (no allocation after construction)
 class Spans {
@@ -30,9 +44,12 @@ public:
     explicit Spans(std::size_t most) { spans_.reserve(most); }
     void add(std::int64_t fromNs, std::int64_t toNs);
 
-    realtime::Histogram all() const;
+    Durations all() const;
+    /// Only those of the quieter half of all half seconds: what befalls the machine a few times a second is
+    /// in the other half, what the program itself does is in both.
+    Durations quieterHalf() const;
     /// Only those during which all processors were there.
-    realtime::Histogram whileThere(const MachineWatch& watch) const;
+    Durations whileThere(const MachineWatch& watch) const;
     bool overflowed() const { return overflowed_; }
 
 private:
