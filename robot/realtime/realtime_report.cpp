@@ -22,6 +22,9 @@ namespace tiller::realtime {
 QString bindToCpus(const std::vector<int>& cpus) {
     DWORD_PTR mask = 0;
     for (const int cpu : cpus) {
+        if (cpu < 0 || cpu >= static_cast<int>(8 * sizeof mask)) {
+            return QStringLiteral("There is no CPU %1.").arg(cpu);
+        }
         mask |= DWORD_PTR(1) << cpu;
     }
     if (mask != 0 && SetThreadAffinityMask(GetCurrentThread(), mask) != 0) {

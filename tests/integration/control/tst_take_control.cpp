@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Every way in which taking control can fail, and what is said about it.
+#include <QDir>
+#include <QFile>
 #include <QTest>
+
+#ifdef __linux__
+#include <sched.h>
+#endif
 
 #include "robot/control/controller.h"
 #include "robot/rtde/connection.h"
@@ -48,12 +54,61 @@ void makeRunning(RtdePeer& peer) {
     }
 }
 
+/// Where this thread of ours may run, as the system writes it; empty when there is none of this name.
+QByteArray cpusOf(const QByteArray& thread) {
+    const auto tasks =
+        QDir(QStringLiteral("/proc/self/task")).entryInfoList(QDir::Dirs | QDir::NoDotAndDotDot);
+    for (const QFileInfo& task : tasks) {
+        QFile file(task.filePath() + QStringLiteral("/status"));
+        if (!file.open(QIODevice::ReadOnly)) {
+            continue;
+        }
+        const QList<QByteArray> lines = file.readAll().split('\n');
+        const auto value = [&](const QByteArray& name) {
+            for (const QByteArray& line : lines) {
+                if (line.startsWith(name)) {
+                    return line.mid(name.size()).trimmed();
+                }
+            }
+            return QByteArray();
+        };
+        if (value("Name:") == thread) {
+            return value("Cpus_allowed_list:");
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 class TestTakeControl : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void theControlThreadStaysOnItsCpus() {
+#ifndef __linux__
+        QSKIP("how to ask where a thread may run is written for Linux only");
+#else
+        const int cpu = ::sched_getcpu();
+        QVERIFY(cpu >= 0);
+        simulator::Controller robot(robotOptions());
+        QVERIFY(robot.start().ok());
+        ControllerOptions options = to(robot);
+        options.cpus = {cpu};
+        {
+            Controller controller(options);
+            QVERIFY(controller.takeControl(soon()).ok());
+            QVERIFY(controller.status().cpusGranted);
+            QCOMPARE(cpusOf("control"), QByteArray::number(cpu));
+        }
+        // A CPU that is not there is no reason to leave the robot alone, but it is told.
+        options.cpus = {1000};
+        Controller controller(options);
+        QVERIFY(controller.takeControl(soon()).ok());
+        QVERIFY(!controller.status().cpusGranted);
+#endif
+    }
+
     void aRunningRobotIsTakenInRealTime() {
         simulator::Controller robot(robotOptions());
         QVERIFY(robot.start().ok());

@@ -85,6 +85,7 @@ private Q_SLOTS:
     void streamsWithoutLossAt500Hz();
     void streamsWithoutLossAt125Hz();
     void realTimeStreamAddsUp();
+    void refusedCpusAreTold();
     void stateIsTheRobotsOwn();
     void recordsFiveSecondsRowByRow();
     void outputsAreSetAndConfirmed();
@@ -172,6 +173,21 @@ void TestReceiveSimulator::streamsWithoutLossAt125Hz() {
     const auto absent = cell.receiver->absentFields();
     QVERIFY(std::find(absent.begin(), absent.end(), "ft_raw_wrench") != absent.end());
     QVERIFY(!cell.receiver->latest().field("actual_q").empty());
+}
+
+void TestReceiveSimulator::refusedCpusAreTold() {
+    simulator::Controller robot(standingStill(simulator::Time::Real));
+    QVERIFY(robot.start().ok());
+    receive::ReceiverOptions to;
+    to.host = QStringLiteral("127.0.0.1");
+    to.port = robot.ports().rtde;
+    to.priority = 0;
+    to.cpus = {1000};
+    receive::Receiver receiver(to);
+    receiver.start();
+    QVERIFY(eventually([&] { return receiver.counters().packets >= 10; }));  // it receives all the same
+    QVERIFY2(receiver.priority().advice.contains(QStringLiteral("CPU")),
+             qPrintable(receiver.priority().advice));
 }
 
 void TestReceiveSimulator::realTimeStreamAddsUp() {
