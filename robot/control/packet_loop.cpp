@@ -46,7 +46,7 @@ public:
             return kNoCycleDue;
         }
         const auto periodNs = static_cast<std::int64_t>(period_ * 1e9);
-        const std::int64_t due = pace_->expectedNs(servedAt_ + period_) + periodNs / kGrace;
+        const std::int64_t due = pace_->expectedNs(servedAt_ + period_);
         return clock_.nowNs() - due > periodNs / 2 ? kNoCycleDue : due;
     }
 
@@ -55,7 +55,6 @@ public:
 
 private:
     static constexpr int kMostInARow = 5;  ///< cycles without their packets
-    static constexpr int kGrace = 40;      ///< part of a period that a packet just late is waited for
 
     /// Its cycle has already been run without it.
     bool isServed(const Feedback& data, double period) const {

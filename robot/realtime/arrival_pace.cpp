@@ -14,6 +14,7 @@ namespace {
 constexpr double kFirstStep = 0.1;
 constexpr double kUsualStep = 0.0005;
 constexpr double kMarginStep = 0.01;
+constexpr double kGrace = 0.025;       // beyond the margin, for those that are just late
 constexpr double kFirstPackages = 50;  // until the median is good enough to judge by
 constexpr double kMedian = 0.5;
 constexpr double kNearlyAll = 0.999;
@@ -47,11 +48,12 @@ std::int64_t ArrivalPace::due(std::int64_t arrivedNs, double senderTime) {
         marginNs_ = std::max(marginNs_, more);
     }
     marginNs_ = std::clamp(marginNs_, 0.0, mostNs_);
-    return std::max(arrivedNs, expectedNs(senderTime));
+    return std::clamp(expectedNs(senderTime), arrivedNs,
+                      arrivedNs + static_cast<std::int64_t>(periodNs_ / 2));
 }
 
 std::int64_t ArrivalPace::expectedNs(double senderTime) const {
-    return std::llround(senderTime * 1e9 + origin_ + usualNs_ + marginNs_);
+    return std::llround(senderTime * 1e9 + origin_ + usualNs_ + marginNs_ + periodNs_ * kGrace);
 }
 
 }  // namespace tiller::realtime
