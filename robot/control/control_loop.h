@@ -43,9 +43,8 @@ protected:
     ~CycleHook() = default;
 };
 
-/// Threads  tick(), dueNs(), fallback(), lost(): the control thread. begin(): before the control thread
-/// starts. All
-///          others: any; ask() and setHook() one at a time.
+/// Threads  tick(), dueNs(), fallback(), lost(): the control thread. begin(): before it starts. All others:
+///          any; ask() and setHook() one at a time.
 /// Real-time: yes
 class ControlLoop {
 public:

@@ -23,15 +23,13 @@ public:
     std::int64_t expectedNs(double senderTime) const;
     /// Whether enough have come to expect the next ones.
     bool isSettled() const { return packages_ >= 300; }
-    /// How long after its usual arrival a package is worked on [ns]: what all but one in a thousand need.
-    double marginNs() const { return marginNs_; }
 
 private:
     double periodNs_;
-    double mostNs_;       ///< highest margin
-    double origin_ = 0;   ///< arrival minus sender's time of the first package [ns]
-    double usualNs_ = 0;  ///< median of the same, of the others, since `origin_`
-    double marginNs_ = 0;
+    double mostNs_;        ///< highest margin
+    double origin_ = 0;    ///< arrival minus sender's time of the first package [ns]
+    double usualNs_ = 0;   ///< median of the same, of the others, since `origin_`
+    double marginNs_ = 0;  ///< how much later than usual all but one in a thousand come
     double packages_ = 0;
 };
 

@@ -338,7 +338,8 @@ void measure(Report& report, const Wishes& wishes, const Condition& condition, c
             report.add(QStringLiteral("packet loop, package in to target out: p99.9"),
                        static_cast<double>(packet.reaction.percentileNs(99.9)) / 1e6, QStringLiteral("ms"));
             report.add(QStringLiteral("p99.9 of package in to target out, packet by timer"),
-                       ratio(packet.reaction, timer.reaction), QString());
+                       ratio(packet.reaction, timer.reaction), QString(),
+                       required ? std::optional(1.0) : std::nullopt);
             report.add(QStringLiteral("packages during both circles"),
                        static_cast<double>(receiver.counters().packets - packets), QString());
             report.add(QStringLiteral("allocations in both threads"),
