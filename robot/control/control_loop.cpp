@@ -35,6 +35,7 @@ void ControlLoop::begin(std::int32_t session, double period, const ArmLimits& ar
     data_ = {};
     data_.hostNs = nowNs;
     hasData_ = false;
+    pace_ = realtime::ArrivalPace(period);
     unansweredSinceNs_ = 0;
     followed_ = kNoMotion;
     sentMotion_ = kNoMotion;
@@ -95,6 +96,7 @@ Command ControlLoop::tick(const Feedback& data) {
         }
     }
     data_ = data;
+    evenNs_ = pace_.follow(data.hostNs, data.timestamp);
     if (!hasData_) {
         hasData_ = true;
         echoed_ = data.echo.sequence;
@@ -139,7 +141,7 @@ std::int64_t ControlLoop::dueNs() {
     hookInUse_.store(true);
     const CycleHook* const hook = hook_.load();
     const bool waits = hook != nullptr && hook->motion() == followed_ && !endRequested_.load();
-    const std::int64_t due = waits ? hook->dueNs() : kNoCycleDue;
+    const std::int64_t due = waits ? hook->dueNs(pace_) : kNoCycleDue;
     hookInUse_.store(false);
     return due;
 }
@@ -151,7 +153,7 @@ bool ControlLoop::cycleWithoutPackage(std::int64_t nowNs, Command& out) {
     }
     out = {};
     composedNs_ = nowNs;
-    composeProgram(*motion, data_, false, out);
+    composeProgram(*motion, data_, {period_, false, nowNs}, out);
     noteEnded(nowNs);
     seal(out, nowNs);
     publish();
@@ -326,11 +328,11 @@ void ControlLoop::compose(const Feedback& data, Command& command) {
     if (motion->kind == MotionCommand::Kind::Jog) {
         composeJog(*motion, data, command);
     } else {
-        composeProgram(*motion, data, true, command);
+        composeProgram(*motion, data, {period_, true, evenNs_}, command);
     }
 }
 
-void ControlLoop::composeProgram(const MotionCommand& motion, const Feedback& data, bool fresh,
+void ControlLoop::composeProgram(const MotionCommand& motion, const Feedback& data, const Occasion& occasion,
                                  Command& command) {
     const MotionCommand* from = &motion;
     MotionCommand hooked;
@@ -339,7 +341,7 @@ void ControlLoop::composeProgram(const MotionCommand& motion, const Feedback& da
     if (hook != nullptr && hook->motion() == motion.id) {
         hooked = motion;
         from = &hooked;
-        if (!hook->cycle(data, fresh, period_, hooked)) {
+        if (!hook->cycle(data, occasion, hooked)) {
             mailbox_.end(motion.id, StopCause::Completed, data.hostNs);
         }
         composedNs_ = std::max(composedNs_, hook->beganNs());

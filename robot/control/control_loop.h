@@ -15,6 +15,7 @@
 #include "robot/control/registers.h"
 #include "robot/control/stop_meter.h"
 #include "robot/control/velocity_limiter.h"
+#include "robot/realtime/arrival_pace.h"
 #include "robot/realtime/seqlock.h"
 #include "robot/realtime/triple_buffer.h"
 
@@ -27,17 +28,23 @@ inline constexpr double kMaxRoundTripMs = 100.0;
 
 inline constexpr std::int64_t kNoCycleDue = std::numeric_limits<std::int64_t>::max();
 
+/// What a cycle is run for.
+struct Occasion {
+    double period = 0.002;   ///< [s]
+    bool fresh = true;       ///< the data have just come; otherwise they are those of the package before
+    std::int64_t dueNs = 0;  ///< when a cycle that is to be even begins, by the clock of Feedback::hostNs
+};
+
 /// Computes the target of one motion in step with the packages: see packet_loop.h.
 class CycleHook {
 public:
     virtual MotionId motion() const = 0;
     /// Called in the control thread. Returns  false to end the motion
-    /// fresh  `data` have just come; otherwise dueNs() is over, and they are those of the package before
-    virtual bool cycle(const Feedback& data, bool fresh, double period, MotionCommand& target) = 0;
+    virtual bool cycle(const Feedback& data, const Occasion& occasion, MotionCommand& target) = 0;
     /// When the last cycle began, by the clock of Feedback::hostNs: it may have waited for its moment.
     virtual std::int64_t beganNs() const = 0;
     /// When the next cycle is to run even if no package comes until then; kNoCycleDue: it waits for one.
-    virtual std::int64_t dueNs() const = 0;
+    virtual std::int64_t dueNs(const realtime::ArrivalPace& pace) const = 0;
 
 protected:
     ~CycleHook() = default;
@@ -108,7 +115,8 @@ private:
     void leave(ControlLoss loss, StopCause cause, std::int64_t nowNs);
     void endActive(StopCause cause, std::int64_t nowNs);
     void compose(const Feedback& data, Command& command);
-    void composeProgram(const MotionCommand& motion, const Feedback& data, bool fresh, Command& command);
+    void composeProgram(const MotionCommand& motion, const Feedback& data, const Occasion& occasion,
+                        Command& command);
     bool cycleWithoutPackage(std::int64_t nowNs, Command& out);
     void composeJog(const MotionCommand& motion, const Feedback& data, Command& command);
     bool feelsContact(const JogTarget& target, const Feedback& data);
@@ -138,6 +146,8 @@ private:
 
     Feedback data_;  ///< the newest
     bool hasData_ = false;
+    realtime::ArrivalPace pace_{period_};
+    std::int64_t evenNs_ = 0;      ///< when the newest package's cycle is to begin, to be even
     std::int64_t composedNs_ = 0;  ///< when the command was made that is about to be sent
     std::int32_t sequence_ = 0;
     static constexpr std::size_t kSentMemory = 512;

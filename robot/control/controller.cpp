@@ -17,7 +17,7 @@ namespace {
 
 // How often the control thread looks up when no data come. In real time only: whether they are late is
 // decided by the Clock.
-constexpr std::chrono::milliseconds kLookUp(4);
+constexpr std::int64_t kLookUpNs = 4 * kNsPerMs;
 
 bool isFinite(const JogTarget& target) {
     return target.twist.linear.allFinite() && target.twist.angular.allFinite() && target.qd.allFinite() &&
@@ -104,9 +104,10 @@ void Controller::Private::run() {
     bool alive = true;
     while (alive && !quit.load(std::memory_order_acquire)) {
         const std::int64_t due = loop.dueNs();
-        const std::chrono::nanoseconds left(due == kNoCycleDue ? kNoCycleDue
-                                                               : std::max<std::int64_t>(due - now(), 0));
-        switch (connection->readPackage(values, std::min<std::chrono::nanoseconds>(left, kLookUp))) {
+        // The last of the wait for a cycle that is due is spent looking, not asleep.
+        const std::int64_t left = due == kNoCycleDue ? kLookUpNs : due - now() - kWakeUpNs;
+        const std::chrono::nanoseconds wait(std::clamp<std::int64_t>(left, 0, kLookUpNs));
+        switch (connection->readPackage(values, wait)) {
             case rtde::Connection::Read::Package:
                 alive = send(loop.tick(layout.decode(values, now())));
                 break;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/control/packet_loop.h"
 
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <exception>
@@ -8,7 +9,6 @@
 
 #include "robot/control/controller_private.h"
 #include "robot/control/setpoint_command.h"
-#include "robot/realtime/arrival_pace.h"
 
 namespace tiller::control {
 
@@ -18,20 +18,21 @@ template <class Target, class Parameters>
 class Cycle final : public CycleHook {
 public:
     Cycle(const CycleCallback<Target>& callback, const SetpointRules& rules, const Parameters& parameters,
-          MotionId motion, const Clock& clock, Pacing pacing)
+          MotionId motion, const Clock& clock, Pacing pacing, std::int64_t awakeNs)
         : callback_(callback)
         , rules_(rules)
         , parameters_(parameters)
         , motion_(motion)
         , clock_(clock)
-        , pacing_(pacing) {}
+        , isEven_(pacing == Pacing::Even && clock.runsByItself())
+        , awakeNs_(awakeNs) {}
 
     MotionId motion() const override { return motion_; }
 
-    bool cycle(const Feedback& data, bool fresh, double period, MotionCommand& target) override {
-        const bool goesOn =
-            fresh && isServed(data, period) ? repeat(data, period, target) : run(data, fresh, period, target);
-        if (fresh) {
+    bool cycle(const Feedback& data, const Occasion& occasion, MotionCommand& target) override {
+        const bool served = occasion.fresh && isServed(data, occasion.period);
+        const bool goesOn = served ? repeat(occasion.period, target) : run(data, occasion, target);
+        if (occasion.fresh) {
             packetAt_ = data.timestamp;
         }
         return goesOn;
@@ -41,45 +42,43 @@ public:
 
     // A path that has become longer for good, or a robot that stalls, is not to be outrun: the packets lead.
     // Nor is anything made up for that this thread overslept.
-    std::int64_t dueNs() const override {
-        if (!pace_ || !pace_->isSettled() || staleInARow_ >= kMostInARow) {
+    std::int64_t dueNs(const realtime::ArrivalPace& pace) const override {
+        if (!isEven_ || report.cycles == 0 || !pace.isSettled() || staleInARow_ >= kMostInARow) {
             return kNoCycleDue;
         }
         const auto periodNs = static_cast<std::int64_t>(period_ * 1e9);
-        const std::int64_t due = pace_->expectedNs(servedAt_ + period_);
+        const std::int64_t due = pace.expectedNs(servedAt_ + period_);
         return clock_.nowNs() - due > periodNs / 2 ? kNoCycleDue : due;
+    }
+
+    /// How long who waits for the end is to sleep, at least 1 ms, to wake up when a cycle has just been run:
+    /// at other times, perhaps at real-time priority, it would be in the way of the next one. Threads  any
+    std::chrono::nanoseconds quietIn() const {
+        return std::chrono::nanoseconds(std::max(quietNs_.load() - clock_.nowNs(), kNsPerMs));
     }
 
     CycleReport report;
     Error error;
 
 private:
-    static constexpr int kMostInARow = 5;  ///< cycles without their packets
+    static constexpr int kMostInARow = 5;                  ///< cycles without their packets
+    static constexpr std::int64_t kLookNs = 9 * kNsPerMs;  ///< between two looks of who waits, about
 
     /// Its cycle has already been run without it.
     bool isServed(const Feedback& data, double period) const {
         return report.cycles > 0 && data.timestamp > packetAt_ && data.timestamp < servedAt_ + period / 2;
     }
 
-    /// Time stamps that stand still, go back or leap are no pace to keep.
-    bool leaps(const Feedback& data) const {
-        constexpr double kFurthest = 1;  // [s]
-        const double step = data.timestamp - packetAt_;
-        return !(step > 0 && step < kFurthest);
-    }
-
-    bool repeat(const Feedback& data, double period, MotionCommand& target) {
-        if (pace_) {
-            pace_->due(data.hostNs, data.timestamp);
-        }
+    bool repeat(double period, MotionCommand& target) {
         fill(target, parameters_, period);
         fill(target, last_);
         return true;
     }
 
-    bool run(const Feedback& data, bool fresh, double period, MotionCommand& target) {
+    bool run(const Feedback& data, const Occasion& occasion, MotionCommand& target) {
+        const auto [period, fresh, dueNs] = occasion;
         const double time = fresh ? data.timestamp : servedAt_ + period;
-        const std::int64_t beginNs = begin(data, fresh, period);
+        const std::int64_t beginNs = begin(fresh, dueNs);
         note(data, time, beginNs, fresh, period);
         CycleState state;
         state.cycle = report.cycles - 1;
@@ -150,13 +149,11 @@ private:
                  QStringLiteral("the callback threw an exception: ") + what};
         return {};
     }
+
     // What is ended meanwhile is not sent any more: see ControlLoop::seal().
-    std::int64_t begin(const Feedback& data, bool fresh, double period) {
-        if (pacing_ == Pacing::Even && clock_.runsByItself() && fresh) {
-            if (!pace_ || staleInARow_ >= kMostInARow || leaps(data)) {
-                pace_.emplace(period);
-            }
-            clock_.waitUntil(pace_->due(data.hostNs, data.timestamp));
+    std::int64_t begin(bool fresh, std::int64_t dueNs) {
+        if (isEven_ && fresh) {
+            clock_.waitUntil(dueNs, awakeNs_);
         }
         return clock_.nowNs();
     }
@@ -180,6 +177,8 @@ private:
         servedAt_ = time;
         period_ = period;
         previousNs_ = beginNs;
+        const auto periodNs = static_cast<std::int64_t>(period * 1e9);
+        quietNs_.store(beginNs + periodNs / 4 + std::max<std::int64_t>(kLookNs / periodNs, 1) * periodNs);
     }
 
     const CycleCallback<Target>& callback_;
@@ -187,8 +186,8 @@ private:
     const Parameters& parameters_;
     MotionId motion_;
     const Clock& clock_;
-    Pacing pacing_;
-    std::optional<realtime::ArrivalPace> pace_;
+    bool isEven_;
+    std::int64_t awakeNs_;  ///< before a cycle
     Target last_;
     double targetAt_ = 0;  ///< by the robot's clock [s]
     double beganAt_ = 0;
@@ -197,7 +196,16 @@ private:
     double period_ = 0;
     int staleInARow_ = 0;
     std::int64_t previousNs_ = 0;
+    std::atomic<std::int64_t> quietNs_{0};
 };
+
+// A thread that the system does not let go on at once is better not asleep when its packet has come: whatever
+// gets the CPU meanwhile may keep it for milliseconds. Without a real-time priority the scheduler would make
+// it pay for that.
+std::int64_t awakeNs(const Controller::Private& d) {
+    constexpr std::int64_t kFromArrival = kNsPerSecond;
+    return d.options.priority > 0 && d.loop.status().priorityGranted ? kFromArrival : kWakeUpNs;
+}
 
 template <class Stream, class Target, class Parameters>
 Result<void> run(Controller& controller, const Result<Stream>& stream, const CycleCallback<Target>& callback,
@@ -208,12 +216,11 @@ Result<void> run(Controller& controller, const Result<Stream>& stream, const Cyc
     const Motion motion = stream->motion();
     const SetpointRules rules = rulesOf(controller);
     auto& d = ControllerAccess::of(controller);
-    Cycle<Target, Parameters> cycle(callback, rules, parameters, motion.id(), *d.options.clock, pacing);
+    Cycle<Target, Parameters> cycle(callback, rules, parameters, motion.id(), *d.options.clock, pacing,
+                                    awakeNs(d));
     d.loop.setHook(&cycle);
-    // A waiter that looks up every millisecond, as wait() does, at real-time priority perhaps, gets in the
-    // way of the cycles.
     while (motion.isActive() && !deadline.hasExpired()) {
-        std::this_thread::sleep_for(deadline.nextPoll());
+        std::this_thread::sleep_for(std::min<std::chrono::nanoseconds>(deadline.nextPoll(), cycle.quietIn()));
     }
     Result<void> ended = motion.wait(deadline);
     motion.cancel();

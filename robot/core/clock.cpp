@@ -23,10 +23,9 @@ void SteadyClock::sleepUntil(std::int64_t ns) {
 #endif
 }
 
-void SteadyClock::waitUntil(std::int64_t ns) const {
-    constexpr std::int64_t kSpinNs = 100'000;  // how late a sleeping thread may wake up, mostly
-    if (ns - nowNs() > kSpinNs) {
-        sleepUntil(ns - kSpinNs);
+void SteadyClock::waitUntil(std::int64_t ns, std::int64_t awakeNs) const {
+    if (ns - nowNs() > awakeNs) {
+        sleepUntil(ns - awakeNs);
     }
     while (nowNs() < ns) {
     }

@@ -18,9 +18,9 @@ public:
     virtual std::int64_t nowNs() const = 0;
     /// False where time stands still until it is told to go on: nothing may wait for it then.
     virtual bool runsByItself() const = 0;
-    /// Returns at this moment and no earlier, to within microseconds if the machine is there: the last of it
-    /// is spun away. At once where time does not run by itself.
-    virtual void waitUntil(std::int64_t ns) const = 0;
+    /// Returns at this moment and no earlier, to within microseconds if the machine is there: the last
+    /// `awakeNs` are spun away. At once where time does not run by itself.
+    virtual void waitUntil(std::int64_t ns, std::int64_t awakeNs) const = 0;
 };
 
 class SteadyClock final : public Clock {
@@ -31,7 +31,7 @@ public:
             .count();
     }
     bool runsByItself() const override { return true; }
-    void waitUntil(std::int64_t ns) const override;
+    void waitUntil(std::int64_t ns, std::int64_t awakeNs) const override;
     /// Sleeps until this moment at least, without spinning.
     static void sleepUntil(std::int64_t ns);
     /// For owners that were given no clock: it has no state, so one serves all.
@@ -47,7 +47,7 @@ public:
     explicit VirtualClock(std::int64_t startNs = 1'000'000'000) : now_(startNs) {}
     std::int64_t nowNs() const override { return now_.load(std::memory_order_acquire); }
     bool runsByItself() const override { return false; }
-    void waitUntil(std::int64_t /*ns*/) const override {}
+    void waitUntil(std::int64_t /*ns*/, std::int64_t /*awakeNs*/) const override {}
     void advanceNs(std::int64_t ns) { now_.fetch_add(ns, std::memory_order_acq_rel); }
 
 private:
@@ -56,5 +56,7 @@ private:
 
 inline constexpr std::int64_t kNsPerMs = 1'000'000;
 inline constexpr std::int64_t kNsPerSecond = 1'000'000'000;
+/// How late a sleeping thread wakes up at most, mostly.
+inline constexpr std::int64_t kWakeUpNs = 100'000;
 
 }  // namespace tiller

@@ -15,22 +15,30 @@ public:
     /// period  between two packages [s]; none is held back for more than half of it
     explicit ArrivalPace(double period);
 
-    /// A package made at `senderTime` [s] arrived. Returns  when to work on it [ns]: evenly after the others,
-    ///                                                       or at once when it came too late for that
-    std::int64_t due(std::int64_t arrivedNs, double senderTime);
+    /// A package made at `senderTime` [s] arrived. Time stamps that stand still, go back or leap begin anew.
+    /// Returns  when to work on it [ns]: evenly after the others, or at once when it came too late for that
+    std::int64_t follow(std::int64_t arrivedNs, double senderTime);
 
-    /// When the one made then is to be worked on, wherever it is [ns]. Not before the first due().
+    /// When the one made then is to be worked on, wherever it is [ns]. Not before the first follow().
     std::int64_t expectedNs(double senderTime) const;
     /// Whether enough have come to expect the next ones.
     bool isSettled() const { return packages_ >= 300; }
 
 private:
+    void begin(double delay);
+    void learn(double late);
+    void hold();
+
     double periodNs_;
-    double mostNs_;        ///< highest margin
-    double origin_ = 0;    ///< arrival minus sender's time of the first package [ns]
-    double usualNs_ = 0;   ///< median of the same, of the others, since `origin_`
-    double marginNs_ = 0;  ///< how much later than usual all but one in a thousand come
+    double mostNs_;          ///< highest margin
+    double senderTime_ = 0;  ///< of the newest package [s]
     double packages_ = 0;
+    double origin_ = 0;       ///< arrival minus sender's time of the first package [ns]
+    double usualNs_ = 0;      ///< median of the same, of the others, since `origin_`
+    double marginNs_ = 0;     ///< how much later than usual all but one in a thousand come
+    double heldNs_ = 0;       ///< when they are worked on, since `origin_`: follows the two in small steps
+    int lateInARow_ = 0;      ///< packages later than any margin
+    double leastLateNs_ = 0;  ///< the least that one of these was later than usual
 };
 
 }  // namespace tiller::realtime

@@ -176,10 +176,10 @@ double p999Ms(const Durations& durations) {
 }
 
 // Which loop is the more even one, with nothing beside that measures: the machine watch and the timer that
-// does nothing cost each cycle in ten some 20 us, more than what is compared. In turns, so that what the
-// machine does meets both.
+// does nothing cost each cycle in ten some 20 us, more than what is compared. In short turns, so that what
+// the machine does meets both.
 void compareLoops(Report& report, control::Controller& controller, double seconds) {
-    constexpr double kTurn = 2 / Circle::kFrequency;  // where it ends, the next one begins
+    constexpr double kTurn = 1 / Circle::kFrequency;  // where it ends, the next one begins
     const int turns = std::max(1, static_cast<int>(seconds / kTurn));
     CircleResult timer(turns * kTurn);
     CircleResult packet(turns * kTurn);
@@ -232,6 +232,23 @@ Spans roundTrips(const receive::Receiver& receiver, const QString& host, int cou
     return trips;
 }
 
+/// The last of those this process may use; empty when it is the only one. Where a real-time thread may be
+/// moved, waking it on the other CPU costs more than what is measured, and its cycles are at the mercy of
+/// whatever runs on either.
+std::vector<int> lastCpu() {
+#ifdef __linux__
+    cpu_set_t allowed;
+    if (sched_getaffinity(0, sizeof allowed, &allowed) == 0 && CPU_COUNT(&allowed) > 1) {
+        for (int cpu = CPU_SETSIZE - 1; cpu >= 0; --cpu) {
+            if (CPU_ISSET(static_cast<std::size_t>(cpu), &allowed)) {
+                return {cpu};
+            }
+        }
+    }
+#endif
+    return {};
+}
+
 struct Condition {
     const char* name;
     bool realtime;
@@ -250,12 +267,17 @@ void measure(Report& report, const Wishes& wishes, const Condition& condition, c
         report.cannot(QStringLiteral("the simulated controller"), started.error().toString());
         return;
     }
+    // The program's threads stay on one CPU, as its users are told to have them; the robot goes where it
+    // likes.
+    const std::vector<int> cpus = condition.realtime ? lastCpu() : std::vector<int>();
     receive::ReceiverOptions following;
+    following.cpus = cpus;
     following.host = address;
     following.priority = condition.realtime ? 90 : 0;
     receive::Receiver receiver(following);
     receiver.start();
     control::ControllerOptions wanted;
+    wanted.cpus = cpus;
     wanted.host = address;
     wanted.priority = condition.realtime ? 85 : 0;
     control::Controller controller(wanted);
@@ -264,16 +286,16 @@ void measure(Report& report, const Wishes& wishes, const Condition& condition, c
         return;
     }
     const bool required = condition.realtime && condition.load;
+    const Load load(condition.load);
     std::thread worker([&] {  // of its own, so that its priority ends with it
         if (condition.realtime) {
-            const auto granted = realtime::requestRealtime(80, {}, true);
+            const auto granted = realtime::requestRealtime(80, cpus, true);
             report.add(QStringLiteral("real-time priority refused"), granted.priority.granted ? 0 : 1,
                        QString(), 0.0);
             for (const QString& advice : granted.advice) {
                 QTextStream(stderr) << advice << '\n';
             }
         }
-        const Load load(condition.load);
         std::this_thread::sleep_for(500ms);
         CircleResult warmUp(0.5);
         timerCircle(controller, 0.5, warmUp);

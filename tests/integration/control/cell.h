@@ -28,7 +28,7 @@ public:
     /// How often it has been looked at.
     std::uint64_t asked() const { return asked_.load(std::memory_order_acquire); }
     bool runsByItself() const override { return pretending_; }
-    void waitUntil(std::int64_t /*ns*/) const override {}
+    void waitUntil(std::int64_t /*ns*/, std::int64_t /*awakeNs*/) const override {}
     void advanceNs(std::int64_t ns) { clock_.advanceNs(ns); }
     /// What is done at due times is done then; nobody waits for them all the same.
     void pretendToRun() { pretending_ = true; }

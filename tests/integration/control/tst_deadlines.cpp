@@ -23,7 +23,7 @@ public:
         return now;
     }
     bool runsByItself() const override { return clock_.runsByItself(); }
-    void waitUntil(std::int64_t ns) const override { clock_.waitUntil(ns); }
+    void waitUntil(std::int64_t ns, std::int64_t awakeNs) const override { clock_.waitUntil(ns, awakeNs); }
     std::uint64_t asked() const { return asked_.load(std::memory_order_acquire); }
 
 private:
