@@ -267,8 +267,7 @@ void measure(Report& report, const Wishes& wishes, const Condition& condition, c
         report.cannot(QStringLiteral("the simulated controller"), started.error().toString());
         return;
     }
-    // The program's threads stay on one CPU, as its users are told to have them; the robot goes where it
-    // likes.
+    // As ControllerOptions::cpus advises; the robot goes where it likes.
     const std::vector<int> cpus = condition.realtime ? lastCpu() : std::vector<int>();
     receive::ReceiverOptions following;
     following.cpus = cpus;
