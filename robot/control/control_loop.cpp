@@ -96,7 +96,7 @@ Command ControlLoop::tick(const Feedback& data) {
         }
     }
     data_ = data;
-    evenNs_ = pace_.follow(data.hostNs, data.timestamp);
+    evenNs_ = pace_.follow(data.hostNs, data.timestamp, data.awaited);
     if (!hasData_) {
         hasData_ = true;
         echoed_ = data.echo.sequence;

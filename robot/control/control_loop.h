@@ -30,9 +30,10 @@ inline constexpr std::int64_t kNoCycleDue = std::numeric_limits<std::int64_t>::m
 
 /// What a cycle is run for.
 struct Occasion {
-    double period = 0.002;   ///< [s]
-    bool fresh = true;       ///< the data have just come; otherwise they are those of the package before
-    std::int64_t dueNs = 0;  ///< when a cycle that is to be even begins, by the clock of Feedback::hostNs
+    double period = 0.002;  ///< [s]
+    bool fresh = true;      ///< the data have just come; otherwise they are those of the package before
+    /// Fresh: when it is to begin, to be even, by the clock of Feedback::hostNs.
+    std::int64_t evenNs = 0;
 };
 
 /// Computes the target of one motion in step with the packages: see packet_loop.h.

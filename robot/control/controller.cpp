@@ -18,6 +18,8 @@ namespace {
 // How often the control thread looks up when no data come. In real time only: whether they are late is
 // decided by the Clock.
 constexpr std::int64_t kLookUpNs = 4 * kNsPerMs;
+// What is found so soon after the thread had something to do may have come meanwhile.
+constexpr std::int64_t kBusyNs = kNsPerMs / 20;
 
 bool isFinite(const JogTarget& target) {
     return target.twist.linear.allFinite() && target.twist.angular.allFinite() && target.qd.allFinite() &&
@@ -102,19 +104,28 @@ void Controller::Private::run() {
         return sent;
     };
     bool alive = true;
+    std::int64_t doneNs = now();
+    const auto answer = [&](const Command& command) {
+        doneNs = now();
+        return send(command);
+    };
     while (alive && !quit.load(std::memory_order_acquire)) {
         const std::int64_t due = loop.dueNs();
         // The last of the wait for a cycle that is due is spent looking, not asleep.
         const std::int64_t left = due == kNoCycleDue ? kLookUpNs : due - now() - kWakeUpNs;
         const std::chrono::nanoseconds wait(std::clamp<std::int64_t>(left, 0, kLookUpNs));
         switch (connection->readPackage(values, wait)) {
-            case rtde::Connection::Read::Package:
-                alive = send(loop.tick(layout.decode(values, now())));
+            case rtde::Connection::Read::Package: {
+                Feedback data = layout.decode(values, now());
+                data.awaited = data.hostNs - doneNs > kBusyNs;
+                alive = answer(loop.tick(data));
                 break;
+            }
             case rtde::Connection::Read::Nothing: {
+                const bool looksOn = wait.count() == 0 && now() < due;
                 Command command;
-                if (loop.fallback(now(), command)) {
-                    alive = send(command);
+                if (!looksOn && loop.fallback(now(), command)) {
+                    alive = answer(command);
                 }
                 break;
             }

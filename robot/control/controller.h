@@ -37,8 +37,8 @@ struct ControllerOptions {
     const Clock* clock = &SteadyClock::shared();
     RegisterRange registers = RegisterRange::Upper;
     int priority = 85;  ///< SCHED_FIFO; 0 = leave the thread as it is
-    /// The control thread stays on these CPUs, counted from 0; empty: where the system puts it. At a real-time
-    /// priority one is best, the receiver's: being woken up on another one takes longer.
+    /// The control thread stays on these CPUs, counted from 0; empty: where the system puts it. At a
+    /// real-time priority one is best, the receiver's: being woken up on another one takes longer.
     std::vector<int> cpus;
     MotionLimits limits;
     /// Used for the limiter until, or unless, the controller has told its own dimensions.

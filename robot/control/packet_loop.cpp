@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/control/packet_loop.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -76,9 +77,9 @@ private:
     }
 
     bool run(const Feedback& data, const Occasion& occasion, MotionCommand& target) {
-        const auto [period, fresh, dueNs] = occasion;
+        const auto [period, fresh, evenNs] = occasion;
         const double time = fresh ? data.timestamp : servedAt_ + period;
-        const std::int64_t beginNs = begin(fresh, dueNs);
+        const std::int64_t beginNs = begin(fresh, evenNs, period);
         note(data, time, beginNs, fresh, period);
         CycleState state;
         state.cycle = report.cycles - 1;
@@ -98,7 +99,8 @@ private:
         const auto before = std::chrono::steady_clock::now();
         const std::optional<Target> wanted = ask(state);
         const auto took = std::chrono::steady_clock::now() - before;
-        report.calls.add(std::chrono::nanoseconds(took).count());
+        callNs_ = std::chrono::nanoseconds(took).count();
+        report.calls.add(callNs_);
         if (std::chrono::duration<double>(took).count() > period) {
             ++report.overruns;
         }
@@ -150,10 +152,12 @@ private:
         return {};
     }
 
-    // What is ended meanwhile is not sent any more: see ControlLoop::seal().
-    std::int64_t begin(bool fresh, std::int64_t dueNs) {
+    // What is ended meanwhile is not sent any more: see ControlLoop::seal(). A callback that takes long
+    // leaves no time to spin away: others on this CPU, who may want to stop the arm, need some of it.
+    std::int64_t begin(bool fresh, std::int64_t evenNs, double period) {
         if (isEven_ && fresh) {
-            clock_.waitUntil(dueNs, awakeNs_);
+            const bool isLong = static_cast<double>(callNs_) > period * 1e9 / 4;
+            clock_.waitUntil(evenNs, isLong ? kWakeUpNs : awakeNs_);
         }
         return clock_.nowNs();
     }
@@ -196,6 +200,7 @@ private:
     double period_ = 0;
     int staleInARow_ = 0;
     std::int64_t previousNs_ = 0;
+    std::int64_t callNs_ = 0;  ///< how long the last call took
     std::atomic<std::int64_t> quietNs_{0};
 };
 
@@ -203,8 +208,8 @@ private:
 // gets the CPU meanwhile may keep it for milliseconds. Without a real-time priority the scheduler would make
 // it pay for that.
 std::int64_t awakeNs(const Controller::Private& d) {
-    constexpr std::int64_t kFromArrival = kNsPerSecond;
-    return d.options.priority > 0 && d.loop.status().priorityGranted ? kFromArrival : kWakeUpNs;
+    constexpr std::int64_t kFromArrivalNs = kNsPerMs;  // ArrivalPace holds none back for longer
+    return d.options.priority > 0 && d.loop.status().priorityGranted ? kFromArrivalNs : kWakeUpNs;
 }
 
 template <class Stream, class Target, class Parameters>

@@ -48,12 +48,12 @@ struct CycleReport {
 /// When the cycle of a packet begins.
 enum class Pacing {
     /// In step with the robot: after the usual moment of arrival by what all but one in a thousand packets
-    /// are later than that, a quarter of a period at most, and a little more. That wait, half a period at
-    /// most, is spun away at a real-time priority, otherwise the last 0.1 ms of it. A packet that is not
-    /// there by then has its cycle without it (CycleState::fresh), up to five
-    /// in a row. The controller learns the pace in the first 300 packets after takeControl(), 0.6 s at 500
-    /// Hz;
-    /// until then each is waited for.
+    /// are later than that (0.5 ms at most, and a quarter of a period) and a little more. At a real-time
+    /// priority the thread stays awake meanwhile, otherwise for the last 0.1 ms. A packet that is not there
+    /// by
+    /// then has its cycle without it (CycleState::fresh), up to five in a row. The pace is known 300 packets
+    /// after takeControl(), 0.6 s at 500 Hz; until then each packet is waited for. A callback that takes so
+    /// long that the next packet is there when it returns leaves less to lay out.
     Even,
     /// When the packet comes, and only then: the newest data, as unevenly as the network brings them.
     AtOnce,
@@ -62,6 +62,7 @@ enum class Pacing {
 /// Returns the target of this cycle, or nothing to end the loop (the arm brakes).
 /// Threads  called in the control thread, at its priority: it must return within the period, and not wait,
 ///          lock or allocate. While it runs no heartbeat leaves: one that hangs stops the arm within 100 ms.
+///          At a real-time priority nothing else runs on its CPU meanwhile: leave it a tenth of the period.
 template <class Target>
 using CycleCallback = std::function<std::optional<Target>(const CycleState&)>;
 

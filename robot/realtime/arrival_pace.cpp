@@ -14,8 +14,10 @@ namespace {
 constexpr double kFirstStep = 0.1;
 constexpr double kUsualStep = 0.0005;
 constexpr double kMarginStep = 0.01;
-constexpr double kGrace = 0.025;       // beyond the margin, for those that are just late
-constexpr double kFirstPackages = 50;  // until the median is good enough to judge by
+constexpr double kLessStep = 0.0025;
+constexpr double kHighestNs = 500'000;  // margin, and a quarter of a period at most
+constexpr double kGrace = 0.1;          // of the highest, beyond the margin: for those that are just late
+constexpr double kFirstPackages = 50;   // until the median is good enough to judge by
 constexpr double kMedian = 0.5;
 constexpr double kNearlyAll = 0.999;
 constexpr double kFurthest = 1;    // between two time stamps [s]
@@ -32,20 +34,28 @@ void track(double& quantile, double value, double part, double step) {
 
 }  // namespace
 
-ArrivalPace::ArrivalPace(double period) : periodNs_(period * 1e9), mostNs_(periodNs_ / 4) {}
+ArrivalPace::ArrivalPace(double period)
+    : periodNs_(period * 1e9), mostNs_(std::min(periodNs_ / 4, kHighestNs)) {}
 
-std::int64_t ArrivalPace::follow(std::int64_t arrivedNs, double senderTime) {
+std::int64_t ArrivalPace::follow(std::int64_t arrivedNs, double senderTime, bool awaited) {
     const double delay = static_cast<double>(arrivedNs) - senderTime * 1e9;
     const double step = senderTime - senderTime_;
-    if (packages_ == 0 || !(step > 0 && step < kFurthest)) {
+    if (packages_ == 0 || !(step >= 0 && step < kFurthest)) {
         begin(delay);
     }
     senderTime_ = senderTime;
-    ++packages_;
-    learn(delay - origin_);
+    const double late = delay - origin_;
+    if (awaited || packages_ == 0) {
+        ++packages_;
+        learn(late);
+    } else {
+        holdLess(late);
+    }
     hold();
-    return std::clamp(expectedNs(senderTime), arrivedNs,
-                      arrivedNs + static_cast<std::int64_t>(periodNs_ / 2));
+    if (!awaited && marginNs_ <= 0) {
+        return arrivedNs;
+    }
+    return std::clamp(expectedNs(senderTime), arrivedNs, arrivedNs + static_cast<std::int64_t>(2 * mostNs_));
 }
 
 std::int64_t ArrivalPace::expectedNs(double senderTime) const {
@@ -57,6 +67,7 @@ void ArrivalPace::begin(double delay) {
     origin_ = delay;
     usualNs_ = 0;
     marginNs_ = 0;
+    latestNs_ = 0;
     lateInARow_ = 0;
 }
 
@@ -80,16 +91,34 @@ void ArrivalPace::learn(double late) {
         return;
     }
     lateInARow_ = 0;
+    learnMargin(more);
+}
+
+void ArrivalPace::learnMargin(double more) {
     if (isSettled()) {
         track(marginNs_, more, kNearlyAll, periodNs_ * kMarginStep);
     } else if (packages_ > kFirstPackages) {
-        marginNs_ = std::max(marginNs_, more);
+        // The second latest: a single one would be held against all others for a minute.
+        marginNs_ = std::max(marginNs_, std::min(more, latestNs_));
+        latestNs_ = std::max(latestNs_, more);
     }
     marginNs_ = std::clamp(marginNs_, 0.0, mostNs_);
 }
 
+// Who works on packages takes so long that the next one is there before he looks: the delay is his own, and
+// there is less time to hold them back.
+void ArrivalPace::holdLess(double late) {
+    const double less = periodNs_ * kLessStep;
+    if (late - usualNs_ < 2 * mostNs_) {
+        marginNs_ = std::max(marginNs_ - less, 0.0);
+    }
+    if (late < usualNs_) {
+        usualNs_ -= less;  // it came even before that
+    }
+}
+
 void ArrivalPace::hold() {
-    const double wanted = usualNs_ + marginNs_ + periodNs_ * kGrace;
+    const double wanted = usualNs_ + marginNs_ + mostNs_ * kGrace;
     const double off = wanted - heldNs_;
     const double most = std::max(periodNs_ * kSmallestStep, std::abs(off) * kPartOfWay);
     heldNs_ = isSettled() && std::abs(off) < mostNs_ ? heldNs_ + std::clamp(off, -most, most) : wanted;

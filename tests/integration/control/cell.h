@@ -5,6 +5,7 @@
 // step is one control period; the controller's answer has arrived before the next one begins.
 
 #include <QTest>
+#include <algorithm>
 #include <atomic>
 #include <functional>
 #include <optional>
@@ -22,13 +23,25 @@ inline constexpr double kDeg = 3.14159265358979323846 / 180;
 class CellClock final : public Clock {
 public:
     std::int64_t nowNs() const override {
-        asked_.fetch_add(1, std::memory_order_acq_rel);
+        if (std::this_thread::get_id() == counted_.load(std::memory_order_acquire)) {
+            asked_.fetch_add(1, std::memory_order_acq_rel);
+        }
         return clock_.nowNs();
     }
-    /// How often it has been looked at.
+    /// From now on the looks of this thread are counted.
+    void count(std::thread::id thread) { counted_.store(thread, std::memory_order_release); }
     std::uint64_t asked() const { return asked_.load(std::memory_order_acquire); }
     bool runsByItself() const override { return pretending_; }
-    void waitUntil(std::int64_t /*ns*/, std::int64_t /*awakeNs*/) const override {}
+    void waitUntil(std::int64_t ns, std::int64_t awakeNs) const override {
+        const std::int64_t left = ns - clock_.nowNs();
+        shortestNs_ = std::min(shortestNs_.load(), left);
+        longestNs_ = std::max(longestNs_.load(), left);
+        awakeNs_ = awakeNs;
+    }
+    /// What it has been asked to wait.
+    std::int64_t shortestNs() const { return shortestNs_; }
+    std::int64_t longestNs() const { return longestNs_; }
+    std::int64_t awakeNs() const { return awakeNs_; }
     void advanceNs(std::int64_t ns) { clock_.advanceNs(ns); }
     /// What is done at due times is done then; nobody waits for them all the same.
     void pretendToRun() { pretending_ = true; }
@@ -36,7 +49,11 @@ public:
 private:
     VirtualClock clock_;
     std::atomic<bool> pretending_{false};
+    std::atomic<std::thread::id> counted_{};
     mutable std::atomic<std::uint64_t> asked_{0};
+    mutable std::atomic<std::int64_t> shortestNs_{kNsPerSecond};  // one thread waits
+    mutable std::atomic<std::int64_t> longestNs_{0};
+    mutable std::atomic<std::int64_t> awakeNs_{0};
 };
 
 class Cell {

@@ -32,6 +32,7 @@ public:
             ended = PacketLoop(*cell_.controller, pacing)
                         .servoJ(
                             [&](const CycleState& state) -> std::optional<JointPositions> {
+                                cell_.clock.count(std::this_thread::get_id());
                                 if (quit_) {
                                     return std::nullopt;
                                 }
@@ -95,6 +96,19 @@ class TestPacketPacing : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void everyCycleWaitsForItsMoment() {
+        Cell cell;
+        cell.clock.pretendToRun();
+        QVERIFY(cell.takeControl().ok());
+        StandingLoop loop(cell, Pacing::Even);
+        QVERIFY(cell.step(20));
+        QVERIFY(loop.cycles >= 20);
+        // From the first on: late packets are waited for, and it is the last of the wait that is spun away.
+        QVERIFY2(cell.clock.shortestNs() > kLateNs, qPrintable(QString::number(cell.clock.shortestNs())));
+        QVERIFY2(cell.clock.longestNs() < kOverdueNs, qPrintable(QString::number(cell.clock.longestNs())));
+        QCOMPARE(cell.clock.awakeNs(), kWakeUpNs);
+    }
+
     void aLatePacketDelaysNoCycle() {
         Cell cell;
         cell.clock.pretendToRun();
@@ -166,6 +180,7 @@ private Q_SLOTS:
         cell.clock.pretendToRun();
         QVERIFY(cell.takeControl().ok());
         StandingLoop loop(cell, Pacing::AtOnce);
+        QCOMPARE(cell.clock.longestNs(), 0);
         const int before = loop.cycles;
         cell.clock.advanceNs(kPeriodNs + kOverdueNs);
         const std::uint64_t asked = cell.clock.asked();

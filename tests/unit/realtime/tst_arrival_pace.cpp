@@ -126,6 +126,7 @@ private Q_SLOTS:
         QTest::newRow("by more than that") << 800'000.0;
         QTest::newRow("by more than a period") << 5'000'000.0;
         QTest::newRow("a shorter one") << -400'000.0;
+        QTest::newRow("a much shorter one") << -800'000.0;
     }
     void aLongerPathIsFollowed() {
         QFETCH(double, longer);
@@ -137,6 +138,54 @@ private Q_SLOTS:
             QVERIFY2(cycles[i].heldNs() > 0, qPrintable(QString::number(i)));
         }
         QVERIFY2(unevenness(cycles, kSoon) < 4'000, qPrintable(QString::number(unevenness(cycles, kSoon))));
+        // Once late ones have widened the margin it takes its time, but what is usual follows at once or
+        // soon.
+        const std::int64_t most = longer > 0 && longer < 500'000 ? 500'000 : 250'000;
+        QVERIFY2(cycles.back().heldNs() < most, qPrintable(QString::number(cycles.back().heldNs())));
+    }
+
+    // Who looks late must not take his own lateness for the path's: that would make him later still.
+    void workThatTakesLongDelaysNoneOfIt_data() {
+        QTest::addColumn<double>("busy");
+        QTest::addColumn<double>("drift");
+        for (const double busy : {0.5, 0.8, 0.9, 0.96, 0.98, 0.995}) {
+            for (const double drift : {0.0, 1e-4, -1e-4}) {
+                QTest::addRow("%g of a period, drift %g", busy, drift) << busy << drift;
+            }
+        }
+    }
+    void workThatTakesLongDelaysNoneOfIt() {
+        QFETCH(double, busy);
+        QFETCH(double, drift);
+        constexpr std::int64_t kLooking = 50'000;  // how long who waits must have waited
+        ArrivalPace pace(kPeriod);
+        const auto shaken = jitter(300'000);
+        std::int64_t ready = 0;
+        for (int i = 0; i < 60'000; ++i) {
+            const double made = i * kPeriodNs * (1 + drift);
+            const auto came = static_cast<std::int64_t>(made + shaken(i));
+            const std::int64_t found = std::max(came, ready);
+            const std::int64_t begun = pace.follow(found, 777 + i * kPeriod, found - ready > kLooking);
+            ready = begun + static_cast<std::int64_t>(busy * kPeriodNs);
+            // 0.3 ms of jitter, 0.55 ms of hold; and nothing that adds up.
+            QVERIFY2(static_cast<double>(begun) - made < kPeriodNs / 2,
+                     qPrintable(QStringLiteral("%1: %2").arg(i).arg(static_cast<double>(begun) - made)));
+        }
+    }
+
+    void oneLateAmongTheFirstIsNotHeldAgainstAll() {
+        ArrivalPace pace(kPeriod);
+        const auto cycles = follow(pace, 1000, [](int i) { return i == 200 ? 450'000.0 : 0.0; });
+        QVERIFY2(cycles.back().heldNs() < 75'000, qPrintable(QString::number(cycles.back().heldNs())));
+    }
+
+    void aTimeStampThatStandsStillTellsNothing() {
+        ArrivalPace pace(kPeriod);
+        for (int i = 0; i < 1000; ++i) {
+            const std::int64_t due = pace.follow(kNsPerMs * 2 * i, 200 + (i == 500 ? 499 : i) * kPeriod);
+            QVERIFY(i == 500 || due - kNsPerMs * 2 * i < 75'000);
+            QCOMPARE(pace.isSettled(), i >= 299);
+        }
     }
 
     void aClockThatIsSetBeginsAnew_data() {
