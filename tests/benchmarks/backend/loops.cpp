@@ -232,21 +232,32 @@ Spans roundTrips(const receive::Receiver& receiver, const QString& host, int cou
     return trips;
 }
 
-/// The last of those this process may use; empty when it is the only one. Where a real-time thread may be
-/// moved, waking it on the other CPU costs more than what is measured, and its cycles are at the mercy of
-/// whatever runs on either.
-std::vector<int> lastCpu() {
+/// Where the threads stay: the program's on one CPU, as ControllerOptions::cpus advises, the robot's, which
+/// is a computer of its own, on the others.
+struct Places {
+    std::vector<int> program;
+    std::vector<int> robot;
+};
+
+/// The last of the CPUs this process may use, and all others; nothing when there is only one.
+Places places() {
+    std::vector<int> cpus;
 #ifdef __linux__
     cpu_set_t allowed;
-    if (sched_getaffinity(0, sizeof allowed, &allowed) == 0 && CPU_COUNT(&allowed) > 1) {
-        for (int cpu = CPU_SETSIZE - 1; cpu >= 0; --cpu) {
+    if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) {
+        for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
             if (CPU_ISSET(static_cast<std::size_t>(cpu), &allowed)) {
-                return {cpu};
+                cpus.push_back(cpu);
             }
         }
     }
 #endif
-    return {};
+    if (cpus.size() < 2) {
+        return {};
+    }
+    const int last = cpus.back();
+    cpus.pop_back();
+    return {{last}, cpus};
 }
 
 struct Condition {
@@ -263,20 +274,27 @@ void measure(Report& report, const Wishes& wishes, const Condition& condition, c
     options.poweredOn = true;
     options.priority = 95;
     simulator::Controller robot(options);
-    if (const auto started = robot.start(); !started) {
+    const Places stay = condition.realtime ? places() : Places();
+    Result<void> started;
+    std::thread starting([&] {  // what it starts stays where it is
+        if (!stay.robot.empty()) {
+            (void)realtime::bindToCpus(stay.robot);
+        }
+        started = robot.start();
+    });
+    starting.join();
+    if (!started) {
         report.cannot(QStringLiteral("the simulated controller"), started.error().toString());
         return;
     }
-    // As ControllerOptions::cpus advises; the robot goes where it likes.
-    const std::vector<int> cpus = condition.realtime ? lastCpu() : std::vector<int>();
     receive::ReceiverOptions following;
-    following.cpus = cpus;
+    following.cpus = stay.program;
     following.host = address;
     following.priority = condition.realtime ? 90 : 0;
     receive::Receiver receiver(following);
     receiver.start();
     control::ControllerOptions wanted;
-    wanted.cpus = cpus;
+    wanted.cpus = stay.program;
     wanted.host = address;
     wanted.priority = condition.realtime ? 85 : 0;
     control::Controller controller(wanted);
@@ -288,7 +306,7 @@ void measure(Report& report, const Wishes& wishes, const Condition& condition, c
     const Load load(condition.load);
     std::thread worker([&] {  // of its own, so that its priority ends with it
         if (condition.realtime) {
-            const auto granted = realtime::requestRealtime(80, cpus, true);
+            const auto granted = realtime::requestRealtime(80, stay.program, true);
             report.add(QStringLiteral("real-time priority refused"), granted.priority.granted ? 0 : 1,
                        QString(), 0.0);
             for (const QString& advice : granted.advice) {
