@@ -53,7 +53,8 @@ public:
     }
 
     /// How long who waits for the end is to sleep, at least 1 ms, to wake up when a cycle has just been run:
-    /// at other times, perhaps at real-time priority, it would be in the way of the next one. Threads  any
+    /// at other times, perhaps at real-time priority, it would be in the way of the next one.
+    /// Threads  any
     std::chrono::nanoseconds quietIn() const {
         return std::chrono::nanoseconds(std::max(quietNs_.load() - clock_.nowNs(), kNsPerMs));
     }

@@ -50,10 +50,9 @@ enum class Pacing {
     /// In step with the robot: after the usual moment of arrival by what all but one in a thousand packets
     /// are later than that (0.5 ms at most, and a quarter of a period) and a little more. At a real-time
     /// priority the thread stays awake meanwhile, otherwise for the last 0.1 ms. A packet that is not there
-    /// by
-    /// then has its cycle without it (CycleState::fresh), up to five in a row. The pace is known 300 packets
-    /// after takeControl(), 0.6 s at 500 Hz; until then each packet is waited for. A callback that takes so
-    /// long that the next packet is there when it returns leaves less to lay out.
+    /// by then has its cycle without it (CycleState::fresh), up to five in a row. The pace is known 300
+    /// packets after takeControl(), 0.6 s at 500 Hz; until then each packet is waited for. A callback that
+    /// takes so long that the next packet is there when it returns leaves less to lay out.
     Even,
     /// When the packet comes, and only then: the newest data, as unevenly as the network brings them.
     AtOnce,
