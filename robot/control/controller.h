@@ -113,6 +113,8 @@ public:
     bool end(MotionId motion, StopCause cause);
 
     MotionState motionState(MotionId motion) const;
+    /// Threads  any whose real-time priority is below the control thread's: on its CPU one above it could
+    ///          interrupt the writing, and wait for ever for its end
     ControllerStatus status() const;
     MotionLimits limits() const;
     /// From now on TCP and elbow get no faster than this [m/s]. Another cap than before ends whatever is
