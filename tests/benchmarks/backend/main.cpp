@@ -3,10 +3,11 @@
 // The comparison of the ur_rtde paper (section IV), run again over real sockets against the simulated
 // controller on this machine, and the figures we hold the backend to: one table with pass or FAIL, or one
 // JSON object with --json. Exits with 1 when a figure is missed. What is judged are the cycles and round
-// trips during which the processors were there (machine_watch.h); those of all are in the table beside. Load
-// ("stress") is made here: busy threads, one for each core and one more.
+// trips during which the processors were there (machine_watch.h); those of all are in the table beside. Which
+// loop is the more even one is judged by the quieter half of all half seconds, in turns, without the watch.
+// Load ("stress") is made here: busy threads, one for each core and one more.
 //
-//   sudo build/release/bin/benchmarks/backend_performance            everything, about ten minutes
+//   sudo build/release/bin/benchmarks/backend_performance            everything, about twelve minutes
 //   build/release/bin/benchmarks/backend_performance --seconds 3 --round-trips 100      a quick look
 //
 // Real-time priority takes root, or a line in limits.d; without it the rows that need it fail.

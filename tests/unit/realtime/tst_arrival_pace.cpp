@@ -100,7 +100,7 @@ private Q_SLOTS:
         QFETCH(double, drift);
         ArrivalPace pace(kPeriod);
         const auto cycles = follow(pace, 30'000, jitter(100'000), drift);
-        QVERIFY(unevenness(cycles, 1000) < 25'000);
+        QVERIFY(unevenness(cycles, 1000) < 4'000);
         for (std::size_t i = 1000; i < cycles.size(); ++i) {
             QVERIFY2(cycles[i].heldNs() < 250'000, qPrintable(QString::number(cycles[i].heldNs())));
         }
@@ -114,7 +114,7 @@ private Q_SLOTS:
         for (std::size_t i = 2000; i < 2010; ++i) {
             QCOMPARE(cycles[i].heldNs(), 0);
         }
-        QVERIFY(unevenness(cycles, 2012) < 25'000);
+        QVERIFY(unevenness(cycles, 2012) < 4'000);
         for (std::size_t i = 2010; i < cycles.size(); ++i) {
             QVERIFY(cycles[i].heldNs() < 350'000);
         }
@@ -216,7 +216,7 @@ private Q_SLOTS:
             last = due;
             if (i > 1000) {
                 const double off = std::remainder(static_cast<double>(apart), kPeriodNs);
-                QVERIFY(std::abs(off) < 25'000);
+                QVERIFY(std::abs(off) < 4'000);
             }
         }
     }
