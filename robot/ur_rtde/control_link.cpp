@@ -181,6 +181,7 @@ void ControlLink::publish(const std::vector<double>& values) {
         state_.robotStatus = static_cast<std::uint32_t>(values[status_[0]]);
         state_.safetyStatus = static_cast<std::uint32_t>(values[status_[1]]);
         state_.runtime = static_cast<RuntimeState>(values[status_[2]]);
+        state_.played += state_.isPlaying() ? 1 : 0;
         state_.answer = static_cast<int>(values[ints_[0]]);
         state_.result = static_cast<int>(values[ints_[1]]);
         state_.progress = static_cast<int>(values[ints_[2]]);

@@ -31,6 +31,7 @@ struct LinkOptions {
 /// One package of the robot.
 struct LinkState {
     std::uint64_t sequence = 0;  ///< 0: none yet
+    std::uint64_t played = 0;    ///< packages until now in which a program played
     std::uint32_t robotStatus = 0;
     std::uint32_t safetyStatus = 0;
     RuntimeState runtime = RuntimeState::Stopped;
@@ -61,7 +62,8 @@ public:
     bool isAlive() const { return alive_; }
     SoftwareVersion version() const { return version_; }
     LinkState state() const;
-    /// Waits for a package that makes `done` true; `give_up` ends the wait too.
+    /// Waits for a package that makes `done` true; `giveUp` ends the wait too. Packages that arrive together
+    /// may be seen as one: what does not last has to be counted in the state.
     /// Returns  whether `done` was true of the last package seen
     bool wait(const std::function<bool(const LinkState&)>& done,
               const std::function<bool(const LinkState&)>& giveUp, std::chrono::milliseconds atMost);

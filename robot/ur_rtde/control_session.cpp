@@ -325,11 +325,12 @@ bool ControlSession::runCustom(const std::string& text, int mark) {
     if (!scripts_->isConnected()) {
         scripts_->connect();
     }
-    // A program may be over before a package tells that it plays: then its mark tells, or what programs
-    // written for ur_rtde end with.
-    const int before = current->state().answer;
-    const auto hasBegun = [before, mark](const LinkState& state) {
-        return state.isPlaying() || (mark != 0 && state.result == mark) || (before != 2 && state.answer == 2);
+    // It may be over before this thread looks, which is why the packages are counted; or before any package
+    // tells that it plays: then its mark tells, or what programs written for ur_rtde end with.
+    const LinkState before = current->state();
+    const auto hasBegun = [&before, mark](const LinkState& state) {
+        return state.played != before.played || (mark != 0 && state.result == mark) ||
+               (before.answer != 2 && state.answer == 2);
     };
     const bool sent = scripts_->sendScriptCommand(text);
     const bool ran = sent && current->wait(hasBegun, never, kProgramStart) &&

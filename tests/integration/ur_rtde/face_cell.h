@@ -30,7 +30,7 @@ public:
         pump_ = std::thread([this] { pump(); });
     }
     ~FaceCell() {
-        quit_ = true;
+        quit_.cancel();
         pump_.join();
         robot.stop();
     }
@@ -77,20 +77,19 @@ private:
     // time.
     void pump() {
         bool answered = false;
-        while (!quit_) {
+        while (!quit_.isCancelled()) {
             if (frozen_) {
                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
                 continue;
             }
             const std::uint64_t inputs = robot.inputPackages();
             robot.step();
-            const int patienceMs = answered ? 1000 : hurry_ ? 0 : 1;
-            answered = robot.waitForInputPackages(inputs + 1,
-                                                  Deadline::after(std::chrono::milliseconds(patienceMs)));
+            const auto patience = std::chrono::milliseconds(answered ? 1000 : hurry_ ? 0 : 1);
+            answered = robot.waitForInputPackages(inputs + 1, Deadline::after(patience, quit_));
         }
     }
 
-    std::atomic<bool> quit_{false};
+    CancelToken quit_;
     std::atomic<bool> frozen_{false};
     std::atomic<bool> hurry_{false};
     std::thread pump_;

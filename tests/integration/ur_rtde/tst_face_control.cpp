@@ -3,12 +3,14 @@
 #include <ur_rtde/rtde_control_interface.h>
 #include <ur_rtde/script_client.h>
 
+#include <QScopeGuard>
 #include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
 #include <fstream>
 #include <future>
 
+#include "robot/ur_rtde/waiting.h"
 #include "tests/support/face_control_test.h"
 
 using namespace tiller;
@@ -138,6 +140,20 @@ private Q_SLOTS:
         QVERIFY(control_->sendCustomScriptFile(file));
         QVERIFY((cell_->robot.truth().digitalOutputs & 8U) != 0);
         QVERIFY(control_->moveJ(with(kStart, 5, 0.1)));  // the control program is back
+    }
+
+    // Its whole life may fit between two looks of the thread that waits for it.
+    void aShortScriptCountsHoweverLateTheThreadLooks() {
+        urrtde::setInterruptCheck([] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            return false;
+        });
+        const auto undo = qScopeGuard([] { urrtde::setInterruptCheck(nullptr); });
+        for (int i = 0; i < 10; ++i) {
+            QVERIFY2(control_->sendCustomScript("def brief():\n  sync()\nend\n"),
+                     qPrintable(QString::number(i)));
+        }
+        QVERIFY(control_->moveJ(with(kStart, 5, 0.1)));
     }
 
     // What a program customised for ur_rtde looks like, as far as the interface is concerned.
