@@ -1,24 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "robot/script/script_client.h"
 
-#include <QTcpSocket>
+#include <array>
+#include <thread>
 #include <utility>
 
-#include "robot/script/tcp_connect.h"
+#include "robot/core/tcp_connect.h"
 
 namespace tiller::script {
 
+using native_socket::Status;
+
 ScriptClient::ScriptClient(QString host, int port) : host_(std::move(host)), port_(port) {}
 
-ScriptClient::~ScriptClient() = default;
+ScriptClient::~ScriptClient() {
+    close();
+}
 
 Result<void> ScriptClient::connect(const Deadline& deadline) {
     close();
-    auto socket = connectTcp(host_, port_, deadline);
+    const auto socket = connectTcp(host_, port_, deadline);
     if (!socket) {
         return socket.error();
     }
-    socket_ = std::move(socket).value();
+    socket_ = *socket;
     return {};
 }
 
@@ -27,43 +32,53 @@ Result<void> ScriptClient::send(const QString& text, const Deadline& deadline) {
     if (text.trimmed().isEmpty()) {
         return Error{ErrorCode::InvalidArgument, context, QStringLiteral("the script is empty")};
     }
+    const bool hadConnection = socket_ >= 0;
     if (!isConnected()) {
-        return Error{ErrorCode::NotConnected, context, {}};
+        return Error{hadConnection ? ErrorCode::ConnectionClosed : ErrorCode::NotConnected, context, {}};
     }
     QByteArray bytes = text.toUtf8();
     if (!bytes.endsWith('\n')) {
         bytes.append('\n');
     }
-    socket_->write(bytes);
-    while (socket_->bytesToWrite() > 0) {
+    const auto* begin = reinterpret_cast<const std::uint8_t*>(bytes.constData());
+    std::span<const std::uint8_t> left(begin, static_cast<std::size_t>(bytes.size()));
+    while (!left.empty()) {
+        const native_socket::Transfer sent = native_socket::send(socket_, left);
+        if (sent.status == Status::Ok) {
+            left = left.subspan(sent.bytes);
+            continue;
+        }
+        if (sent.status != Status::WouldBlock || !isConnected()) {
+            close();
+            return Error{ErrorCode::ConnectionClosed, context, {}};
+        }
         if (deadline.hasExpired()) {
             // Half a program is on its way: only a closed connection keeps the rest from being glued to it.
             close();
             return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context, {}};
         }
-        const auto slice = std::max(deadline.nextPoll(), std::chrono::milliseconds(1));
-        if (!socket_->waitForBytesWritten(static_cast<int>(slice.count())) &&
-            socket_->state() != QAbstractSocket::ConnectedState) {
-            const Error error{ErrorCode::ConnectionClosed, context, socket_->errorString()};
-            close();
-            return error;
-        }
-        // The controller streams its state on this port too. Nobody needs it here, but a receive buffer left
-        // to fill up would make some controllers hang up.
-        socket_->skip(socket_->bytesAvailable());
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     return {};
 }
 
 void ScriptClient::close() {
-    if (socket_) {
-        socket_->abort();
-        socket_.reset();
+    if (socket_ >= 0) {
+        native_socket::close(std::exchange(socket_, -1));
     }
 }
 
-bool ScriptClient::isConnected() const {
-    return socket_ && socket_->state() == QAbstractSocket::ConnectedState;
+bool ScriptClient::isConnected() {
+    std::array<std::uint8_t, 16384> unwanted;
+    constexpr int kReads = 256;  // more than a connection holds; a flood does not keep us here
+    Status status = socket_ >= 0 ? Status::Ok : Status::Closed;
+    for (int i = 0; i < kReads && status == Status::Ok; ++i) {
+        status = native_socket::receive(socket_, unwanted).status;
+    }
+    if (status == Status::Closed || status == Status::Failed) {
+        close();
+    }
+    return socket_ >= 0;
 }
 
 }  // namespace tiller::script

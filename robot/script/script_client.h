@@ -3,22 +3,20 @@
 
 // Sends URScript to the controller. It keeps the connection open after sending: a controller can drop a
 // program whose sender hangs up at once. What became of the program is told by the primary interface only,
-// see primary_client.h.
+// see primary_client.h; the state the controller streams here is thrown away whenever the client is used.
 
 #include <QString>
-#include <memory>
 
 #include "robot/core/deadline.h"
+#include "robot/core/native_socket.h"
 #include "robot/core/result.h"
-
-class QTcpSocket;
 
 namespace tiller::script {
 
 inline constexpr int kPrimaryPort = 30001;
 inline constexpr int kSecondaryPort = 30002;
 
-/// Threads  one at a time, the one that connected
+/// Threads  any, one at a time
 class ScriptClient {
 public:
     /// port  30001 to 30003, offset included
@@ -33,12 +31,13 @@ public:
     /// Errors   NotConnected, ConnectionClosed, Timeout, Cancelled, InvalidArgument (empty text)
     Result<void> send(const QString& text, const Deadline& deadline);
     void close();
-    bool isConnected() const;
+    /// Not any more once the controller has hung up, which one does whose stream nobody reads for minutes.
+    bool isConnected();
 
 private:
     QString host_;
     int port_;
-    std::unique_ptr<QTcpSocket> socket_;
+    native_socket::Descriptor socket_ = -1;
 };
 
 }  // namespace tiller::script

@@ -49,6 +49,27 @@ private Q_SLOTS:
         QVERIFY(client.send(QStringLiteral("textmsg(\"b\")\n"), soon()).ok());
     }
 
+    void anyThreadMaySend() {
+        std::promise<QByteArray> arrived;
+        RawPeer peer([&](RawPeer::Link& link) { arrived.set_value(link.readAll()); });
+        ScriptClient client(QStringLiteral("127.0.0.1"), peer.port());
+        QVERIFY(client.connect(soon()).ok());
+        QVERIFY(std::async(std::launch::async, [&] {
+                    return client.send(QStringLiteral("textmsg(\"a\")"), soon()).ok();
+                }).get());
+        client.close();
+        QCOMPARE(arrived.get_future().get(), QByteArray("textmsg(\"a\")\n"));
+    }
+
+    // What it streamed meanwhile is no reason to believe that it listens.
+    void aControllerThatHungUpIsNoticedBeforeSending() {
+        RawPeer peer([](RawPeer::Link& link) { link.send(QByteArray(100'000, 'x')); });
+        ScriptClient client(QStringLiteral("127.0.0.1"), peer.port());
+        QVERIFY(client.connect(soon()).ok());
+        QTRY_VERIFY_WITH_TIMEOUT(!client.isConnected(), 20000);
+        QCOMPARE(client.send(QStringLiteral("halt"), soon()).error().code, ErrorCode::NotConnected);
+    }
+
     void nothingIsSentWithoutAConnection() {
         ScriptClient client(QStringLiteral("127.0.0.1"), 1);
         QCOMPARE(client.send(QStringLiteral("halt"), soon()).error().code, ErrorCode::NotConnected);
