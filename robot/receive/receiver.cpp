@@ -283,10 +283,6 @@ struct Receiver::Worker {
         record[kHostTime] = static_cast<std::uint64_t>(hostNs);
         record[kConnection] = connections;
         record[kLostBefore] = verdict.lost;
-        latest.write(record);
-        stream->ring.push(record);
-
-        packets.fetch_add(1, std::memory_order_relaxed);
         if (hasPrevious) {
             lost.fetch_add(verdict.lost, std::memory_order_relaxed);
             late.fetch_add(verdict.late ? 1 : 0, std::memory_order_relaxed);
@@ -295,8 +291,12 @@ struct Receiver::Worker {
         jitter.store(verdict.jitterNs, std::memory_order_relaxed);
         previousHostNs = hostNs;
         hasPrevious = true;
+        // What is called fresh is there, and whoever sees a package counted finds all of it.
+        latest.write(record);
+        stream->ring.push(record);
         dueNs.store(hostNs - std::max<std::int64_t>(verdict.jitterNs, 0), std::memory_order_release);
         hasData.store(true, std::memory_order_release);
+        packets.fetch_add(1, std::memory_order_release);
 
         ++windowPackets;
         if (hostNs - windowStartNs >= kRateWindowNs) {
