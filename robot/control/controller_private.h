@@ -90,6 +90,8 @@ struct Controller::Private {
     void stopThread();
     /// What the controller complained of since the last upload; code None when it did not.
     Error complaint(const QString& context);
+    /// On the connection complaints come on, and after those of their time.
+    std::uint64_t statesHeard();
 
     // programs.cpp
     /// Ends the control program, if it runs. Needs `taking`.

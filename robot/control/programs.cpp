@@ -218,7 +218,11 @@ Result<void> Controller::Private::watchScript(std::uint64_t epoch, std::uint64_t
                                               const QString& context, const Deadline& deadline) {
     const Deadline begun = Deadline::after(milliseconds(5000), deadline.token());
     std::optional<Deadline> told;
+    std::uint64_t statesAtEnd = 0;
     for (;;) {
+        // Why it ended is told on another connection, a little later, but before the state after next: the
+        // first to come may have been under way.
+        const bool heardAll = told && (told->hasExpired() || statesHeard() > statesAtEnd + 1);
         if (const Error bad = complaint(context); bad.code != ErrorCode::None) {
             return bad;
         }
@@ -232,11 +236,12 @@ Result<void> Controller::Private::watchScript(std::uint64_t epoch, std::uint64_t
             return overdue(deadline, context, QStringLiteral("the script was ended"));
         }
         if (loop.playing() != played) {
-            // Why it ended is told on another connection, perhaps a little later.
-            if (!told && loop.status().runtimeState != RuntimeState::Playing) {
-                told = Deadline::after(milliseconds(50), deadline.token());
-            } else if (told && told->hasExpired()) {
+            if (heardAll) {
                 return {};
+            }
+            if (!told && loop.status().runtimeState != RuntimeState::Playing) {
+                told = Deadline::after(milliseconds(500), deadline.token());
+                statesAtEnd = statesHeard();
             }
         } else if (begun.hasExpired()) {
             return Error{ErrorCode::Timeout, context, QStringLiteral("it was never seen running")};

@@ -204,6 +204,11 @@ Error Controller::Private::complaint(const QString& context) {
     return {};
 }
 
+std::uint64_t Controller::Private::statesHeard() {
+    const std::lock_guard lock(arm);
+    return primary ? primary->state().packages : 0;
+}
+
 void Controller::Private::startThread(std::int32_t session, const ArmLimits& limits) {
     loop.begin(session, connection->period(), limits, now());
     quit.store(false, std::memory_order_release);
