@@ -30,7 +30,9 @@ ControlSession::TurnLock ControlSession::takeTurn() {
 }
 
 bool ControlSession::isReady(ControlLink& link, const std::function<bool(const LinkState&)>& giveUp) {
-    return link.wait([](const LinkState& state) { return state.answer == 1; }, giveUp, kReadyTime);
+    // A stop nobody waited for still has its answer to come, at standstill.
+    return link.wait([&link](const LinkState&) { return !link.clearsWhenDone(); }, giveUp, kEver) &&
+           link.wait([](const LinkState& state) { return state.answer == 1; }, giveUp, kReadyTime);
 }
 
 std::optional<LinkState> ControlSession::perform(const Command& command) {
@@ -61,6 +63,7 @@ std::optional<LinkState> ControlSession::performInTurn(const Command& command, b
         robot.clear();
         return std::nullopt;
     }
+    const std::uint64_t sent = robot.state().sequence;
     LinkState answer;
     std::uint64_t readySince = 0;
     try {
@@ -74,10 +77,18 @@ std::optional<LinkState> ControlSession::performInTurn(const Command& command, b
                 return state.answer == 2 || (quick && state.sequence > readySince + 5);
             },
             hopeless, kEver);
+        if (!done) {
+            // Only when the program has seen it is "ready" an answer to its end.
+            robot.wait(
+                [sent](const LinkState& state) { return state.answer != 1 || state.sequence > sent + 3; },
+                [this](const LinkState& state) { return state.isStopped() || disconnecting_; },
+                milliseconds(100));
+        }
         robot.clear();
         return done ? std::optional(answer) : std::nullopt;
     } catch (const Interrupted&) {
         // Nobody waits for it any more: it shall not go on by itself.
+        const Uninterrupted stopping;
         robot.clear();
         robot.wait([](const LinkState& state) { return state.answer == 1; }, hopeless, milliseconds(100));
         robot.send(20, {static_cast<double>(CommandId::StopJ), 4.0, 1.0});
@@ -141,7 +152,7 @@ bool ControlSession::protectiveStop() {
 
 bool ControlSession::kickWatchdog() {
     const auto current = link();
-    return current && current->send(11, {0.0});
+    return current && current->kick();
 }
 
 }  // namespace tiller::urrtde

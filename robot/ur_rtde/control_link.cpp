@@ -15,6 +15,7 @@ using std::chrono::milliseconds;
 constexpr milliseconds kBeatEvery(20);       // when the data come more slowly
 constexpr milliseconds kSilenceLimit(2500);  // without data for so long the link counts as broken
 constexpr std::size_t kClearRecipe = 4;
+constexpr std::size_t kKickRecipe = 11;
 constexpr std::size_t kBeatRecipe = 21;
 
 /// int registers 0 ..., then double registers 0 ..., then one more field.
@@ -230,13 +231,23 @@ bool ControlLink::wait(const std::function<bool(const LinkState&)>& done,
 }
 
 bool ControlLink::send(int recipe, const std::vector<double>& values) {
-    const auto index = static_cast<std::size_t>(recipe - 1);
     const std::lock_guard lock(sending_);
+    return sendLocked(recipe, values);
+}
+
+bool ControlLink::sendLocked(int recipe, const std::vector<double>& values) {
+    const auto index = static_cast<std::size_t>(recipe - 1);
     if (!alive_ || !connection_->inputs()[index].isValid() ||
         connection_->inputs()[index].size() != values.size()) {
         return false;
     }
+    command_ = values.front();
     return connection_->sendInputs(index, values) == rtde::Connection::Send::Sent;
+}
+
+bool ControlLink::kick() {
+    const std::lock_guard lock(sending_);
+    return sendLocked(static_cast<int>(kKickRecipe), {command_});
 }
 
 bool ControlLink::clear() {

@@ -75,8 +75,11 @@ public:
     bool send(int recipe, const std::vector<double>& values);
     /// Sends "no command".
     bool clear();
-    /// Sends it as soon as the program answers "done".
+    /// Sends it as soon as the program answers "done". Until then that answer is not the next command's.
     void clearWhenDone() { clearWhenDone_ = true; }
+    bool clearsWhenDone() const { return clearWhenDone_; }
+    /// Sends the command register as it is, for a watchdog: what is under way goes on.
+    bool kick();
     /// Tells the program that what follows is a new command of a stream.
     void countStream() { ++streams_; }
 
@@ -86,6 +89,7 @@ private:
     void run();
     void publish(const std::vector<double>& values);
     void beat();
+    bool sendLocked(int recipe, const std::vector<double>& values);
 
     LinkOptions options_;
     std::unique_ptr<rtde::Connection> connection_;
@@ -100,6 +104,7 @@ private:
     std::atomic<int> streams_{0};
     int heartbeat_ = 0;
     std::mutex sending_;
+    double command_ = 0;  ///< in the command register
 
     mutable std::mutex mutex_;  ///< of the state
     std::condition_variable changed_;

@@ -109,6 +109,7 @@ void ControlSession::say(const std::string& text) const {
 }
 
 void ControlSession::connectAndStart() {
+    playedBefore_.reset();
     // PolyScope X has no dashboard server, and nothing below needs it.
     dashboard_ = std::make_unique<ur_rtde::DashboardClient>(options_.host, 29999, false);
     try {
@@ -226,12 +227,17 @@ std::string ControlSession::program(const SoftwareVersion& version, const std::s
 }
 
 bool ControlSession::upload(ControlLink& link, const std::string& pathCode) {
+    playedBefore_ = link.state().played;
     const std::string text = program(link.version(), pathCode, server_ != nullptr);
     if (server_) {
         server_->setProgram(text);
         dashboard_->play();  // the program with the URCap's node asks again when it starts
         return true;
     }
+    return sendScript(link, text);
+}
+
+bool ControlSession::sendScript(const ControlLink& link, const std::string& text) {
     if (!scripts_) {
         scripts_ = std::make_unique<ur_rtde::ScriptClient>(options_.host, link.version().major,
                                                            link.version().minor);
@@ -244,8 +250,11 @@ bool ControlSession::upload(ControlLink& link, const std::string& pathCode) {
 
 bool ControlSession::awaitProgram(ControlLink& link, milliseconds atMost,
                                   const std::function<bool(const LinkState&)>& giveUp) {
+    // A program of the user's that was sent may be over already.
     const auto ready = [&](const LinkState& state) {
-        return state.isPlaying() && (isForeign() || server_ || state.answer == 1);
+        return isForeign() && playedBefore_
+                   ? state.played != *playedBefore_
+                   : state.isPlaying() && (isForeign() || server_ || state.answer == 1);
     };
     return link.wait(ready, giveUp ? giveUp : never, atMost);
 }
@@ -318,13 +327,6 @@ bool ControlSession::runCustom(const std::string& text, int mark) {
     if (!current || !current->isAlive() || !endProgram(*current)) {
         return false;
     }
-    if (!scripts_) {
-        scripts_ = std::make_unique<ur_rtde::ScriptClient>(options_.host, current->version().major,
-                                                           current->version().minor);
-    }
-    if (!scripts_->isConnected()) {
-        scripts_->connect();
-    }
     // It may be over before this thread looks, which is why the packages are counted; or before any package
     // tells that it plays: then its mark tells, or what programs written for ur_rtde end with.
     const LinkState before = current->state();
@@ -332,12 +334,26 @@ bool ControlSession::runCustom(const std::string& text, int mark) {
         return state.played != before.played || (mark != 0 && state.result == mark) ||
                (before.answer != 2 && state.answer == 2);
     };
-    const bool sent = scripts_->sendScriptCommand(text);
-    const bool ran = sent && current->wait(hasBegun, never, kProgramStart) &&
-                     current->wait(
-                         hasEnded, [](const LinkState& s) { return s.isStopped(); }, kEver) &&
-                     current->wait([](const LinkState& s) { return s.runtime == RuntimeState::Stopped; },
-                                   never, kProgramEnd);
+    const auto run = [&] {
+        return sendScript(*current, text) && current->wait(hasBegun, never, kProgramStart) &&
+               current->wait(
+                   hasEnded, [](const LinkState& s) { return s.isStopped(); }, kEver) &&
+               current->wait([](const LinkState& s) { return s.runtime == RuntimeState::Stopped; }, never,
+                             kProgramEnd);
+    };
+    bool ran = false;
+    try {
+        ran = run();
+    } catch (const Interrupted&) {
+        // Nobody waits for it any more: it shall not go on by itself.
+        const Uninterrupted stopping;
+        try {
+            sendScript(*current, "stop program\n");
+        } catch (const std::exception& error) {
+            say(error.what());
+        }
+        throw;
+    }
     return upload(*current, {}) && awaitProgram(*current, kProgramStart) && ran;
 }
 

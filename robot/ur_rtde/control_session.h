@@ -150,6 +150,7 @@ private:
     std::optional<LinkState> performInTurn(const Command& command, bool mayBeStopped);
     bool endProgram(ControlLink& link);
     bool upload(ControlLink& link, const std::string& pathCode);
+    bool sendScript(const ControlLink& link, const std::string& text);
     bool awaitProgram(ControlLink& link, std::chrono::milliseconds atMost,
                       const std::function<bool(const LinkState&)>& giveUp = {});
     void connectAndStart();
@@ -165,8 +166,9 @@ private:
     Identity identity_;
     std::atomic<int> marks_{0};
     std::string scriptFile_;
-    Turn turn_;                         ///< one command after the other
-    std::atomic<int> stopsWaiting_{0};  ///< threads that want to stop something
+    std::optional<std::uint64_t> playedBefore_;  ///< packages before the last upload; none: nothing was sent
+    Turn turn_;                                  ///< one command after the other
+    std::atomic<int> stopsWaiting_{0};           ///< threads that want to stop something
     std::atomic<bool> disconnecting_{false};
     mutable std::mutex linkMutex_;  ///< of the pointer
     std::shared_ptr<ControlLink> link_;

@@ -12,6 +12,7 @@ using SteadyClock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kAskEvery(10);
 std::atomic<bool (*)()> interruptCheck{nullptr};
+thread_local int uninterrupted = 0;
 
 }  // namespace
 
@@ -22,7 +23,7 @@ void setInterruptCheck(bool (*check)()) {
 bool isInterrupted() {
     thread_local SteadyClock::time_point asked{};
     const auto check = interruptCheck.load();
-    if (check == nullptr) {
+    if (check == nullptr || uninterrupted > 0) {
         return false;
     }
     const auto now = SteadyClock::now();
@@ -37,6 +38,14 @@ void throwIfInterrupted() {
     if (isInterrupted()) {
         throw Interrupted();
     }
+}
+
+Uninterrupted::Uninterrupted() {
+    ++uninterrupted;
+}
+
+Uninterrupted::~Uninterrupted() {
+    --uninterrupted;
 }
 
 Deadline within(std::chrono::milliseconds time) {

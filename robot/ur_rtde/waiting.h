@@ -24,6 +24,16 @@ void setInterruptCheck(bool (*check)());
 bool isInterrupted();
 void throwIfInterrupted();
 
+/// While one lives, its thread is not interrupted: what an interruption makes necessary, a stop above all, is
+/// done even when the user loses patience twice.
+class Uninterrupted {
+public:
+    Uninterrupted();
+    ~Uninterrupted();
+    Uninterrupted(const Uninterrupted&) = delete;
+    Uninterrupted& operator=(const Uninterrupted&) = delete;
+};
+
 Deadline within(std::chrono::milliseconds time);
 /// Sleeps, in slices, until then.
 void sleepUntil(std::chrono::steady_clock::time_point end);

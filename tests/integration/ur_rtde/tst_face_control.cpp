@@ -154,6 +154,14 @@ private Q_SLOTS:
                      qPrintable(QString::number(i)));
         }
         QVERIFY(control_->moveJ(with(kStart, 5, 0.1)));
+
+        QTemporaryDir folder;
+        const std::string file = folder.filePath("brief.script").toStdString();
+        std::ofstream(file) << "def brief():\n  sync()\nend\n";
+        control_->setCustomScriptFile(file);
+        for (int i = 0; i < 5; ++i) {
+            QVERIFY2(control_->reuploadScript(), qPrintable(QString::number(i)));
+        }
     }
 
     // What a program customised for ur_rtde looks like, as far as the interface is concerned.
@@ -249,8 +257,10 @@ $6.0   P = 6
             position.insert(position.end(), {0.5, 1.4, blend});
             return position;
         };
+        List slow = row(kStart, 0);
+        slow[6] = 0.05;  // [rad/s] it is to be seen on its way
         Path path;
-        path.appendMovejPath({row(with(kStart, 0, 0.3), 0), row(with(kStart, 0, 0.6), 0), row(kStart, 0)});
+        path.appendMovejPath({row(with(kStart, 0, 0.3), 0), row(with(kStart, 0, 0.6), 0), slow});
         QVERIFY(control_->movePath(path, true));
         int last = -1;
         bool rising = true;
@@ -260,7 +270,7 @@ $6.0   P = 6
                 rising = rising && status.progress() >= last;
                 last = status.progress();
             }
-            return last >= 0 && !status.isAsyncOperationRunning();
+            return !status.isAsyncOperationRunning();
         });
         QVERIFY(ended);
         QVERIFY(rising);
@@ -270,15 +280,13 @@ $6.0   P = 6
         QVERIFY(near(joints(), kStart));
 
         QVERIFY(control_->moveJ(with(kStart, 0, 0.3), 0.5, 1.4, true));
-        QVERIFY(cell_->until(
-            [&](const simulator::Truth&) { return control_->getAsyncOperationProgress() >= 0; }));
         QVERIFY(
             cell_->until([&](const simulator::Truth&) { return control_->getAsyncOperationProgress() < 0; }));
         QVERIFY(control_->getAsyncOperationProgress() != first);
     }
 
     void stopsEndAnAsynchronousMove() {
-        QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.5, 1.4, true));
+        QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.05, 1.4, true));
         QVERIFY(untilMoving());
         control_->stopJ(2.0);
         QVERIFY(untilStanding());
@@ -286,7 +294,53 @@ $6.0   P = 6
         QVERIFY(control_->moveL(with(pose(), 2, 0.3), 0.05, 0.5, true));
         QVERIFY(untilMoving());
         control_->stopL(5.0, true);
+        QVERIFY(control_->moveJ(kStart));  // not before the stop's end
+        QVERIFY(near(joints(), kStart));
+        QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.05, 1.4, true));
+        QVERIFY(untilMoving());
+        control_->stopJ(2.0, true);
+        control_->stopJ(4.0, true);
         QVERIFY(untilStanding());
+        QVERIFY(control_->moveJ(kStart));
+        QVERIFY(near(joints(), kStart));
+    }
+
+    // Ctrl-C in Python, while the link stands still: the program sees no "none" between the move and its
+    // stop.
+    void aStopIsObeyedEvenWhenItFollowsTheMoveAtOnce() {
+        static std::atomic<bool> impatient;
+        impatient = false;
+        urrtde::setInterruptCheck([] { return impatient.load(); });
+        const auto undo = qScopeGuard([] { urrtde::setInterruptCheck(nullptr); });
+        auto waiting =
+            std::async(std::launch::async, [&] { return control_->moveJ(with(kStart, 0, 1.0), 0.05, 1.4); });
+        QVERIFY(untilMoving());
+        cell_->freeze(true);
+        impatient = true;
+        QVERIFY_EXCEPTION_THROWN(waiting.get(), urrtde::Interrupted);
+        impatient = false;
+        cell_->freeze(false);
+        QVERIFY(untilStanding());
+        QVERIFY(joints()[0] < kStart[0] + 0.9);
+        QVERIFY(control_->moveJ(kStart));
+        QVERIFY(near(joints(), kStart));
+    }
+
+    void nobodyWaitsForACustomScriptThatWasInterrupted() {
+        static std::atomic<bool> impatient;
+        impatient = false;
+        urrtde::setInterruptCheck([] { return impatient.load(); });
+        const auto undo = qScopeGuard([] { urrtde::setInterruptCheck(nullptr); });
+        auto waiting = std::async(std::launch::async, [&] {
+            return control_->sendCustomScript("def slow():\n  movej([0, -1.57, 0, 0, 0, 0], v=0.01)\nend\n");
+        });
+        QVERIFY(untilMoving());
+        impatient = true;
+        QVERIFY_EXCEPTION_THROWN(waiting.get(), urrtde::Interrupted);
+        impatient = false;
+        QVERIFY(untilNotRunning());
+        QVERIFY(untilStanding());
+        QVERIFY(control_->reuploadScript());
         QVERIFY(control_->moveJ(kStart));
     }
 
@@ -485,7 +539,7 @@ $6.0   P = 6
     }
 
     void watchdogStopsTheProgramWithoutKicks() {
-        QVERIFY(control_->setWatchdog(10));
+        QVERIFY(control_->setWatchdog(0.1));  // it waits as long as a slow test may hang
         for (int i = 0; i < 10; ++i) {
             QVERIFY(control_->kickWatchdog());
             QVERIFY(cell_->pass(0.02));
@@ -495,8 +549,23 @@ $6.0   P = 6
         QVERIFY(!control_->moveJ(kStart));
     }
 
+    void aKickLeavesTheMoveAnotherThreadWaitsForAlone() {
+        std::atomic<bool> done{false};
+        std::thread kicker([&] {
+            while (!done) {
+                control_->kickWatchdog();
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            }
+        });
+        const bool moved = control_->moveJ(with(kStart, 0, 0.5));
+        done = true;
+        kicker.join();
+        QVERIFY(moved);
+        QVERIFY(near(joints(), with(kStart, 0, 0.5)));
+    }
+
     void protectiveStopEndsWhatIsUnderWay() {
-        QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.2, 1.4, true));
+        QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.05, 1.4, true));
         QVERIFY(untilMoving());
         QVERIFY(control_->triggerProtectiveStop());
         QVERIFY(untilStanding());

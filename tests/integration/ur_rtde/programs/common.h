@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <string>
+#include <thread>
 #include <vector>
 
 using namespace ur_rtde;
@@ -23,11 +24,20 @@ inline void require(bool condition, const std::string& what) {
     }
 }
 
-inline bool isNear(const std::vector<double>& a, const std::vector<double>& b, double tolerance) {
+inline bool areNear(const std::vector<double>& a, const std::vector<double>& b, double tolerance) {
     for (std::size_t i = 0; i < a.size(); ++i) {
         if (std::abs(a[i] - b[i]) > tolerance) {
             return false;
         }
     }
     return a.size() == b.size();
+}
+
+/// What a move's end told is in the data of the other connection a moment later.
+template <class Read>
+bool isNear(Read read, const std::vector<double>& place, double tolerance) {
+    for (int i = 0; i < 20'000 && !areNear(read(), place, tolerance); ++i) {
+        std::this_thread::sleep_for(milliseconds(1));
+    }
+    return areNear(read(), place, tolerance);
 }

@@ -16,7 +16,7 @@ int main(int, char** argv) {
     require(rtde_control.moveL(pose, 0.25, 0.5), "moveL");
     require(rtde_control.moveL_FK(there), "moveL_FK");
     require(rtde_control.moveJ(kHome), "moveJ");
-    require(isNear(rtde_receive.getActualQ(), kHome, 0.01), "the place");
+    require(isNear([&] { return rtde_receive.getActualQ(); }, kHome, 0.01), "the place");
     rtde_control.stopScript();
     return 0;
 }

@@ -19,7 +19,7 @@ int main(int, char** argv) {
     require(rtde_receive.getActualTCPPose()[2] < target[2] - 0.01, "stopped on the way");
     std::vector<double> new_q = init_q;
     new_q[0] += 0.2;
-    rtde_control.moveJ(new_q, 0.5, 0.5, true);
+    rtde_control.moveJ(new_q, 0.05, 0.5, true);
     while (rtde_control.getAsyncOperationProgress() < 0) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }

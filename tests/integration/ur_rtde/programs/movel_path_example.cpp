@@ -25,7 +25,7 @@ int main(int, char** argv) {
         path.push_back(row);
     }
     require(rtde_control.moveL(path), "moveL path");
-    require(isNear(rtde_receive.getActualTCPPose(), p3, 0.005), "the end of the path");
+    require(isNear([&] { return rtde_receive.getActualTCPPose(); }, p3, 0.005), "the end of the path");
 
     ur_rtde::Path mixed;
     std::vector<double> home = kHome;
@@ -35,13 +35,10 @@ int main(int, char** argv) {
     last.back() = 0.0;  // nothing comes after it to blend into
     mixed.addEntry({PathEntry::MoveL, PathEntry::PositionTcpPose, last});
     rtde_control.movePath(mixed, true);
-    while (rtde_control.getAsyncOperationProgress() < 0) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
     while (rtde_control.getAsyncOperationProgress() >= 0) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    require(isNear(rtde_receive.getActualTCPPose(), p2, 0.005), "the end of the mixed path");
+    require(isNear([&] { return rtde_receive.getActualTCPPose(); }, p2, 0.005), "the end of the mixed path");
     rtde_control.stopScript();
     return 0;
 }
