@@ -334,25 +334,28 @@ bool ControlSession::runCustom(const std::string& text, int mark) {
         return state.played != before.played || (mark != 0 && state.result == mark) ||
                (before.answer != 2 && state.answer == 2);
     };
-    const auto run = [&] {
-        return sendScript(*current, text) && current->wait(hasBegun, never, kProgramStart) &&
-               current->wait(
-                   hasEnded, [](const LinkState& s) { return s.isStopped(); }, kEver) &&
-               current->wait([](const LinkState& s) { return s.runtime == RuntimeState::Stopped; }, never,
-                             kProgramEnd);
+    const auto isUnwanted = [this](const LinkState& state) { return state.isStopped() || stopsWaiting_ > 0; };
+    const auto isOver = [](const LinkState& state) { return state.runtime == RuntimeState::Stopped; };
+    const auto end = [&] {
+        try {
+            sendScript(*current, "stop program\n");
+        } catch (const std::runtime_error& error) {
+            say(error.what());
+        }
     };
     bool ran = false;
     try {
-        ran = run();
+        ran = sendScript(*current, text) && current->wait(hasBegun, isUnwanted, kProgramStart) &&
+              current->wait(hasEnded, isUnwanted, kEver) && current->wait(isOver, never, kProgramEnd);
     } catch (const Interrupted&) {
         // Nobody waits for it any more: it shall not go on by itself.
         const Uninterrupted stopping;
-        try {
-            sendScript(*current, "stop program\n");
-        } catch (const std::exception& error) {
-            say(error.what());
-        }
+        end();
         throw;
+    }
+    if (!ran && stopsWaiting_ > 0) {
+        end();
+        current->wait(isOver, never, kProgramEnd);
     }
     return upload(*current, {}) && awaitProgram(*current, kProgramStart) && ran;
 }

@@ -355,6 +355,27 @@ $6.0   P = 6
         QVERIFY(control_->moveJ(kStart));
     }
 
+    void stopsOvertakeACustomScript() {
+        const auto slow = [&] {
+            return std::async(std::launch::async, [&] {
+                return control_->sendCustomScript(
+                    "def slow():\n  movej([0, -1.57, 0, 0, 0, 0], v=0.01)\nend\n");
+            });
+        };
+        auto first = slow();
+        QVERIFY(untilMoving());
+        control_->stopJ(4.0);
+        QVERIFY(!first.get());
+        QVERIFY(untilStanding());
+        QVERIFY(control_->moveJ(kStart));  // the control program is back
+        auto second = slow();
+        QVERIFY(untilMoving());
+        control_->stopScript();
+        QVERIFY(!second.get());
+        QVERIFY(untilStanding());
+        QVERIFY(!control_->isProgramRunning());
+    }
+
     // ---- streams ----------------------------------------------------------------------------------------
 
     void speedsAreHeldUntilStopped() {
