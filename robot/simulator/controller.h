@@ -59,6 +59,8 @@ struct ControllerOptions {
     double calibrationError = 0;     ///< the reported kinematics differ by up to so many mm and mrad
     QString programsFolder;          ///< where `load` finds programs; empty: there are none
     QString serialNumber;            ///< empty: one of its own for each model
+    /// A pause this long after its last piece ends the script of an External Control node.
+    std::chrono::milliseconds scriptSilence{150};
 };
 
 /// Port numbers in use; 0 before start(), and for a service that this software does not have.

@@ -12,8 +12,6 @@ namespace {
 constexpr qsizetype kLargestInstallation = 64 << 20;
 constexpr qsizetype kLargestScript = 4 << 20;
 constexpr qint64 kPatienceMs = 2000;
-/// A pause this long after the last piece means that there is no more.
-constexpr qint64 kSilenceMs = 150;
 
 /// Takes the lines between two marks out of the script; the marks are comments and may stay.
 std::string takeHeader(std::string& script) {
@@ -68,7 +66,8 @@ std::string withControlScript(std::string program, std::string script) {
     return program.insert(body, header);
 }
 
-ControlScriptRequest::ControlScriptRequest(const ScriptProvider& provider) {
+ControlScriptRequest::ControlScriptRequest(const ScriptProvider& provider, std::chrono::milliseconds silence)
+    : silence_(silence) {
     socket_.connectToHost(provider.host, provider.port);
     socket_.write("request_program\n");  // goes out once it is connected
     asked_.start();
@@ -84,7 +83,7 @@ std::optional<std::string> ControlScriptRequest::poll() {
     }
     const bool over =
         socket_.state() == QAbstractSocket::UnconnectedState ||
-        (lastData_.isValid() ? lastData_.hasExpired(kSilenceMs) : asked_.hasExpired(kPatienceMs));
+        (lastData_.isValid() ? lastData_.hasExpired(silence_.count()) : asked_.hasExpired(kPatienceMs));
     return over ? std::optional(received_.toStdString()) : std::nullopt;
 }
 

@@ -10,6 +10,7 @@
 #include <QElapsedTimer>
 #include <QString>
 #include <QTcpSocket>
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -37,13 +38,15 @@ std::string withControlScript(std::string program, std::string script);
 /// Threads  one that processes events. Blocks: never.
 class ControlScriptRequest {
 public:
-    explicit ControlScriptRequest(const ScriptProvider& provider);
+    /// silence  a pause this long after the last piece means that there is no more
+    ControlScriptRequest(const ScriptProvider& provider, std::chrono::milliseconds silence);
 
     /// The script, empty when it could not be had; nothing as long as it is under way.
     std::optional<std::string> poll();
 
 private:
     QTcpSocket socket_;
+    std::chrono::milliseconds silence_;
     QElapsedTimer asked_, lastData_;
     QByteArray received_;
 };

@@ -47,7 +47,8 @@ void ProgramRunner::submitControlled(std::string text, ScriptProvider provider) 
     if (here.isLoopback() && !QHostAddress(provider.host).isLoopback()) {
         provider.host = QStringLiteral("127.0.0.1");
     }
-    controlled_ = std::make_unique<Controlled>(std::move(text), std::move(provider));
+    controlled_ =
+        std::make_unique<Controlled>(std::move(text), std::move(provider), plant_.options().scriptSilence);
 }
 
 void ProgramRunner::takeControlScript() {

@@ -5,6 +5,7 @@
 // controller around them. A new main program replaces the one that runs; a text that does not compile
 // replaces nothing. Source: client interface manual, dashboard guide.
 
+#include <chrono>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -85,8 +86,8 @@ private:
     };
 
     struct Controlled {
-        Controlled(std::string program, ScriptProvider from)
-            : text(std::move(program)), provider(std::move(from)), request(provider) {}
+        Controlled(std::string program, ScriptProvider from, std::chrono::milliseconds silence)
+            : text(std::move(program)), provider(std::move(from)), request(provider, silence) {}
         std::string text;
         ScriptProvider provider;
         ControlScriptRequest request;

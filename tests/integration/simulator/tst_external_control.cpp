@@ -56,6 +56,8 @@ struct Cell {
         auto options = VirtualRobot::options();
         options.time = simulator::Time::Real;
         options.programsFolder = programs;
+        // Longer than this thread may be kept from sending the next piece.
+        options.scriptSilence = std::chrono::seconds(2);
         return options;
     }
     QTemporaryDir folder;
