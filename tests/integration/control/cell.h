@@ -88,7 +88,8 @@ public:
         while (!done) {
             const std::uint64_t inputs = robot.inputPackages();
             tick();
-            if (inputs > before) {
+            // A program that hears nothing for 5 s leaves, even if it is only a thread that is late.
+            if (inputs > before || robot.truth().runtimeState == RuntimeState::Playing) {
                 robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::milliseconds(20)));
             }
         }
@@ -156,6 +157,16 @@ public:
                 everyTick();
             }
         }
+    }
+    /// Until no program runs. One that was not told to end, because release() lost patience first, leaves
+    /// when it has heard nothing for 5 s. False when it stays.
+    bool programEnds() {
+        constexpr double kPatience = 6;  // [s] of robot time
+        for (int ticks = static_cast<int>(kPatience / robot.stepTime());
+             ticks > 0 && robot.truth().runtimeState != RuntimeState::Stopped; --ticks) {
+            stepAlone();
+        }
+        return robot.truth().runtimeState == RuntimeState::Stopped;
     }
     /// Holds a jog for some time, refreshing it every 20 ms.
     bool hold(control::JogId jog, int ms) {

@@ -120,7 +120,8 @@ private Q_SLOTS:
     void aStopEndsAPath() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
-        const MotionPath path{{PathEntry::Kind::MoveL, moved(cell.tcp(), 0, 0, 0.1), {}, 0.05, 0.5, 0}};
+        // So slow that it is under way still, however late the call returns.
+        const MotionPath path{{PathEntry::Kind::MoveL, moved(cell.tcp(), 0, 0, 0.2), {}, 0.01, 0.5, 0}};
         const auto motion = cell.during([&] { return Motions(*cell.controller).movePath(path, patience()); });
         QVERIFY(motion.ok());
         QVERIFY(cell.stepMs(600));
@@ -168,14 +169,18 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         Programs programs(*cell.controller);
+        // It fails at the input: not before the call has returned.
         const auto function = cell.during([&] {
-            return programs.startFunction(QStringLiteral("root"), QStringLiteral("sync()\nx = sqrt(-1)"),
-                                          patience());
+            return programs.startFunction(
+                QStringLiteral("root"),
+                QStringLiteral("while not get_standard_digital_in(0):\n  sync()\nend\nx = sqrt(-1)"),
+                patience());
         });
         QVERIFY2(function.ok(), why(function));
+        cell.robot.setDigitalInput(0, true);
         const Error error = cell.during([&] { return function->wait(patience()); }).error();
         QCOMPARE(error.code, ErrorCode::ScriptError);
-        QVERIFY2(error.controllerMessage.contains(QStringLiteral("root line 2")),
+        QVERIFY2(error.controllerMessage.contains(QStringLiteral("root line 4")),
                  qPrintable(error.toString()));
         QVERIFY(!cell.controller->status().inControl);
         const auto back = cell.during([&] { return programs.reupload(patience()); });
@@ -300,7 +305,15 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         ToolSetup setup(*cell.controller);
+        // Time goes on until the call has returned, and that may take longer than the watchdog waits.
+        int ticks = 0;
+        cell.everyTick = [&] {
+            if (++ticks % 10 == 0) {
+                (void)setup.kickWatchdog();
+            }
+        };
         QVERIFY(cell.during([&] { return setup.setWatchdog(10, patience()); }).ok());
+        cell.everyTick = nullptr;
         for (int i = 0; i < 20; ++i) {
             QVERIFY(setup.kickWatchdog().ok());
             QVERIFY(cell.stepMs(50));

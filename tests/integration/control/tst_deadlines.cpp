@@ -181,13 +181,13 @@ private Q_SLOTS:
             }
             cell.robot.silence(false);
             QVERIFY2(flows(), qPrintable(QStringLiteral("after cut %1").arg(cut)));
-            QVERIFY(!speed->isActive());
+            QTRY_VERIFY_WITH_TIMEOUT(!speed->isActive(), 60'000);  // the control thread has noticed
             QCOMPARE(speed->send(up).error().code, ErrorCode::Stopped);
         }
         QVERIFY(cell.isStanding());
         QVERIFY(!cell.controller->status().inControl);
-        QVERIFY(openFiles() <= filesBefore);
-        QVERIFY(threads() <= threadsBefore);
+        QTRY_VERIFY_WITH_TIMEOUT(openFiles() <= filesBefore, 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(threads() <= threadsBefore, 60'000);
         const auto again = cell.takeControl();
         QVERIFY2(again.ok(), qPrintable(again.error().toString()));
     }

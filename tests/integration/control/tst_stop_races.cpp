@@ -91,7 +91,9 @@ private Q_SLOTS:
                                            "    sync()\n  end\nend\npath_offset_enable()\nrun offset()\n")}};
         for (const auto& [name, body] : bodies) {
             QTest::addRow("%s, stopped", name) << body + QStringLiteral("sleep(100)") << true;
-            QTest::addRow("%s, at its end", name) << body + QStringLiteral("sleep(0.4)") << false;
+            // At its end when the test says so: the call that starts it may return late.
+            QTest::addRow("%s, at its end", name)
+                << body + QStringLiteral("while not get_standard_digital_in(0):\n  sync()\nend") << false;
         }
     }
     void aFunctionLeavesNothingMoving() {
@@ -109,6 +111,7 @@ private Q_SLOTS:
         if (stopped) {
             cell.controller->stop(StopCause::StopButton);
         } else {
+            cell.robot.setDigitalInput(0, true);
             const auto ended = cell.during([&] { return function->wait(patience()); });
             QVERIFY2(ended.ok(), why(ended));
         }
@@ -129,13 +132,16 @@ private Q_SLOTS:
                 cell.controller->stop(StopCause::StopButton);
             }
         };
+        // It would go on at the input: however late the caller sees the stop, it must not do so before.
         const auto ran = cell.during([&] {
             return Programs(*cell.controller)
-                .runScript(QStringLiteral("def mine():\n  set_standard_digital_out(1, True)\n  sleep(0.5)\n"
+                .runScript(QStringLiteral("def mine():\n  set_standard_digital_out(1, True)\n"
+                                          "  while not get_standard_digital_in(0):\n    sync()\n  end\n"
                                           "  set_standard_digital_out(2, True)\n  sleep(0.1)\nend\n"),
                            patience());
         });
         QCOMPARE(ran.error().code, ErrorCode::Stopped);
+        cell.robot.setDigitalInput(0, true);
         QVERIFY(cell.stepMs(600));
         QVERIFY((cell.robot.truth().digitalOutputs & 4U) == 0);
         QVERIFY(cell.controller->status().inControl);
