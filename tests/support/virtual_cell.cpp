@@ -87,14 +87,27 @@ void VirtualCell::tick() {
     const std::uint64_t inputs = robot.inputPackages();
     receive::Receiver* receiver = session.receiver();
     const bool receiving = receiver != nullptr && receiver->state() == receive::ReceiverState::Receiving;
-    const std::uint64_t sequence = receiving ? receiver->counters().packets : 0;
+    receive::Subscription ring;
+    std::uint64_t packets = 0;
+    std::uint64_t sequence = 0;
+    if (receiving) {
+        ring = receiver->subscribe();
+        packets = receiver->counters().packets;
+        receiver->latest(newest_);
+        sequence = newest_.sequence;
+    }
+    // In all the places where it can be seen: one is written after the other.
+    const auto isTakenIn = [&] {
+        receiver->latest(newest_);
+        return ring.pending() > 0 && newest_.sequence != sequence && receiver->counters().packets != packets;
+    };
     robot.step();
 
     QElapsedTimer patience;
     patience.start();
     const auto stillPatient = [&] { return std::chrono::milliseconds(patience.elapsed()) < kPatience; };
-    while (receiving && receiver->counters().packets == sequence &&
-           receiver->state() == receive::ReceiverState::Receiving && patience.elapsed() < 500) {
+    while (receiving && !isTakenIn() && receiver->state() == receive::ReceiverState::Receiving &&
+           patience.elapsed() < 500) {
         std::this_thread::yield();
     }
     // The controller answers each data package with one input package, unless it lost control meanwhile.

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "robot/core/clock.h"
+#include "robot/receive/sample.h"
 #include "robot/simulator/controller.h"
 #include "widgets/session/robot_session.h"
 
@@ -56,6 +57,7 @@ private:
     QString what_;
     int sinceRefresh_ = 0;
     int sincePump_ = 0;
+    receive::Sample newest_;
 };
 
 /// Path the TCP went between two poses, in a straight line [mm].

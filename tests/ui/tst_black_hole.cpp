@@ -7,6 +7,7 @@
 #include <QAbstractEventDispatcher>
 #include <QDialog>
 #include <QFile>
+#include <QMap>
 #include <QTest>
 #include <algorithm>
 #include <cmath>
@@ -23,6 +24,9 @@ using namespace tiller::test;
 namespace {
 
 constexpr double kLongestWaitMs = 50;
+/// A host that takes the processor away unseen, or a disk that is busy, blocks one step or another; who waits
+/// for the robot does so each time.
+constexpr int kAttempts = 3;
 
 /// What one thread did with a stretch of time: computed, waited for a processor, or was blocked. The first
 /// two are the machine's business; the last is what a socket, a lock or a disk does to an event loop.
@@ -76,6 +80,8 @@ private:
 };
 
 using Bench = WindowBench;
+/// For how long each step blocked the event loop [ms].
+using Waits = QMap<QString, double>;
 
 void closeWhatOpened(const QWidget& window) {
     for (QWidget* top : QApplication::topLevelWidgets()) {
@@ -90,6 +96,9 @@ void closeWhatOpened(const QWidget& window) {
 class TestBlackHole : public QObject {
     Q_OBJECT
 
+private:
+    static void askForEverything(Waits& waits);
+
 private Q_SLOTS:
     void initTestCase() {
         initResources();
@@ -102,100 +111,121 @@ private Q_SLOTS:
         const Stretch asleep;
         QTest::qSleep(120);
         QVERIFY2(asleep.blockedMs() > 60, "sleeping is blocking");
-        const Stretch busy;
-        double sum = 0;
-        for (int i = 0; i < 3'000'000; ++i) {
-            sum += std::sin(i);
+        double least = 1e9;
+        for (int attempt = 0; attempt < kAttempts && least >= 20; ++attempt) {
+            const Stretch busy;
+            double sum = 0;
+            for (int i = 0; i < 3'000'000; ++i) {
+                sum += std::sin(i);
+            }
+            QVERIFY(sum != 0.5);
+            least = std::min(least, busy.blockedMs());
         }
-        QVERIFY(sum != 0.5);
-        QVERIFY2(busy.blockedMs() < 20, "computing is not");
+        QVERIFY2(least < 20, "computing is not");
     }
 
     void noActionWaitsForTheRobot() {
-        Bench bench;
-        bench.window.resize(1280, 720);
-        bench.window.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&bench.window));
-        bench.window.openSession(bench.folder.filePath("cell.tiller"));
-        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
-        bench.window.waypoints().teach();
-        bench.window.session().startRecording(bench.folder.filePath("recording.csv"));
-        bench.cell.advanceMs(100);
-        bench.cell.robot.silence(true);
-
-        QStringList slow;
-        QList<double> waits;
-        const auto measure = [&](const QString& what, const std::function<void()>& action) {
-            TurnWatch watch;
-            action();
-            for (int turn = 0; turn < 5; ++turn) {
-                QCoreApplication::processEvents();
-                bench.window.session().refresh();
-                bench.clock.advanceNs(16 * kNsPerMs);
+        Waits slow;
+        for (int attempt = 0; attempt < kAttempts && (attempt == 0 || !slow.isEmpty()); ++attempt) {
+            Waits waits;
+            askForEverything(waits);
+            if (QTest::currentTestFailed()) {
+                return;
             }
-            const double blocked = watch.longestMs();
-            waits << blocked;
-            if (blocked > kLongestWaitMs) {
-                slow << QStringLiteral("%1: blocked for %2 ms").arg(what).arg(blocked, 0, 'f', 1);
+            const QStringList suspects = attempt == 0 ? waits.keys() : slow.keys();
+            slow.clear();
+            for (const QString& step : suspects) {
+                if (waits.value(step) > kLongestWaitMs) {
+                    slow[step] = waits.value(step);
+                }
             }
-        };
-        // A file dialog has an event loop of its own: it is closed from inside.
-        QTimer closer;
-        connect(&closer, &QTimer::timeout, &bench.window, [&bench] {
-            if (QApplication::activeModalWidget() != nullptr) {
-                closeWhatOpened(bench.window);
-            }
-        });
-        closer.start(5);
-        int actions = 0;
-        for (QAction* action : bench.window.actions().all()) {
-            // Those end the window, the link, or make another robot: each has its turn below.
-            if (QStringList{"app.quit", "robot.disconnect", "robot.simulator"}.contains(
-                    action->objectName())) {
-                continue;
-            }
-            measure(action->objectName(), [action] {
-                action->setEnabled(true);  // also what the state does not allow: nobody may wait for it
-                action->trigger();
-            });
-            measure(action->objectName() + " closed", [&bench] { closeWhatOpened(bench.window); });
-            ++actions;
         }
-        QVERIFY(actions > 30);
-        for (HoldButton* key : bench.window.jogColumn().holdKeys()) {
-            measure("press " + key->objectName(), [key] { press(*key); });
-            measure("release " + key->objectName(), [key] { release(*key); });
+        QStringList told;
+        for (auto step = slow.cbegin(); step != slow.cend(); ++step) {
+            told << QStringLiteral("%1: blocked for %2 ms").arg(step.key()).arg(step.value(), 0, 'f', 1);
         }
-        RobotSession& session = bench.window.session();
-        measure("take control", [&session] { session.takeControl(); });
-        measure("set an output", [&session] { session.setDigitalOutput(3, true); });
-        measure("speed slider", [&session] { session.setSpeedSlider(0.5); });
-        measure("record", [&] { session.startRecording(bench.folder.filePath("second.csv")); });
-        measure("stop recording", [&session] { session.stopRecording(); });
-        measure("teach and save by itself", [&bench] {
-            bench.window.waypoints().teach();
-            QTest::qWait(1);
-        });
-        for (const RobotCommand command :
-             {RobotCommand::PowerOn, RobotCommand::ReleaseBrakes, RobotCommand::PowerOff,
-              RobotCommand::RestartSafety, RobotCommand::ClosePopups, RobotCommand::Play, RobotCommand::Pause,
-              RobotCommand::StopProgram}) {
-            measure(commandText(command), [&session, command] { session.perform(command); });
-        }
-        measure("stop", [&session] { session.stop(control::StopCause::StopButton); });
-        measure("disconnect", [&session] { session.disconnectFromRobot(); });
-        measure("connect to nobody", [&bench] {
-            bench.window.connectRobot({"Mute", bench.cell.robot.listenAddress(), 0, false});
-        });
-        measure("disconnect again", [&session] { session.disconnectFromRobot(); });
-
-        std::sort(waits.begin(), waits.end());
-        qInfo("%lld steps; blocked: median %.2f ms, p99 %.2f ms, most %.2f ms",
-              static_cast<long long>(waits.size()), waits[waits.size() / 2], waits[waits.size() * 99 / 100],
-              waits.last());
-        QVERIFY2(slow.isEmpty(), qPrintable(slow.join('\n')));
+        QVERIFY2(told.isEmpty(), qPrintable(told.join('\n')));
     }
 };
+
+/// All the window can do, on a robot that is mute.
+void TestBlackHole::askForEverything(Waits& waits) {
+    Bench bench;
+    bench.window.resize(1280, 720);
+    bench.window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&bench.window));
+    bench.window.openSession(bench.folder.filePath("cell.tiller"));
+    QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+    bench.window.waypoints().teach();
+    bench.window.session().startRecording(bench.folder.filePath("recording.csv"));
+    bench.cell.advanceMs(100);
+    bench.cell.robot.silence(true);
+
+    const auto measure = [&](const QString& what, const std::function<void()>& action) {
+        TurnWatch watch;
+        action();
+        for (int turn = 0; turn < 5; ++turn) {
+            QCoreApplication::processEvents();
+            bench.window.session().refresh();
+            bench.clock.advanceNs(16 * kNsPerMs);
+        }
+        waits[what] = std::max(waits.value(what), watch.longestMs());
+    };
+    // A file dialog has an event loop of its own: it is closed from inside.
+    QTimer closer;
+    connect(&closer, &QTimer::timeout, &bench.window, [&bench] {
+        if (QApplication::activeModalWidget() != nullptr) {
+            closeWhatOpened(bench.window);
+        }
+    });
+    closer.start(5);
+    int actions = 0;
+    for (QAction* action : bench.window.actions().all()) {
+        // Those end the window, the link, or make another robot: each has its turn below.
+        if (QStringList{"app.quit", "robot.disconnect", "robot.simulator"}.contains(action->objectName())) {
+            continue;
+        }
+        measure(action->objectName(), [action] {
+            action->setEnabled(true);  // also what the state does not allow: nobody may wait for it
+            action->trigger();
+        });
+        measure(action->objectName() + " closed", [&bench] { closeWhatOpened(bench.window); });
+        ++actions;
+    }
+    QVERIFY(actions > 30);
+    for (HoldButton* key : bench.window.jogColumn().holdKeys()) {
+        measure("press " + key->objectName(), [key] { press(*key); });
+        measure("release " + key->objectName(), [key] { release(*key); });
+    }
+    RobotSession& session = bench.window.session();
+    measure("take control", [&session] { session.takeControl(); });
+    measure("set an output", [&session] { session.setDigitalOutput(3, true); });
+    measure("speed slider", [&session] { session.setSpeedSlider(0.5); });
+    measure("record", [&] { session.startRecording(bench.folder.filePath("second.csv")); });
+    measure("stop recording", [&session] { session.stopRecording(); });
+    measure("teach and save by itself", [&bench] {
+        bench.window.waypoints().teach();
+        QTest::qWait(1);
+    });
+    for (const RobotCommand command :
+         {RobotCommand::PowerOn, RobotCommand::ReleaseBrakes, RobotCommand::PowerOff,
+          RobotCommand::RestartSafety, RobotCommand::ClosePopups, RobotCommand::Play, RobotCommand::Pause,
+          RobotCommand::StopProgram}) {
+        measure(commandText(command), [&session, command] { session.perform(command); });
+    }
+    measure("stop", [&session] { session.stop(control::StopCause::StopButton); });
+    measure("disconnect", [&session] { session.disconnectFromRobot(); });
+    measure("connect to nobody", [&bench] {
+        bench.window.connectRobot({"Mute", bench.cell.robot.listenAddress(), 0, false});
+    });
+    measure("disconnect again", [&session] { session.disconnectFromRobot(); });
+
+    QList<double> sorted = waits.values();
+    std::sort(sorted.begin(), sorted.end());
+    qInfo("%lld steps; blocked: median %.2f ms, p99 %.2f ms, most %.2f ms",
+          static_cast<long long>(sorted.size()), sorted[sorted.size() / 2], sorted[sorted.size() * 99 / 100],
+          sorted.last());
+}
 
 QTEST_MAIN(TestBlackHole)
 #include "tst_black_hole.moc"

@@ -108,8 +108,7 @@ private:
         // Layouts settle once the words are in.
         QTest::qWait(50);
         keepPicture(window, name + '-' + densityName());
-        const QStringList found = clipped(window);
-        QVERIFY2(found.isEmpty(), qPrintable(name + ":\n" + found.join('\n')));
+        QTRY_VERIFY2(clipped(window).isEmpty(), qPrintable(name + ":\n" + clipped(window).join('\n')));
         QVERIFY2(window.width() <= kSmallest.width() && window.height() <= kSmallest.height() - 40,
                  qPrintable(QStringLiteral("%1 is %2 x %3: larger than the smallest screen")
                                 .arg(name)
@@ -120,8 +119,8 @@ private:
         bench.cell.advanceMs(50);
         QTest::qWait(50);
         keepPicture(bench.window, QStringLiteral("window-%1-%2").arg(what, densityName()));
-        const QStringList found = clipped(bench.window);
-        QVERIFY2(found.isEmpty(), qPrintable(QLatin1String(what) + ":\n" + found.join('\n')));
+        QTRY_VERIFY2(clipped(bench.window).isEmpty(),
+                     qPrintable(QLatin1String(what) + ":\n" + clipped(bench.window).join('\n')));
     }
     static void densities() {
         QTest::addColumn<bool>("named");

@@ -114,6 +114,25 @@ QStringList figuresIn(const QRegularExpression& figure, const QWidget& root) {
     return found;
 }
 
+/// Where a length is shown.
+constexpr const char* kPlaces[] = {
+    "lastStopChip", "jogMotion.1",     "jogMotion.3",           "jogSpeed.0",
+    "jogSpeed.4",   "waypoint.table",  "waypoint.details.pose", "waypoint.details.facts",
+    "frame.table",  "frame.details.x", "frame.details.facts",   "jog.Z+"};
+
+/// Of these the ones that do not name the unit.
+QStringList placesWithout(const QRegularExpression& figure, const QWidget& root) {
+    const QStringList found = figuresIn(figure, root);
+    QStringList places;
+    for (const char* place : kPlaces) {
+        const QString quoted = QStringLiteral("\"%1\"").arg(QLatin1String(place));
+        if (found.filter(quoted).isEmpty()) {
+            places << quoted;
+        }
+    }
+    return places;
+}
+
 }  // namespace
 
 class TestUnits : public QObject {
@@ -142,16 +161,10 @@ private Q_SLOTS:
         for (int look = 0; look < 24; ++look) {
             window.jogColumn().lookAround();
         }
-        QTest::qWait(120);  // the panes are refreshed ten times a second
 
-        // Whoever is here in millimetres has to be here in inches.
-        const QStringList metric = figuresIn(kMillimetres, window);
-        for (const char* place : {"lastStopChip", "jogMotion.1", "jogMotion.3", "jogSpeed.0", "jogSpeed.4",
-                                  "waypoint.table", "waypoint.details.pose", "waypoint.details.facts",
-                                  "frame.table", "frame.details.x", "frame.details.facts", "jog.Z+"}) {
-            const QString quoted = QStringLiteral("\"%1\"").arg(QLatin1String(place));
-            QVERIFY2(metric.filter(quoted).size() > 0, qPrintable(quoted + " shows no length"));
-        }
+        // Whoever is here in millimetres has to be here in inches, once the panes have been refreshed.
+        QTRY_VERIFY2(placesWithout(kMillimetres, window).isEmpty(),
+                     qPrintable(placesWithout(kMillimetres, window).join(' ') + " shows no length"));
         QVERIFY(figuresIn(kInches, window).isEmpty());
 
         bench.choose("settings.lengths", Qt::Key_Down);
@@ -159,19 +172,13 @@ private Q_SLOTS:
         for (int look = 0; look < 24; ++look) {
             window.jogColumn().lookAround();
         }
-        QTest::qWait(120);
-        const QStringList left = figuresIn(kMillimetres, window);
-        QVERIFY2(left.isEmpty(), qPrintable(left.join('\n')));
-        const QStringList imperial = figuresIn(kInches, window);
-        for (const char* place : {"lastStopChip", "jogMotion.1", "jogMotion.3", "jogSpeed.0", "jogSpeed.4",
-                                  "waypoint.table", "waypoint.details.pose", "waypoint.details.facts",
-                                  "frame.table", "frame.details.x", "frame.details.facts", "jog.Z+"}) {
-            const QString quoted = QStringLiteral("\"%1\"").arg(QLatin1String(place));
-            QVERIFY2(imperial.filter(quoted).size() > 0, qPrintable(quoted + " has no inches"));
-        }
+        QTRY_VERIFY2(figuresIn(kMillimetres, window).isEmpty(),
+                     qPrintable(figuresIn(kMillimetres, window).join('\n')));
+        QTRY_VERIFY2(placesWithout(kInches, window).isEmpty(),
+                     qPrintable(placesWithout(kInches, window).join(' ') + " has no inches"));
         keepPicture(window, "units-inches");
         // Painted, not written: asked for by name.
-        QVERIFY(window.findChild<LimiterLine*>()->quietText().endsWith(" in"));
+        QTRY_VERIFY(window.findChild<LimiterLine*>()->quietText().endsWith(" in"));
         auto* pose = window.findChild<PoseView*>();
         const double x = window.session().state().tcpPose.position.x();
         QCOMPARE(pose->positionText(0), format::lengthNumber(x, 2, true));
@@ -185,8 +192,7 @@ private Q_SLOTS:
         for (int look = 0; look < 24; ++look) {
             window.jogColumn().lookAround();
         }
-        QTest::qWait(120);
-        QVERIFY(figuresIn(kInches, window).isEmpty());
+        QTRY_VERIFY2(figuresIn(kInches, window).isEmpty(), qPrintable(figuresIn(kInches, window).join('\n')));
         QCOMPARE(window.actions().find("jog.speed.2")->text(), QStringLiteral("Jog speed 50 mm/s"));
     }
 

@@ -64,10 +64,16 @@ struct Cell {
     }
     /// One control period of the robot and of the clock, and one package taken in.
     bool tick() {
-        const auto before = receiver->counters().packets;
+        // In all the places where it can be seen: one is written after the other.
+        const receive::Subscription ring = receiver->subscribe();
+        const auto newest = receiver->latest().sequence;
+        const auto counted = receiver->counters().packets;
         clock.advanceNs(static_cast<std::int64_t>(std::llround(robot.stepTime() * 1e9)));
         robot.step();
-        return eventually([&] { return receiver->counters().packets > before; });
+        return eventually([&] {
+            return ring.pending() > 0 && receiver->latest().sequence > newest &&
+                   receiver->counters().packets > counted;
+        });
     }
 
     VirtualClock clock;

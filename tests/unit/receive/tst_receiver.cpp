@@ -26,6 +26,9 @@ ReceiverOptions to(std::uint16_t port) {
     options.port = port;
     options.priority = 0;
     options.reconnectDelays = {1ms};
+    // Nobody but the test ends a connection, however late a thread comes.
+    options.connectTimeout = 1h;
+    options.silenceLimit = 1h;
     return options;
 }
 
@@ -91,7 +94,7 @@ void TestReceiver::publishesEveryPackageOnceInOrder() {
         QVERIFY(!subscription->next(sample));
         QCOMPARE(subscription->lost(), std::uint64_t(0));
     }
-    QCOMPARE(receiver.counters().packets, std::uint64_t(500));
+    TRY_COMPARE(receiver.counters().packets, std::uint64_t(500));
     QCOMPARE(receiver.counters().lost, std::uint64_t(0));
     QCOMPARE(receiver.version().major, 5U);
     QCOMPARE(receiver.period(), 0.002);
@@ -133,7 +136,7 @@ void TestReceiver::samplesCarryTheClocksTime() {
     peer.send(1.0);
     TRY_COMPARE(receiver.latest().sequence, std::uint64_t(1));
     QCOMPARE(receiver.latest().hostTimeNs, 5 * kNsPerSecond);
-    QCOMPARE(receiver.ageNs(), std::int64_t(0));
+    TRY_COMPARE(receiver.ageNs(), std::int64_t(0));
     QVERIFY(receiver.isFresh(0ns));
     clock.advanceNs(300 * kNsPerMs);
     QCOMPARE(receiver.ageNs(), 300 * kNsPerMs);
@@ -157,17 +160,17 @@ void TestReceiver::whatLayInABacklogIsNotFresh() {
     };
     for (int i = 0; i < 10; ++i) {
         send(1 + 0.002 * i);
-        QCOMPARE(receiver.ageNs(), std::int64_t(0));
+        TRY_COMPARE(receiver.ageNs(), std::int64_t(0));
         clock.advanceNs(2 * kNsPerMs);
     }
     clock.advanceNs(1000 * kNsPerMs);
     send(1.02);  // sent when the last one should have been followed
-    QVERIFY(std::llabs(receiver.ageNs() - 1000 * kNsPerMs) < kNsPerMs);
+    TRY_VERIFY(std::llabs(receiver.ageNs() - 1000 * kNsPerMs) < kNsPerMs);
     QVERIFY(!receiver.isFresh(100ms));
     send(1.92);
-    QVERIFY(std::llabs(receiver.ageNs() - 100 * kNsPerMs) < kNsPerMs);
+    TRY_VERIFY(std::llabs(receiver.ageNs() - 100 * kNsPerMs) < kNsPerMs);
     send(2.02);
-    QVERIFY(receiver.isFresh(1ms));
+    TRY_VERIFY(receiver.isFresh(1ms));
 }
 
 // Whatever was under way when the path comes back: an attempt, then the wait after it, then one that works.
@@ -186,7 +189,7 @@ void TestReceiver::countsWhatTheControllerSkipped() {
         peer.send(timestamp);
     }
     TRY_COMPARE(receiver.counters().packets, std::uint64_t(5));
-    QCOMPARE(receiver.counters().lost, std::uint64_t(4));
+    TRY_COMPARE(receiver.counters().lost, std::uint64_t(4));
     const std::uint64_t expected[] = {0, 0, 3, 0, 1};
     Sample sample;
     for (const std::uint64_t lost : expected) {
@@ -211,7 +214,7 @@ void TestReceiver::countsWhatCameLate() {
     sendAfter(2 * kNsPerMs, 1.002, 2);
     QCOMPARE(receiver.counters().late, std::uint64_t(0));
     sendAfter(4 * kNsPerMs, 1.004, 3);
-    QCOMPARE(receiver.counters().late, std::uint64_t(1));
+    TRY_COMPARE(receiver.counters().late, std::uint64_t(1));
     sendAfter(0, 1.006, 4);
     QCOMPARE(receiver.counters().late, std::uint64_t(1));
     receiver.stop();
@@ -266,7 +269,7 @@ void TestReceiver::worksWithCb3() {
         }
         TRY_COMPARE(receiver.counters().packets, std::uint64_t(3));
         QCOMPARE(receiver.period(), 0.008);
-        QCOMPARE(receiver.counters().lost, std::uint64_t(1));
+        TRY_COMPARE(receiver.counters().lost, std::uint64_t(1));
     }
 }
 
@@ -286,8 +289,8 @@ void TestReceiver::comesBackByItself() {
     QCOMPARE(receiver.state(), ReceiverState::Receiving);
     QCOMPARE(receiver.lastError().code, ErrorCode::None);
     Sample sample;
-    QVERIFY(subscription.next(sample));
-    QVERIFY(subscription.next(sample));
+    QVERIFY(fetch(subscription, sample));
+    QVERIFY(fetch(subscription, sample));
     QCOMPARE(sample.connection, std::uint64_t(2));
     QCOMPARE(sample.sequence, std::uint64_t(2));
     // What the interruption cost is known from the time stamps; the controller did not skip it.
@@ -324,8 +327,8 @@ void TestReceiver::givesUpASilentConnection() {
     QCOMPARE(peer.connections(), 1);
     clock.advanceNs(200 * kNsPerMs);
     TRY_COMPARE(receiver.state(), ReceiverState::Waiting);
-    clock.advanceNs(1 * kNsPerMs);
-    TRY_COMPARE(peer.connections(), 2);
+    // Again and again: when its wait of 1 ms begins, only the receiver knows.
+    TRY_VERIFY((clock.advanceNs(kNsPerMs), peer.connections() == 2));
 }
 
 void TestReceiver::waitsLongerAfterEveryFailure() {
@@ -348,7 +351,7 @@ void TestReceiver::countersCanBeReset() {
     peer.send(1.000);
     peer.send(1.100);
     TRY_COMPARE(receiver.counters().packets, std::uint64_t(2));
-    QVERIFY(receiver.counters().lost > 0);
+    TRY_VERIFY(receiver.counters().lost > 0);
     receiver.resetCounters();
     peer.send(1.102);
     TRY_COMPARE(receiver.latest().sequence, std::uint64_t(3));
@@ -366,7 +369,7 @@ void TestReceiver::slowSubscriberLosesTheOldestOnly() {
     for (int i = 1; i <= 200; ++i) {
         peer.send(i * 0.002);
     }
-    TRY_COMPARE(receiver.counters().packets, std::uint64_t(200));
+    TRY_COMPARE(subscription.pending(), std::uint64_t(200));
     Sample sample;
     for (std::uint64_t i = 137; i <= 200; ++i) {
         QVERIFY(subscription.next(sample));

@@ -275,8 +275,15 @@ private Q_SLOTS:
                 return false;
             }
         } counter;
-        QTest::qWait(60);  // whatever is still under way
         view.installEventFilter(&counter);
+        // Until nothing is under way any more: a wait that comes to its end late has not looked again.
+        int quiet = 0;
+        for (int looks = 0; looks < 500 && quiet < 10; ++looks) {
+            counter.paints = 0;
+            QTest::qWait(10);
+            quiet = counter.paints == 0 ? quiet + 1 : 0;
+        }
+        counter.paints = 0;
         for (int i = 0; i < 5; ++i) {
             view.setState(live(kStance, 1));
             QTest::qWait(20);

@@ -12,6 +12,7 @@
 #include <memory>
 #include <vector>
 
+#include "robot/core/clock.h"
 #include "tests/support/live_state.h"
 #include "widgets/common/hold_button.h"
 #include "widgets/common/theme.h"
@@ -70,6 +71,7 @@ private Q_SLOTS:
         session_ = std::make_unique<RobotSession>();
         session_->shutDown();  // no states but those of the test
         tab_ = std::make_unique<WaypointsTab>(*session_, arm_.port());
+        goTo()->guard().setClock(clock_);
         tab_->resize(560, 560);
         tab_->show();
         QVERIFY(QTest::qWaitForWindowActive(tab_.get()));
@@ -450,6 +452,7 @@ private:
     void click(const char* name) { QTest::mouseClick(button(name), Qt::LeftButton); }
 
     FakeArm arm_;
+    VirtualClock clock_;  // stands still: a late event loop ends no hold
     std::unique_ptr<RobotSession> session_;
     std::unique_ptr<WaypointsTab> tab_;
 };
