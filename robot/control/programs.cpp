@@ -226,6 +226,9 @@ Result<void> Controller::Private::watchScript(std::uint64_t epoch, std::uint64_t
         if (const Error bad = complaint(context); bad.code != ErrorCode::None) {
             return bad;
         }
+        if (heardAll) {
+            return {};
+        }
         if (!running) {
             return Error{ErrorCode::LinkLost, context, QStringLiteral("the script was ended")};
         }
@@ -236,11 +239,8 @@ Result<void> Controller::Private::watchScript(std::uint64_t epoch, std::uint64_t
             return overdue(deadline, context, QStringLiteral("the script was ended"));
         }
         if (loop.playing() != played) {
-            if (heardAll) {
-                return {};
-            }
             if (!told && loop.status().runtimeState != RuntimeState::Playing) {
-                told = Deadline::after(milliseconds(500), deadline.token());
+                told = Deadline::after(std::min(milliseconds(500), deadline.remaining()), deadline.token());
                 statesAtEnd = statesHeard();
             }
         } else if (begun.hasExpired()) {
