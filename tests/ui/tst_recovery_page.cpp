@@ -80,6 +80,7 @@ struct Bench : WindowBench {
     /// Returns  how far the TCP went [mm]
     double jog() {
         auto* key = window.findChild<HoldButton*>("jog.Z+");
+        until([&] { return key->isEnabled(); });
         driveKeys(cell, window.jogColumn().holdKeys());
         const Pose from = cell.truth().tcpPose;
         press(*key);
