@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One command: wait for its turn and for the program to be ready, send, wait for the answer.
+#include <QScopeGuard>
+
 #include "robot/ur_rtde/control_session.h"
 #include "robot/ur_rtde/waiting.h"
 
@@ -19,6 +21,13 @@ std::vector<double> numbered(const Command& command) {
     return values;
 }
 
+// What was not sent needs no end, but what an earlier client or program left must not begin by itself.
+void clearUnlessStopping(ControlLink& link) {
+    if (!link.isCommandAlone()) {
+        link.clear();
+    }
+}
+
 }  // namespace
 
 ControlSession::TurnLock ControlSession::takeTurn() {
@@ -29,10 +38,33 @@ ControlSession::TurnLock ControlSession::takeTurn() {
     return turn;
 }
 
+ControlSession::TurnLock ControlSession::takeTurnToStop() {
+    ++stopsWaiting_;
+    const auto arrived = qScopeGuard([this] { --stopsWaiting_; });
+    if (const auto current = link()) {
+        current->wake();
+    }
+    return takeTurn();
+}
+
 bool ControlSession::isReady(ControlLink& link, const std::function<bool(const LinkState&)>& giveUp) {
-    // A stop nobody waited for still has its answer to come, at standstill.
-    return link.wait([&link](const LinkState&) { return !link.clearsWhenDone(); }, giveUp, kEver) &&
-           link.wait([](const LinkState& state) { return state.answer == 1; }, giveUp, kReadyTime);
+    // A stop nobody waited for is done at standstill. Programs of others may not know it.
+    const auto isFree = [&link](const LinkState&) { return !link.isCommandAlone(); };
+    if (!link.wait(isFree, giveUp, isForeign() ? kReadyTime : kEver)) {
+        if (!isForeign() || !link.isAlive() || giveUp(link.state())) {
+            return false;
+        }
+        link.forgetCommandAlone();
+    }
+    return link.wait([](const LinkState& state) { return state.answer == 1; }, giveUp, kReadyTime);
+}
+
+// Only after the program has seen a command does "ready" say that it has seen its end too.
+void ControlSession::untilSeen(ControlLink& link, std::uint64_t sent, milliseconds atMost) {
+    constexpr int kPackages = 3;  // for programs of others, which may call themselves ready all the time
+    link.wait(
+        [&](const LinkState& s) { return s.answer != 1 || (isForeign() && s.sequence > sent + kPackages); },
+        [this](const LinkState& s) { return s.isStopped() || disconnecting_; }, atMost);
 }
 
 std::optional<LinkState> ControlSession::perform(const Command& command) {
@@ -55,12 +87,14 @@ std::optional<LinkState> ControlSession::performInTurn(const Command& command, b
     };
     if (hopeless(robot.state())) {
         say("the robot is stopped, or the control program does not run");
-        robot.clear();
+        clearUnlessStopping(robot);
         return std::nullopt;
     }
-    if (!isReady(robot, hopeless) || !robot.send(command.recipe, numbered(command))) {
+    // A stop is sent in the end whatever the program says.
+    const bool ready = isReady(robot, hopeless) || (!mayBeStopped && !hopeless(robot.state()));
+    if (!ready || !robot.send(command.recipe, numbered(command))) {
         say("the control program is not ready for a command");
-        robot.clear();
+        clearUnlessStopping(robot);
         return std::nullopt;
     }
     const std::uint64_t sent = robot.state().sequence;
@@ -74,53 +108,37 @@ std::optional<LinkState> ControlSession::performInTurn(const Command& command, b
                 const bool quick = foreign && command.id >= CommandId::ToolContact &&
                                    command.id <= CommandId::JointPositionsHistory;
                 readySince = readySince == 0 ? state.sequence : readySince;
-                return state.answer == 2 || (quick && state.sequence > readySince + 5);
+                return state.isDone(static_cast<int>(command.id)) ||
+                       (quick && state.sequence > readySince + 5);
             },
             hopeless, kEver);
         if (!done) {
-            // Only when the program has seen it is "ready" an answer to its end.
-            robot.wait(
-                [sent](const LinkState& state) { return state.answer != 1 || state.sequence > sent + 3; },
-                [this](const LinkState& state) { return state.isStopped() || disconnecting_; },
-                milliseconds(100));
+            untilSeen(robot, sent, milliseconds(1000));
         }
         robot.clear();
         return done ? std::optional(answer) : std::nullopt;
     } catch (const Interrupted&) {
         // Nobody waits for it any more: it shall not go on by itself.
         const Uninterrupted stopping;
+        untilSeen(robot, sent, milliseconds(50));
         robot.clear();
         robot.wait([](const LinkState& state) { return state.answer == 1; }, hopeless, milliseconds(100));
-        robot.send(20, {static_cast<double>(CommandId::StopJ), 4.0, 1.0});
-        robot.clearWhenDone();
+        robot.sendAlone(20, {static_cast<double>(CommandId::StopJ), 4.0, 1.0});
         throw;
     }
 }
 
 bool ControlSession::stop(const Command& command, bool wait) {
-    ++stopsWaiting_;
-    if (const auto current = link()) {
-        current->wake();
-    }
-    std::optional<TurnLock> turn;
-    try {
-        turn = takeTurn();
-    } catch (...) {
-        --stopsWaiting_;
-        throw;
-    }
-    --stopsWaiting_;
+    const TurnLock turn = takeTurnToStop();
     if (wait) {
         return performInTurn(command, false).has_value();
     }
     const auto current = link();
     const auto hopeless = [](const LinkState& state) { return state.isStopped() || !state.isPlaying(); };
-    if (!current || !current->isAlive() || !isReady(*current, hopeless)) {
+    if (!current || !current->isAlive() || (!isReady(*current, hopeless) && hopeless(current->state()))) {
         return false;
     }
-    const bool sent = current->send(command.recipe, numbered(command));
-    current->clearWhenDone();
-    return sent;
+    return current->sendAlone(command.recipe, numbered(command));
 }
 
 bool ControlSession::stream(const Command& command) {
@@ -135,7 +153,7 @@ bool ControlSession::stream(const Command& command) {
         return state.isStopped() || (!mayIdle && !state.isPlaying()) || disconnecting_;
     };
     if (hopeless(robot.state()) || !isReady(robot, hopeless)) {
-        robot.clear();
+        clearUnlessStopping(robot);
         return false;
     }
     robot.countStream();

@@ -14,8 +14,8 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kBeatEvery(20);       // when the data come more slowly
 constexpr milliseconds kSilenceLimit(2500);  // without data for so long the link counts as broken
-constexpr std::size_t kClearRecipe = 4;
-constexpr std::size_t kKickRecipe = 11;
+constexpr int kClearRecipe = 4;
+constexpr int kKickRecipe = 11;
 constexpr std::size_t kBeatRecipe = 21;
 
 /// int registers 0 ..., then double registers 0 ..., then one more field.
@@ -175,7 +175,7 @@ void ControlLink::run() {
 }
 
 void ControlLink::publish(const std::vector<double>& values) {
-    bool done = false;
+    LinkState now;
     {
         const std::lock_guard lock(mutex_);
         ++state_.sequence;
@@ -183,17 +183,22 @@ void ControlLink::publish(const std::vector<double>& values) {
         state_.safetyStatus = static_cast<std::uint32_t>(values[status_[1]]);
         state_.runtime = static_cast<RuntimeState>(values[status_[2]]);
         state_.played += state_.isPlaying() ? 1 : 0;
-        state_.answer = static_cast<int>(values[ints_[0]]);
+        const auto answer = static_cast<std::uint32_t>(static_cast<std::int32_t>(values[ints_[0]]));
+        state_.answer = static_cast<int>(answer % 4);
+        state_.answered = static_cast<int>(answer / 4);
         state_.result = static_cast<int>(values[ints_[1]]);
         state_.progress = static_cast<int>(values[ints_[2]]);
         for (std::size_t i = 0; i < doubles_.size(); ++i) {
             state_.values[i] = values[doubles_[i]];
         }
-        done = state_.answer == 2 || !state_.isPlaying();
+        now = state_;
     }
     changed_.notify_all();
-    if (done && clearWhenDone_.exchange(false)) {
-        clear();
+    if (isCommandAlone()) {
+        const std::lock_guard lock(sending_);
+        if (isCommandAlone() && (now.isDone(alone_) || !now.isPlaying())) {
+            sendLocked(kClearRecipe, {0.0});
+        }
     }
 }
 
@@ -241,17 +246,32 @@ bool ControlLink::sendLocked(int recipe, const std::vector<double>& values) {
         connection_->inputs()[index].size() != values.size()) {
         return false;
     }
+    if (connection_->sendInputs(index, values) != rtde::Connection::Send::Sent) {
+        return false;
+    }
+    if (recipe != kKickRecipe) {
+        alone_ = 0;
+    }
     command_ = values.front();
-    return connection_->sendInputs(index, values) == rtde::Connection::Send::Sent;
+    return true;
+}
+
+bool ControlLink::sendAlone(int recipe, const std::vector<double>& values) {
+    const std::lock_guard lock(sending_);
+    if (!sendLocked(recipe, values)) {
+        return false;
+    }
+    alone_ = static_cast<int>(values.front());
+    return true;
 }
 
 bool ControlLink::kick() {
     const std::lock_guard lock(sending_);
-    return sendLocked(static_cast<int>(kKickRecipe), {command_});
+    return sendLocked(kKickRecipe, {command_});
 }
 
 bool ControlLink::clear() {
-    return send(static_cast<int>(kClearRecipe), {0.0});
+    return send(kClearRecipe, {0.0});
 }
 
 }  // namespace tiller::urrtde

@@ -35,11 +35,13 @@ struct LinkState {
     std::uint32_t robotStatus = 0;
     std::uint32_t safetyStatus = 0;
     RuntimeState runtime = RuntimeState::Stopped;
-    int answer = 0;    ///< of the program: 1 ready, 2 done
+    int answer = 0;    ///< of the program: 0 busy, 1 ready, 2 done
+    int answered = 0;  ///< the command that is done; 0: the program does not tell
     int result = 0;    ///< one number
     int progress = 0;  ///< see AsyncOperationStatus
     std::array<double, 6> values{};
 
+    bool isDone(int command) const { return answer == 2 && (answered == 0 || answered == command); }
     bool isPlaying() const { return runtime == RuntimeState::Playing; }
     /// A protective or an emergency stop.
     bool isStopped() const { return (safetyStatus & ((1U << 2) | (1U << 7))) != 0; }
@@ -75,9 +77,11 @@ public:
     bool send(int recipe, const std::vector<double>& values);
     /// Sends "no command".
     bool clear();
-    /// Sends it as soon as the program answers "done". Until then that answer is not the next command's.
-    void clearWhenDone() { clearWhenDone_ = true; }
-    bool clearsWhenDone() const { return clearWhenDone_; }
+    /// Sends a command nobody waits for, and "no command" once it is done or no program plays any more.
+    bool sendAlone(int recipe, const std::vector<double>& values);
+    /// Whether such a command is under way. Another one takes its place.
+    bool isCommandAlone() const { return alone_ != 0; }
+    void forgetCommandAlone() { alone_ = 0; }
     /// Sends the command register as it is, for a watchdog: what is under way goes on.
     bool kick();
     /// Tells the program that what follows is a new command of a stream.
@@ -100,7 +104,7 @@ private:
 
     std::atomic<bool> alive_{true};
     std::atomic<bool> quit_{false};
-    std::atomic<bool> clearWhenDone_{false};
+    std::atomic<int> alone_{0};  ///< the command nobody waits for; 0: none
     std::atomic<int> streams_{0};
     int heartbeat_ = 0;
     std::mutex sending_;

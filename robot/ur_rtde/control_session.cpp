@@ -310,12 +310,7 @@ void ControlSession::useScriptFile(const std::string& file) {
 }
 
 void ControlSession::stopProgram() {
-    ++stopsWaiting_;
-    if (const auto current = link()) {
-        current->wake();
-    }
-    const TurnLock turn = takeTurn();
-    --stopsWaiting_;
+    const TurnLock turn = takeTurnToStop();
     if (const auto current = link(); current && current->isAlive()) {
         endProgram(*current);
     }
@@ -337,8 +332,11 @@ bool ControlSession::runCustom(const std::string& text, int mark) {
     const auto isUnwanted = [this](const LinkState& state) { return state.isStopped() || stopsWaiting_ > 0; };
     const auto isOver = [](const LinkState& state) { return state.runtime == RuntimeState::Stopped; };
     const auto end = [&] {
+        const Uninterrupted stopping;
         try {
-            sendScript(*current, "stop program\n");
+            if (!sendScript(*current, "stop program\n")) {
+                say("the custom script could not be stopped");
+            }
         } catch (const std::runtime_error& error) {
             say(error.what());
         }
@@ -349,12 +347,13 @@ bool ControlSession::runCustom(const std::string& text, int mark) {
               current->wait(hasEnded, isUnwanted, kEver) && current->wait(isOver, never, kProgramEnd);
     } catch (const Interrupted&) {
         // Nobody waits for it any more: it shall not go on by itself.
-        const Uninterrupted stopping;
         end();
         throw;
     }
     if (!ran && stopsWaiting_ > 0) {
         end();
+        // It may have been on its way still.
+        current->wait(hasBegun, never, milliseconds(500));
         current->wait(isOver, never, kProgramEnd);
     }
     return upload(*current, {}) && awaitProgram(*current, kProgramStart) && ran;

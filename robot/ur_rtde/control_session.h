@@ -145,6 +145,8 @@ public:
 private:
     using TurnLock = std::unique_lock<Turn>;
     TurnLock takeTurn();
+    TurnLock takeTurnToStop();  ///< ends what another thread waits for
+    void untilSeen(ControlLink& link, std::uint64_t sent, std::chrono::milliseconds atMost);
     std::shared_ptr<ControlLink> link() const;
     bool isReady(ControlLink& link, const std::function<bool(const LinkState&)>& giveUp);
     std::optional<LinkState> performInTurn(const Command& command, bool mayBeStopped);

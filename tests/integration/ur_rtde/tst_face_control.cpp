@@ -198,6 +198,8 @@ $6.0   P = 6
         std::ofstream(whole) << "# mine\n\ndef rtde_control():\n" << body.rdbuf() << "end\nrun program\n";
         control_->setCustomScriptFile(whole);
         QCOMPARE(control_->getStepTime(), 5.0);
+        control_->stopJ(2.0, true);  // which it does not know
+        QCOMPARE(control_->getStepTime(), 5.0);
     }
 
     // ---- moves ------------------------------------------------------------------------------------------
@@ -324,6 +326,50 @@ $6.0   P = 6
         QVERIFY(joints()[0] < kStart[0] + 0.9);
         QVERIFY(control_->moveJ(kStart));
         QVERIFY(near(joints(), kStart));
+    }
+
+    // The move begins only when the one before has been stopped; its answer must not be taken for the stop's.
+    void aStopBehindAChangeOfCourseIsNotLost() {
+        static std::atomic<bool> impatient;
+        for (const bool interrupted : {false, true}) {
+            impatient = false;
+            urrtde::setInterruptCheck([] { return impatient.load(); });
+            const auto undo = qScopeGuard([] { urrtde::setInterruptCheck(nullptr); });
+            QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 1.0, 1.4, true));
+            QVERIFY(cell_->until([](const simulator::Truth& t) { return t.q.array()[0] > kStart[0] + 0.4; }));
+            auto turning = std::async(
+                std::launch::async, [&] { return control_->moveJ(with(kStart, 0, -1.0), 0.02, 1.4, true); });
+            if (interrupted) {
+                impatient = true;
+                try {
+                    turning.get();
+                } catch (const urrtde::Interrupted&) {
+                    impatient = false;
+                }
+                impatient = false;
+            }
+            control_->stopJ(4.0);
+            QVERIFY(untilStanding());
+            QVERIFY(joints()[0] > kStart[0] - 0.9);
+            if (!interrupted) {
+                turning.get();
+                control_->stopJ(4.0);  // whichever of the two came first
+            }
+            QVERIFY(untilStanding());
+            QVERIFY(control_->moveJ(kStart));
+            QVERIFY(near(joints(), kStart));
+        }
+    }
+
+    void aStopIsFollowedByTheProgramsEndAtOnce() {
+        QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.5, 1.4, true));
+        QVERIFY(untilMoving());
+        control_->stopJ(1.0, true);
+        control_->stopScript();
+        QVERIFY(untilStanding());
+        QVERIFY(!control_->isProgramRunning());
+        QVERIFY(control_->reuploadScript());
+        QVERIFY(control_->moveJ(kStart));
     }
 
     void nobodyWaitsForACustomScriptThatWasInterrupted() {
@@ -481,6 +527,16 @@ $6.0   P = 6
         QVERIFY(control_->enableExternalFtSensor(false));
         QVERIFY(control_->ftRtdeInputEnable(true, 0.5));
         QVERIFY(control_->ftRtdeInputEnable(false));
+        // What it measures keeps nothing else from being obeyed.
+        QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.05, 1.4, true));
+        QVERIFY(untilMoving());
+        for (int i = 0; i < 3; ++i) {
+            QVERIFY(control_->setExternalForceTorque({0, 0, 1, 0, 0, 0}));
+            QVERIFY(cell_->pass(0.02));
+        }
+        control_->stopJ(2.0);
+        QVERIFY(untilStanding());
+        QVERIFY(joints()[0] < kStart[0] + 0.9);
     }
 
     void handsGuideTheArm() {

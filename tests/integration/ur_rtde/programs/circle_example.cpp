@@ -34,8 +34,7 @@ int main(int, char** argv) {
         rtde_control.waitPeriod(t_start);
         time_counter += dt * speed_scaling_combined;
     }
-    while (!isNear([&] { return rtde_receive.getActualTCPPose(); }, getCircleTarget(init_pose, time_counter),
-                   0.005)) {
+    while (!areNear(rtde_receive.getActualTCPPose(), getCircleTarget(init_pose, time_counter), 0.005)) {
         auto t_start = rtde_control.initPeriod();
         rtde_control.servoL(getCircleTarget(init_pose, time_counter), 0.5, 0.5, dt, 0.1, 600);
         rtde_control.waitPeriod(t_start);

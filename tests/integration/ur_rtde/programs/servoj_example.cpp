@@ -22,7 +22,7 @@ int main(int, char** argv) {
         joint_q[1] += 0.001;
         rtde_control.waitPeriod(t_start);
     }
-    while (!isNear([&] { return rtde_receive.getActualQ(); }, joint_q, 0.02)) {
+    while (!areNear(rtde_receive.getActualQ(), joint_q, 0.02)) {
         steady_clock::time_point t_start = rtde_control.initPeriod();
         require(rtde_control.servoJ(joint_q, velocity, acceleration, dt, lookahead_time, gain), "servoJ");
         rtde_control.waitPeriod(t_start);
