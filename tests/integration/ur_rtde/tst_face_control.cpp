@@ -386,6 +386,7 @@ $6.0   P = 6
         impatient = false;
         QVERIFY(untilNotRunning());
         QVERIFY(untilStanding());
+        QVERIFY(joints()[0] < kStart[0] + 0.9);
         QVERIFY(control_->reuploadScript());
         QVERIFY(control_->moveJ(kStart));
     }
