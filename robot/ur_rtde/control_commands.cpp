@@ -28,6 +28,16 @@ void clearUnlessStopping(ControlLink& link) {
     }
 }
 
+// A connection with no room for it just now has some a moment later.
+bool sendStop(ControlLink& link, const Command& command) {
+    bool sent = link.sendAlone(command.recipe, numbered(command));
+    for (int i = 0; i < 20 && !sent && link.isAlive(); ++i) {
+        std::this_thread::sleep_for(milliseconds(5));
+        sent = link.sendAlone(command.recipe, numbered(command));
+    }
+    return sent;
+}
+
 }  // namespace
 
 ControlSession::TurnLock ControlSession::takeTurn() {
@@ -50,8 +60,8 @@ ControlSession::TurnLock ControlSession::takeTurnToStop() {
 bool ControlSession::isReady(ControlLink& link, const std::function<bool(const LinkState&)>& giveUp) {
     // A stop nobody waited for is done at standstill. Programs of others may not know it.
     const auto isFree = [&link](const LinkState&) { return !link.isCommandAlone(); };
-    if (!link.wait(isFree, giveUp, isForeign() ? kReadyTime : kEver)) {
-        if (!isForeign() || !link.isAlive() || giveUp(link.state())) {
+    if (!link.wait(isFree, giveUp, isOurs() ? kEver : kReadyTime)) {
+        if (isOurs() || !link.isAlive() || giveUp(link.state())) {
             return false;
         }
         link.forgetCommandAlone();
@@ -63,8 +73,8 @@ bool ControlSession::isReady(ControlLink& link, const std::function<bool(const L
 void ControlSession::untilSeen(ControlLink& link, std::uint64_t sent, milliseconds atMost) {
     constexpr int kPackages = 3;  // for programs of others, which may call themselves ready all the time
     link.wait(
-        [&](const LinkState& s) { return s.answer != 1 || (isForeign() && s.sequence > sent + kPackages); },
-        [this](const LinkState& s) { return s.isStopped() || disconnecting_; }, atMost);
+        [&](const LinkState& s) { return s.answer != 1 || (!isOurs() && s.sequence > sent + kPackages); },
+        [this](const LinkState& s) { return s.isStopped() || s.hasEnded() || disconnecting_; }, atMost);
 }
 
 std::optional<LinkState> ControlSession::perform(const Command& command) {
@@ -82,17 +92,15 @@ std::optional<LinkState> ControlSession::performInTurn(const Command& command, b
     const bool mayIdle = foreign || server_;
     // Two reasons to stop waiting that are no failure of the link.
     const auto hopeless = [&](const LinkState& state) {
-        return state.isStopped() || (!mayIdle && !state.isPlaying()) || (mayBeStopped && stopsWaiting_ > 0) ||
-               disconnecting_;
+        return state.isStopped() || ((!mayIdle || !mayBeStopped) && !state.isPlaying()) ||
+               ((mayBeStopped || !isOurs()) && stopsWaiting_ > 0) || disconnecting_;
     };
     if (hopeless(robot.state())) {
         say("the robot is stopped, or the control program does not run");
         clearUnlessStopping(robot);
         return std::nullopt;
     }
-    // A stop is sent in the end whatever the program says.
-    const bool ready = isReady(robot, hopeless) || (!mayBeStopped && !hopeless(robot.state()));
-    if (!ready || !robot.send(command.recipe, numbered(command))) {
+    if (!isReady(robot, hopeless) || !robot.send(command.recipe, numbered(command))) {
         say("the control program is not ready for a command");
         clearUnlessStopping(robot);
         return std::nullopt;
@@ -115,30 +123,51 @@ std::optional<LinkState> ControlSession::performInTurn(const Command& command, b
         if (!done) {
             untilSeen(robot, sent, milliseconds(1000));
         }
-        robot.clear();
+        robot.clear(command.id);
         return done ? std::optional(answer) : std::nullopt;
     } catch (const Interrupted&) {
         // Nobody waits for it any more: it shall not go on by itself.
         const Uninterrupted stopping;
         untilSeen(robot, sent, milliseconds(50));
-        robot.clear();
+        robot.clear(command.id);
         robot.wait([](const LinkState& state) { return state.answer == 1; }, hopeless, milliseconds(100));
-        robot.sendAlone(20, {static_cast<double>(CommandId::StopJ), 4.0, 1.0});
+        sendStop(robot, {CommandId::StopJ, 20, {4.0, 1.0}});
         throw;
     }
 }
 
 bool ControlSession::stop(const Command& command, bool wait) {
-    const TurnLock turn = takeTurnToStop();
-    if (wait) {
-        return performInTurn(command, false).has_value();
-    }
     const auto current = link();
-    const auto hopeless = [](const LinkState& state) { return state.isStopped() || !state.isPlaying(); };
-    if (!current || !current->isAlive() || (!isReady(*current, hopeless) && hopeless(current->state()))) {
-        return false;
+    bool tried = false;
+    try {
+        const TurnLock turn = takeTurnToStop();
+        if (!current || !current->isAlive()) {
+            return false;
+        }
+        ControlLink& robot = *current;
+        const auto hopeless = [this](const LinkState& state) { return state.hasEnded() || disconnecting_; };
+        const auto isSilent = [&](const LinkState& state) {
+            return hopeless(state) || !state.isPlaying() || state.isStopped();
+        };
+        const bool ready = !isSilent(robot.state()) && isReady(robot, isSilent);
+        if (hopeless(robot.state())) {
+            say("no program runs that could be stopped");
+            clearUnlessStopping(robot);
+            return false;
+        }
+        tried = true;
+        if (ready && wait) {
+            return performInTurn(command, false).has_value();
+        }
+        // A program that is paused, or does not answer, obeys when it goes on.
+        return sendStop(robot, command) && ready;
+    } catch (const Interrupted&) {
+        if (current && !tried) {
+            const Uninterrupted stopping;
+            sendStop(*current, command);
+        }
+        throw;
     }
-    return current->sendAlone(command.recipe, numbered(command));
 }
 
 bool ControlSession::stream(const Command& command) {
@@ -150,7 +179,7 @@ bool ControlSession::stream(const Command& command) {
     ControlLink& robot = *current;
     const bool mayIdle = isForeign() || server_;
     const auto hopeless = [&](const LinkState& state) {
-        return state.isStopped() || (!mayIdle && !state.isPlaying()) || disconnecting_;
+        return state.isStopped() || (!mayIdle && !state.isPlaying()) || stopsWaiting_ > 0 || disconnecting_;
     };
     if (hopeless(robot.state()) || !isReady(robot, hopeless)) {
         clearUnlessStopping(robot);

@@ -196,7 +196,7 @@ void ControlLink::publish(const std::vector<double>& values) {
     changed_.notify_all();
     if (isCommandAlone()) {
         const std::lock_guard lock(sending_);
-        if (isCommandAlone() && (now.isDone(alone_) || !now.isPlaying())) {
+        if (isCommandAlone() && (now.isDone(alone_) || now.hasEnded())) {
             sendLocked(kClearRecipe, {0.0});
         }
     }
@@ -272,6 +272,11 @@ bool ControlLink::kick() {
 
 bool ControlLink::clear() {
     return send(kClearRecipe, {0.0});
+}
+
+bool ControlLink::clear(CommandId command) {
+    const std::lock_guard lock(sending_);
+    return command_ != static_cast<double>(command) || sendLocked(kClearRecipe, {0.0});
 }
 
 }  // namespace tiller::urrtde

@@ -28,6 +28,66 @@ struct LinkOptions {
     int priority = 0;
 };
 
+/// The numbers the control program knows.
+enum class CommandId : int {
+    MoveJ = 1,
+    MoveJIk = 2,
+    MoveL = 3,
+    MoveLFk = 4,
+    ForceMode = 6,
+    ForceModeStop = 7,
+    ZeroFtSensor = 8,
+    SpeedJ = 9,
+    SpeedL = 10,
+    ServoJ = 11,
+    ServoC = 12,
+    SpeedStop = 15,
+    ServoStop = 16,
+    SetPayload = 17,
+    TeachMode = 18,
+    EndTeachMode = 19,
+    ForceModeDamping = 20,
+    ForceModeGainScaling = 21,
+    ServoL = 24,
+    ToolContact = 25,
+    StepTime = 26,
+    JointPositionsHistory = 27,
+    TargetWaypoint = 28,
+    SetTcp = 29,
+    InverseKinematicsNear = 30,
+    ProtectiveStop = 31,
+    StopL = 33,
+    StopJ = 34,
+    SetWatchdog = 35,
+    PoseWithinLimits = 36,
+    JointsWithinLimits = 37,
+    JointTorques = 38,
+    PoseTrans = 39,
+    TcpOffset = 40,
+    JogStart = 41,
+    JogStop = 42,
+    ForwardKinematics = 43,
+    ForwardKinematicsOf = 44,
+    MovePath = 45,
+    InverseKinematics = 46,
+    IsSteady = 47,
+    MoveUntilContact = 51,
+    FreedriveMode = 52,
+    EndFreedriveMode = 53,
+    FreedriveStatus = 54,
+    ExternalForceTorque = 55,
+    FtRtdeInput = 56,
+    ExternalFtSensor = 57,
+    ToolFlangePose = 58,
+    SetGravity = 59,
+    HasSolution = 60,
+    HasSolutionNear = 61,
+    StartContactDetection = 62,
+    StopContactDetection = 63,
+    ReadContactDetection = 64,
+    StopScript = 255,
+};
+
 /// One package of the robot.
 struct LinkState {
     std::uint64_t sequence = 0;  ///< 0: none yet
@@ -43,6 +103,7 @@ struct LinkState {
 
     bool isDone(int command) const { return answer == 2 && (answered == 0 || answered == command); }
     bool isPlaying() const { return runtime == RuntimeState::Playing; }
+    bool hasEnded() const { return runtime == RuntimeState::Stopped || runtime == RuntimeState::Stopping; }
     /// A protective or an emergency stop.
     bool isStopped() const { return (safetyStatus & ((1U << 2) | (1U << 7))) != 0; }
 };
@@ -77,7 +138,9 @@ public:
     bool send(int recipe, const std::vector<double>& values);
     /// Sends "no command".
     bool clear();
-    /// Sends a command nobody waits for, and "no command" once it is done or no program plays any more.
+    /// As clear(), unless another command has taken this one's place.
+    bool clear(CommandId command);
+    /// Sends a command nobody waits for, and "no command" once it is done or the program has ended.
     bool sendAlone(int recipe, const std::vector<double>& values);
     /// Whether such a command is under way. Another one takes its place.
     bool isCommandAlone() const { return alone_ != 0; }

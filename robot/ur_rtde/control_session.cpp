@@ -25,9 +25,7 @@ constexpr milliseconds kEver = std::chrono::hours(24 * 365);
 
 const auto never = [](const LinkState&) { return false; };
 const auto isPlaying = [](const LinkState& state) { return state.isPlaying(); };
-const auto hasEnded = [](const LinkState& state) {
-    return state.runtime == RuntimeState::Stopped || state.runtime == RuntimeState::Stopping;
-};
+const auto hasEnded = [](const LinkState& state) { return state.hasEnded(); };
 
 // A whole program, as programs of users are; the built-in one is what stands between `def` and `end`.
 bool isWhole(const std::string& text) {
@@ -310,9 +308,17 @@ void ControlSession::useScriptFile(const std::string& file) {
 }
 
 void ControlSession::stopProgram() {
-    const TurnLock turn = takeTurnToStop();
-    if (const auto current = link(); current && current->isAlive()) {
-        endProgram(*current);
+    const auto current = link();
+    try {
+        const TurnLock turn = takeTurnToStop();
+        if (current && current->isAlive()) {
+            endProgram(*current);
+        }
+    } catch (const Interrupted&) {
+        if (current) {
+            current->send(4, {static_cast<double>(CommandId::StopScript)});
+        }
+        throw;
     }
 }
 

@@ -19,66 +19,6 @@
 
 namespace tiller::urrtde {
 
-/// The numbers the control program knows.
-enum class CommandId : int {
-    MoveJ = 1,
-    MoveJIk = 2,
-    MoveL = 3,
-    MoveLFk = 4,
-    ForceMode = 6,
-    ForceModeStop = 7,
-    ZeroFtSensor = 8,
-    SpeedJ = 9,
-    SpeedL = 10,
-    ServoJ = 11,
-    ServoC = 12,
-    SpeedStop = 15,
-    ServoStop = 16,
-    SetPayload = 17,
-    TeachMode = 18,
-    EndTeachMode = 19,
-    ForceModeDamping = 20,
-    ForceModeGainScaling = 21,
-    ServoL = 24,
-    ToolContact = 25,
-    StepTime = 26,
-    JointPositionsHistory = 27,
-    TargetWaypoint = 28,
-    SetTcp = 29,
-    InverseKinematicsNear = 30,
-    ProtectiveStop = 31,
-    StopL = 33,
-    StopJ = 34,
-    SetWatchdog = 35,
-    PoseWithinLimits = 36,
-    JointsWithinLimits = 37,
-    JointTorques = 38,
-    PoseTrans = 39,
-    TcpOffset = 40,
-    JogStart = 41,
-    JogStop = 42,
-    ForwardKinematics = 43,
-    ForwardKinematicsOf = 44,
-    MovePath = 45,
-    InverseKinematics = 46,
-    IsSteady = 47,
-    MoveUntilContact = 51,
-    FreedriveMode = 52,
-    EndFreedriveMode = 53,
-    FreedriveStatus = 54,
-    ExternalForceTorque = 55,
-    FtRtdeInput = 56,
-    ExternalFtSensor = 57,
-    ToolFlangePose = 58,
-    SetGravity = 59,
-    HasSolution = 60,
-    HasSolutionNear = 61,
-    StartContactDetection = 62,
-    StopContactDetection = 63,
-    ReadContactDetection = 64,
-    StopScript = 255,
-};
-
 struct Command {
     CommandId id;
     int recipe;                  ///< 1 ... 20
@@ -110,6 +50,11 @@ public:
     /// Whether a program of the user's runs, which may know less than ours.
     bool isForeign() const {
         return options_.has(ur_rtde::RTDEControlInterface::FLAG_CUSTOM_SCRIPT) || !scriptFile_.empty();
+    }
+
+    /// Whether it is certain that ours runs, or none.
+    bool isOurs() const {
+        return !isForeign() && !server_ && options_.has(ur_rtde::RTDEControlInterface::FLAG_UPLOAD_SCRIPT);
     }
 
     /// Has a command carried out and waits until it is.

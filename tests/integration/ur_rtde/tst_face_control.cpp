@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every function of RTDEControlInterface against the simulated robot.
+#include <ur_rtde/dashboard_client.h>
 #include <ur_rtde/rtde_control_interface.h>
 #include <ur_rtde/script_client.h>
 
@@ -339,16 +340,19 @@ $6.0   P = 6
             QVERIFY(cell_->until([](const simulator::Truth& t) { return t.q.array()[0] > kStart[0] + 0.4; }));
             auto turning = std::async(
                 std::launch::async, [&] { return control_->moveJ(with(kStart, 0, -1.0), 0.02, 1.4, true); });
+            bool ended = false;
             if (interrupted) {
                 impatient = true;
                 try {
                     turning.get();
                 } catch (const urrtde::Interrupted&) {
-                    impatient = false;
+                    ended = true;
                 }
                 impatient = false;
             }
-            control_->stopJ(4.0);
+            if (!ended) {
+                control_->stopJ(4.0);
+            }
             QVERIFY(untilStanding());
             QVERIFY(joints()[0] > kStart[0] - 0.9);
             if (!interrupted) {
@@ -359,6 +363,35 @@ $6.0   P = 6
             QVERIFY(control_->moveJ(kStart));
             QVERIFY(near(joints(), kStart));
         }
+    }
+
+    // What waits for a halt reads its numbers after it: they must still be its own.
+    void aSetPointNobodyWantsAnyMoreIsNotFollowed() {
+        QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 1.0, 1.4, true));
+        QVERIFY(cell_->until([](const simulator::Truth& t) { return t.q.array()[0] > kStart[0] + 0.4; }));
+        QVERIFY(control_->servoJ(with(kStart, 0, 0.5), 0.5, 0.5, 0.002, 0.1, 300));
+        control_->servoStop(10.0);
+        QVERIFY(untilStanding());
+        QCOMPARE(cell_->robot.truth().safetyMode, SafetyMode::Normal);
+        QVERIFY(control_->moveJ(kStart));
+        QVERIFY(near(joints(), kStart));
+    }
+
+    void aPausedProgramObeysAStopWhenItGoesOn() {
+        ur_rtde::DashboardClient pendant(cell_->host());
+        pendant.connect();
+        QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.05, 1.4, true));
+        QVERIFY(untilMoving());
+        pendant.pause();
+        QVERIFY(untilStanding());
+        control_->stopJ(2.0);
+        pendant.play();
+        QVERIFY(cell_->until([&](const simulator::Truth&) { return control_->isProgramRunning(); }));
+        QVERIFY(cell_->pass(1));
+        QVERIFY(untilStanding());
+        QVERIFY(joints()[0] < kStart[0] + 0.9);
+        QVERIFY(control_->moveJ(kStart));
+        QVERIFY(near(joints(), kStart));
     }
 
     void aStopIsFollowedByTheProgramsEndAtOnce() {
