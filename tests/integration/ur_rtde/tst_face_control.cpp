@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Every function of RTDEControlInterface against the simulated robot.
-#include <ur_rtde/dashboard_client.h>
 #include <ur_rtde/rtde_control_interface.h>
 #include <ur_rtde/script_client.h>
 
 #include <QScopeGuard>
 #include <QTemporaryDir>
 #include <QTest>
-#include <cmath>
 #include <fstream>
 #include <future>
 
@@ -15,64 +13,14 @@
 #include "tests/support/face_control_test.h"
 
 using namespace tiller;
+using namespace tiller::test;
 using ur_rtde::AsyncOperationStatus;
 using ur_rtde::Path;
 using ur_rtde::PathEntry;
 using ur_rtde::RTDEControlInterface;
-using List = std::vector<double>;
 
-namespace {
-
-const List kStart{-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310};
-
-List with(List values, std::size_t index, double change) {
-    values[index] += change;
-    return values;
-}
-
-bool near(const List& a, const List& b, double tolerance = 1e-3) {
-    if (a.size() != b.size()) {
-        return false;
-    }
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        if (!(std::abs(a[i] - b[i]) < tolerance)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-List jointsOf(const simulator::Truth& truth) {
-    const auto q = truth.q.array();
-    return {q.begin(), q.end()};
-}
-
-List poseOf(const simulator::Truth& truth) {
-    const auto pose = truth.tcpPose.array();
-    return {pose.begin(), pose.end()};
-}
-
-// The measured speeds are noisy.
-bool stands(const simulator::Truth& truth) {
-    return truth.qd.values.cwiseAbs().maxCoeff() < 5e-3;
-}
-
-}  // namespace
-
-class TestFaceControl : public test::FaceControlTest {
+class TestFaceControl : public FaceControlTest {
     Q_OBJECT
-
-private:
-    List joints() const { return jointsOf(cell_->robot.truth()); }
-    List pose() const { return poseOf(cell_->robot.truth()); }
-    bool untilStanding() { return cell_->until(stands); }
-    bool untilMoving() {
-        return cell_->until([](const simulator::Truth& truth) { return !stands(truth); });
-    }
-    bool untilNotRunning() {
-        return cell_->until(
-            [](const simulator::Truth& t) { return t.runtimeState == RuntimeState::Stopped; });
-    }
 
 private Q_SLOTS:
     // ---- life -------------------------------------------------------------------------------------------
@@ -288,174 +236,6 @@ $6.0   P = 6
         QVERIFY(control_->getAsyncOperationProgress() != first);
     }
 
-    void stopsEndAnAsynchronousMove() {
-        QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.05, 1.4, true));
-        QVERIFY(untilMoving());
-        control_->stopJ(2.0);
-        QVERIFY(untilStanding());
-        QVERIFY(joints()[0] < kStart[0] + 0.9);
-        QVERIFY(control_->moveL(with(pose(), 2, 0.3), 0.05, 0.5, true));
-        QVERIFY(untilMoving());
-        control_->stopL(5.0, true);
-        QVERIFY(control_->moveJ(kStart));  // not before the stop's end
-        QVERIFY(near(joints(), kStart));
-        QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.05, 1.4, true));
-        QVERIFY(untilMoving());
-        control_->stopJ(2.0, true);
-        control_->stopJ(4.0, true);
-        QVERIFY(untilStanding());
-        QVERIFY(control_->moveJ(kStart));
-        QVERIFY(near(joints(), kStart));
-    }
-
-    // Ctrl-C in Python, while the link stands still: the program sees no "none" between the move and its
-    // stop.
-    void aStopIsObeyedEvenWhenItFollowsTheMoveAtOnce() {
-        static std::atomic<bool> impatient;
-        impatient = false;
-        urrtde::setInterruptCheck([] { return impatient.load(); });
-        const auto undo = qScopeGuard([] { urrtde::setInterruptCheck(nullptr); });
-        auto waiting =
-            std::async(std::launch::async, [&] { return control_->moveJ(with(kStart, 0, 1.0), 0.05, 1.4); });
-        QVERIFY(untilMoving());
-        cell_->freeze(true);
-        impatient = true;
-        QVERIFY_EXCEPTION_THROWN(waiting.get(), urrtde::Interrupted);
-        impatient = false;
-        cell_->freeze(false);
-        QVERIFY(untilStanding());
-        QVERIFY(joints()[0] < kStart[0] + 0.9);
-        QVERIFY(control_->moveJ(kStart));
-        QVERIFY(near(joints(), kStart));
-    }
-
-    // The move begins only when the one before has been stopped; its answer must not be taken for the stop's.
-    void aStopBehindAChangeOfCourseIsNotLost() {
-        static std::atomic<bool> impatient;
-        for (const bool interrupted : {false, true}) {
-            impatient = false;
-            urrtde::setInterruptCheck([] { return impatient.load(); });
-            const auto undo = qScopeGuard([] { urrtde::setInterruptCheck(nullptr); });
-            QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 1.0, 1.4, true));
-            QVERIFY(cell_->until([](const simulator::Truth& t) { return t.q.array()[0] > kStart[0] + 0.4; }));
-            auto turning = std::async(
-                std::launch::async, [&] { return control_->moveJ(with(kStart, 0, -1.0), 0.02, 1.4, true); });
-            bool ended = false;
-            if (interrupted) {
-                impatient = true;
-                try {
-                    turning.get();
-                } catch (const urrtde::Interrupted&) {
-                    ended = true;
-                }
-                impatient = false;
-            }
-            if (!ended) {
-                control_->stopJ(4.0);
-            }
-            QVERIFY(untilStanding());
-            QVERIFY(joints()[0] > kStart[0] - 0.9);
-            if (!interrupted) {
-                turning.get();
-                control_->stopJ(4.0);  // whichever of the two came first
-            }
-            QVERIFY(untilStanding());
-            QVERIFY(control_->moveJ(kStart));
-            QVERIFY(near(joints(), kStart));
-        }
-    }
-
-    // What waits for a halt reads its numbers after it: they must still be its own.
-    void aSetPointNobodyWantsAnyMoreIsNotFollowed() {
-        QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 1.0, 1.4, true));
-        QVERIFY(cell_->until([](const simulator::Truth& t) { return t.q.array()[0] > kStart[0] + 0.4; }));
-        QVERIFY(control_->servoJ(with(kStart, 0, 0.5), 0.5, 0.5, 0.002, 0.1, 300));
-        control_->servoStop(10.0);
-        QVERIFY(untilStanding());
-        QCOMPARE(cell_->robot.truth().safetyMode, SafetyMode::Normal);
-        QVERIFY(control_->moveJ(kStart));
-        QVERIFY(near(joints(), kStart));
-    }
-
-    void aPausedProgramObeysAStopWhenItGoesOn() {
-        ur_rtde::DashboardClient pendant(cell_->host());
-        pendant.connect();
-        QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.05, 1.4, true));
-        QVERIFY(untilMoving());
-        pendant.pause();
-        QVERIFY(untilStanding());
-        control_->stopJ(2.0);
-        pendant.play();
-        QVERIFY(cell_->until([&](const simulator::Truth&) { return control_->isProgramRunning(); }));
-        QVERIFY(cell_->pass(1));
-        QVERIFY(untilStanding());
-        QVERIFY(joints()[0] < kStart[0] + 0.9);
-        QVERIFY(control_->moveJ(kStart));
-        QVERIFY(near(joints(), kStart));
-    }
-
-    void aStopIsFollowedByTheProgramsEndAtOnce() {
-        QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.5, 1.4, true));
-        QVERIFY(untilMoving());
-        control_->stopJ(1.0, true);
-        control_->stopScript();
-        QVERIFY(untilStanding());
-        QVERIFY(!control_->isProgramRunning());
-        QVERIFY(control_->reuploadScript());
-        QVERIFY(control_->moveJ(kStart));
-    }
-
-    void nobodyWaitsForACustomScriptThatWasInterrupted() {
-        static std::atomic<bool> impatient;
-        impatient = false;
-        urrtde::setInterruptCheck([] { return impatient.load(); });
-        const auto undo = qScopeGuard([] { urrtde::setInterruptCheck(nullptr); });
-        auto waiting = std::async(std::launch::async, [&] {
-            return control_->sendCustomScript("def slow():\n  movej([0, -1.57, 0, 0, 0, 0], v=0.01)\nend\n");
-        });
-        QVERIFY(untilMoving());
-        impatient = true;
-        QVERIFY_EXCEPTION_THROWN(waiting.get(), urrtde::Interrupted);
-        impatient = false;
-        QVERIFY(untilNotRunning());
-        QVERIFY(untilStanding());
-        QVERIFY(joints()[0] < kStart[0] + 0.9);
-        QVERIFY(control_->reuploadScript());
-        QVERIFY(control_->moveJ(kStart));
-    }
-
-    void aStopOvertakesAMoveAnotherThreadWaitsFor() {
-        auto waiting =
-            std::async(std::launch::async, [&] { return control_->moveJ(with(kStart, 0, 1.0), 0.02, 1.4); });
-        QVERIFY(untilMoving());
-        control_->stopJ(4.0);
-        QVERIFY(!waiting.get());
-        QVERIFY(untilStanding());
-        QVERIFY(joints()[0] < kStart[0] + 0.9);
-        QVERIFY(control_->moveJ(kStart));
-    }
-
-    void stopsOvertakeACustomScript() {
-        const auto slow = [&] {
-            return std::async(std::launch::async, [&] {
-                return control_->sendCustomScript(
-                    "def slow():\n  movej([0, -1.57, 0, 0, 0, 0], v=0.01)\nend\n");
-            });
-        };
-        auto first = slow();
-        QVERIFY(untilMoving());
-        control_->stopJ(4.0);
-        QVERIFY(!first.get());
-        QVERIFY(untilStanding());
-        QVERIFY(control_->moveJ(kStart));  // the control program is back
-        auto second = slow();
-        QVERIFY(untilMoving());
-        control_->stopScript();
-        QVERIFY(!second.get());
-        QVERIFY(untilStanding());
-        QVERIFY(!control_->isProgramRunning());
-    }
-
     // ---- streams ----------------------------------------------------------------------------------------
 
     void speedsAreHeldUntilStopped() {
@@ -658,21 +438,6 @@ $6.0   P = 6
         QVERIFY(control_->isProgramRunning());
         QVERIFY(untilNotRunning());
         QVERIFY(!control_->moveJ(kStart));
-    }
-
-    void aKickLeavesTheMoveAnotherThreadWaitsForAlone() {
-        std::atomic<bool> done{false};
-        std::thread kicker([&] {
-            while (!done) {
-                control_->kickWatchdog();
-                std::this_thread::sleep_for(std::chrono::milliseconds(1));
-            }
-        });
-        const bool moved = control_->moveJ(with(kStart, 0, 0.5));
-        done = true;
-        kicker.join();
-        QVERIFY(moved);
-        QVERIFY(near(joints(), with(kStart, 0, 0.5)));
     }
 
     void protectiveStopEndsWhatIsUnderWay() {

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+// Stops of RTDEControlInterface: whatever moves the robot must stop it, however late a thread looks, however
+// closely a stop follows, and whoever waits for what.
+#include <ur_rtde/dashboard_client.h>
+#include <ur_rtde/rtde_control_interface.h>
+
+#include <QScopeGuard>
+#include <QTest>
+#include <future>
+
+#include "robot/ur_rtde/waiting.h"
+#include "tests/support/face_control_test.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+class TestFaceStops : public FaceControlTest {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void stopsEndAnAsynchronousMove() {
+        QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.05, 1.4, true));
+        QVERIFY(untilMoving());
+        control_->stopJ(2.0);
+        QVERIFY(untilStanding());
+        QVERIFY(joints()[0] < kStart[0] + 0.9);
+        QVERIFY(control_->moveL(with(pose(), 2, 0.3), 0.05, 0.5, true));
+        QVERIFY(untilMoving());
+        control_->stopL(5.0, true);
+        QVERIFY(control_->moveJ(kStart));  // not before the stop's end
+        QVERIFY(near(joints(), kStart));
+        QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.05, 1.4, true));
+        QVERIFY(untilMoving());
+        control_->stopJ(2.0, true);
+        control_->stopJ(4.0, true);
+        QVERIFY(untilStanding());
+        QVERIFY(control_->moveJ(kStart));
+        QVERIFY(near(joints(), kStart));
+    }
+
+    // Ctrl-C in Python, while the link stands still: the program sees no "none" between the move and its
+    // stop.
+    void aStopIsObeyedEvenWhenItFollowsTheMoveAtOnce() {
+        static std::atomic<bool> impatient;
+        impatient = false;
+        urrtde::setInterruptCheck([] { return impatient.load(); });
+        const auto undo = qScopeGuard([] { urrtde::setInterruptCheck(nullptr); });
+        auto waiting =
+            std::async(std::launch::async, [&] { return control_->moveJ(with(kStart, 0, 1.0), 0.05, 1.4); });
+        QVERIFY(untilMoving());
+        cell_->freeze(true);
+        impatient = true;
+        QVERIFY_EXCEPTION_THROWN(waiting.get(), urrtde::Interrupted);
+        impatient = false;
+        cell_->freeze(false);
+        QVERIFY(untilStanding());
+        QVERIFY(joints()[0] < kStart[0] + 0.9);
+        QVERIFY(control_->moveJ(kStart));
+        QVERIFY(near(joints(), kStart));
+    }
+
+    // The move begins only when the one before has been stopped; its answer must not be taken for the stop's.
+    void aStopBehindAChangeOfCourseIsNotLost() {
+        static std::atomic<bool> impatient;
+        for (const bool interrupted : {false, true}) {
+            impatient = false;
+            urrtde::setInterruptCheck([] { return impatient.load(); });
+            const auto undo = qScopeGuard([] { urrtde::setInterruptCheck(nullptr); });
+            QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 1.0, 1.4, true));
+            QVERIFY(cell_->until([](const simulator::Truth& t) { return t.q.array()[0] > kStart[0] + 0.4; }));
+            auto turning = std::async(
+                std::launch::async, [&] { return control_->moveJ(with(kStart, 0, -1.0), 0.02, 1.4, true); });
+            bool ended = false;
+            if (interrupted) {
+                impatient = true;
+                try {
+                    turning.get();
+                } catch (const urrtde::Interrupted&) {
+                    ended = true;
+                }
+                impatient = false;
+            }
+            if (!ended) {
+                control_->stopJ(4.0);
+            }
+            QVERIFY(untilStanding());
+            QVERIFY(joints()[0] > kStart[0] - 0.9);
+            if (!interrupted) {
+                turning.get();
+                control_->stopJ(4.0);  // whichever of the two came first
+            }
+            QVERIFY(untilStanding());
+            QVERIFY(control_->moveJ(kStart));
+            QVERIFY(near(joints(), kStart));
+        }
+    }
+
+    // What waits for a halt reads its numbers after it: they must still be its own.
+    void aSetPointNobodyWantsAnyMoreIsNotFollowed() {
+        QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 1.0, 1.4, true));
+        QVERIFY(cell_->until([](const simulator::Truth& t) { return t.q.array()[0] > kStart[0] + 0.4; }));
+        QVERIFY(control_->servoJ(with(kStart, 0, 0.5), 0.5, 0.5, 0.002, 0.1, 300));
+        control_->servoStop(10.0);
+        QVERIFY(untilStanding());
+        QCOMPARE(cell_->robot.truth().safetyMode, SafetyMode::Normal);
+        QVERIFY(control_->moveJ(kStart));
+        QVERIFY(near(joints(), kStart));
+    }
+
+    void aPausedProgramObeysAStopWhenItGoesOn() {
+        ur_rtde::DashboardClient pendant(cell_->host());
+        pendant.connect();
+        QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.05, 1.4, true));
+        QVERIFY(untilMoving());
+        pendant.pause();
+        QVERIFY(untilStanding());
+        control_->stopJ(2.0);
+        pendant.play();
+        QVERIFY(cell_->until([&](const simulator::Truth&) { return control_->isProgramRunning(); }));
+        QVERIFY(cell_->pass(1));
+        QVERIFY(untilStanding());
+        QVERIFY(joints()[0] < kStart[0] + 0.9);
+        QVERIFY(control_->moveJ(kStart));
+        QVERIFY(near(joints(), kStart));
+    }
+
+    void aStopIsFollowedByTheProgramsEndAtOnce() {
+        QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.5, 1.4, true));
+        QVERIFY(untilMoving());
+        control_->stopJ(1.0, true);
+        control_->stopScript();
+        QVERIFY(untilStanding());
+        QVERIFY(!control_->isProgramRunning());
+        QVERIFY(control_->reuploadScript());
+        QVERIFY(control_->moveJ(kStart));
+    }
+
+    void nobodyWaitsForACustomScriptThatWasInterrupted() {
+        static std::atomic<bool> impatient;
+        impatient = false;
+        urrtde::setInterruptCheck([] { return impatient.load(); });
+        const auto undo = qScopeGuard([] { urrtde::setInterruptCheck(nullptr); });
+        auto waiting = std::async(std::launch::async, [&] {
+            return control_->sendCustomScript("def slow():\n  movej([0, -1.57, 0, 0, 0, 0], v=0.01)\nend\n");
+        });
+        QVERIFY(untilMoving());
+        impatient = true;
+        QVERIFY_EXCEPTION_THROWN(waiting.get(), urrtde::Interrupted);
+        impatient = false;
+        QVERIFY(untilNotRunning());
+        QVERIFY(untilStanding());
+        QVERIFY(joints()[0] < kStart[0] + 0.9);
+        QVERIFY(control_->reuploadScript());
+        QVERIFY(control_->moveJ(kStart));
+    }
+
+    void aStopOvertakesAMoveAnotherThreadWaitsFor() {
+        auto waiting =
+            std::async(std::launch::async, [&] { return control_->moveJ(with(kStart, 0, 1.0), 0.02, 1.4); });
+        QVERIFY(untilMoving());
+        control_->stopJ(4.0);
+        QVERIFY(!waiting.get());
+        QVERIFY(untilStanding());
+        QVERIFY(joints()[0] < kStart[0] + 0.9);
+        QVERIFY(control_->moveJ(kStart));
+    }
+
+    void stopsOvertakeACustomScript() {
+        const auto slow = [&] {
+            return std::async(std::launch::async, [&] {
+                return control_->sendCustomScript(
+                    "def slow():\n  movej([0, -1.57, 0, 0, 0, 0], v=0.01)\nend\n");
+            });
+        };
+        auto first = slow();
+        QVERIFY(untilMoving());
+        control_->stopJ(4.0);
+        QVERIFY(!first.get());
+        QVERIFY(untilStanding());
+        QVERIFY(control_->moveJ(kStart));  // the control program is back
+        auto second = slow();
+        QVERIFY(untilMoving());
+        control_->stopScript();
+        QVERIFY(!second.get());
+        QVERIFY(untilStanding());
+        QVERIFY(!control_->isProgramRunning());
+    }
+
+    void aKickLeavesTheMoveAnotherThreadWaitsForAlone() {
+        std::atomic<bool> done{false};
+        std::thread kicker([&] {
+            while (!done) {
+                control_->kickWatchdog();
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            }
+        });
+        const bool moved = control_->moveJ(with(kStart, 0, 0.5));
+        done = true;
+        kicker.join();
+        QVERIFY(moved);
+        QVERIFY(near(joints(), with(kStart, 0, 0.5)));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestFaceStops)
+#include "tst_face_stops.moc"
