@@ -61,7 +61,7 @@ bool ControlSession::isReady(ControlLink& link, const std::function<bool(const L
     // A stop nobody waited for is done at standstill. Programs of others may not know it.
     const auto isFree = [&link](const LinkState&) { return !link.isCommandAlone(); };
     if (!link.wait(isFree, giveUp, isOurs() ? kEver : kReadyTime)) {
-        if (isOurs() || !link.isAlive() || giveUp(link.state())) {
+        if (isOurs() || !link.isAlive() || giveUp(link.state()) || !link.state().isPlaying()) {
             return false;
         }
         link.forgetCommandAlone();
@@ -93,7 +93,12 @@ std::optional<LinkState> ControlSession::performInTurn(const Command& command, b
     // Two reasons to stop waiting that are no failure of the link.
     const auto hopeless = [&](const LinkState& state) {
         return state.isStopped() || ((!mayIdle || !mayBeStopped) && !state.isPlaying()) ||
-               ((mayBeStopped || !isOurs()) && stopsWaiting_ > 0) || disconnecting_;
+               (mayBeStopped && stopsWaiting_ > 0) || disconnecting_;
+    };
+    // A program of others may never answer a stop, which must not keep the next one waiting. And an
+    // interrupted stop takes the place of whatever is under way.
+    const auto pointless = [&](const LinkState& state) {
+        return hopeless(state) || (!isOurs() && stopsWaiting_ > 0) || !robot.holds(command.id);
     };
     if (hopeless(robot.state())) {
         say("the robot is stopped, or the control program does not run");
@@ -119,11 +124,16 @@ std::optional<LinkState> ControlSession::performInTurn(const Command& command, b
                 return state.isDone(static_cast<int>(command.id)) ||
                        (quick && state.sequence > readySince + 5);
             },
-            hopeless, kEver);
+            pointless, kEver);
         if (!done) {
             untilSeen(robot, sent, milliseconds(1000));
         }
-        robot.clear(command.id);
+        const LinkState now = robot.state();
+        if (!done && !mayBeStopped && now.answer == 1 && !now.isPlaying() && !now.hasEnded()) {
+            sendStop(robot, command);  // paused before it was seen: obeyed when the program goes on
+        } else {
+            robot.clear(command.id);
+        }
         return done ? std::optional(answer) : std::nullopt;
     } catch (const Interrupted&) {
         // Nobody waits for it any more: it shall not go on by itself.
@@ -137,10 +147,11 @@ std::optional<LinkState> ControlSession::performInTurn(const Command& command, b
 }
 
 bool ControlSession::stop(const Command& command, bool wait) {
-    const auto current = link();
+    auto current = link();
     bool tried = false;
     try {
         const TurnLock turn = takeTurnToStop();
+        current = link();
         if (!current || !current->isAlive()) {
             return false;
         }
@@ -190,11 +201,19 @@ bool ControlSession::stream(const Command& command) {
 }
 
 bool ControlSession::protectiveStop() {
+    const auto isStopped = [](const LinkState& state) { return (state.safetyStatus & (1U << 2)) != 0; };
+    if (isStopped(state())) {
+        return true;
+    }
     stop({CommandId::ProtectiveStop, 4, {}}, false);
     const auto current = link();
-    return current &&
-           current->wait([](const LinkState& state) { return (state.safetyStatus & (1U << 2)) != 0; },
-                         [](const LinkState&) { return false; }, milliseconds(1000));
+    const bool stopped =
+        current && current->wait(
+                       isStopped, [](const LinkState&) { return false; }, milliseconds(1000));
+    if (current && !stopped) {
+        current->clear(CommandId::ProtectiveStop);  // not at some later time
+    }
+    return stopped;
 }
 
 bool ControlSession::kickWatchdog() {

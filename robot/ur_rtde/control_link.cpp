@@ -252,7 +252,7 @@ bool ControlLink::sendLocked(int recipe, const std::vector<double>& values) {
     if (recipe != kKickRecipe) {
         alone_ = 0;
     }
-    command_ = values.front();
+    command_ = static_cast<int>(values.front());
     return true;
 }
 
@@ -267,7 +267,7 @@ bool ControlLink::sendAlone(int recipe, const std::vector<double>& values) {
 
 bool ControlLink::kick() {
     const std::lock_guard lock(sending_);
-    return sendLocked(kKickRecipe, {command_});
+    return sendLocked(kKickRecipe, {static_cast<double>(command_)});
 }
 
 bool ControlLink::clear() {
@@ -276,7 +276,7 @@ bool ControlLink::clear() {
 
 bool ControlLink::clear(CommandId command) {
     const std::lock_guard lock(sending_);
-    return command_ != static_cast<double>(command) || sendLocked(kClearRecipe, {0.0});
+    return !holds(command) || sendLocked(kClearRecipe, {0.0});
 }
 
 }  // namespace tiller::urrtde

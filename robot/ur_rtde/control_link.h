@@ -140,6 +140,8 @@ public:
     bool clear();
     /// As clear(), unless another command has taken this one's place.
     bool clear(CommandId command);
+    /// Whether it is the last that was sent.
+    bool holds(CommandId command) const { return command_ == static_cast<int>(command); }
     /// Sends a command nobody waits for, and "no command" once it is done or the program has ended.
     bool sendAlone(int recipe, const std::vector<double>& values);
     /// Whether such a command is under way. Another one takes its place.
@@ -171,7 +173,7 @@ private:
     std::atomic<int> streams_{0};
     int heartbeat_ = 0;
     std::mutex sending_;
-    double command_ = 0;  ///< in the command register
+    std::atomic<int> command_{0};  ///< in the command register
 
     mutable std::mutex mutex_;  ///< of the state
     std::condition_variable changed_;

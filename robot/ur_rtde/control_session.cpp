@@ -308,9 +308,10 @@ void ControlSession::useScriptFile(const std::string& file) {
 }
 
 void ControlSession::stopProgram() {
-    const auto current = link();
+    auto current = link();
     try {
         const TurnLock turn = takeTurnToStop();
+        current = link();
         if (current && current->isAlive()) {
             endProgram(*current);
         }
