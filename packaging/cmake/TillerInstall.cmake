@@ -9,7 +9,7 @@ set(ur_rtde_headers async_operation_status.h dashboard_client.h dashboard_enums.
     rtde.h rtde_control_interface.h rtde_export.h rtde_io_interface.h rtde_path.h rtde_receive_interface.h
     rtde_utility.h script_client.h)
 
-set(tiller_rooms core realtime rtde receive script dashboard control io kinematics program recording doctor)
+set(tiller_rooms core realtime rtde receive script dashboard control io kinematics project recording doctor)
 add_library(tiller_robot INTERFACE)
 add_library(tiller::robot ALIAS tiller_robot)
 set_target_properties(tiller_robot PROPERTIES EXPORT_NAME robot)

@@ -5,7 +5,7 @@
 
 #include <QUndoCommand>
 
-#include "robot/program/waypoint_list.h"
+#include "robot/project/waypoint_list.h"
 
 namespace tiller {
 

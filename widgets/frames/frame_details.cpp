@@ -12,7 +12,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "robot/program/waypoint_list.h"
+#include "robot/project/waypoint_list.h"
 #include "widgets/common/elided_label.h"
 #include "widgets/common/figure_box.h"
 #include "widgets/common/notation.h"

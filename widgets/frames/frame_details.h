@@ -8,7 +8,7 @@
 #include <array>
 #include <optional>
 
-#include "robot/program/waypoint.h"
+#include "robot/project/waypoint.h"
 
 class QLabel;
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "robot/program/reachability.h"
+#include "robot/project/reachability.h"
 #include "widgets/common/notation.h"
 #include "widgets/common/theme.h"
 #include "widgets/frames/frame_commands.h"

@@ -7,7 +7,7 @@
 #include <QAbstractTableModel>
 #include <optional>
 
-#include "robot/program/waypoint_list.h"
+#include "robot/project/waypoint_list.h"
 
 namespace tiller {
 

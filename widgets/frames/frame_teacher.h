@@ -8,7 +8,7 @@
 #include <array>
 #include <optional>
 
-#include "robot/program/frame_points.h"
+#include "robot/project/frame_points.h"
 
 class QLabel;
 class QPushButton;

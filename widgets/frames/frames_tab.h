@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "robot/program/waypoint.h"
+#include "robot/project/waypoint.h"
 #include "widgets/session/robot_session.h"
 
 class QAction;

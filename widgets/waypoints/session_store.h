@@ -8,7 +8,7 @@
 #include <QTimer>
 #include <memory>
 
-#include "robot/program/session_file.h"
+#include "robot/project/project_file.h"
 #include "widgets/session/session_worker.h"
 
 namespace tiller {

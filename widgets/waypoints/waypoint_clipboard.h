@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "robot/core/result.h"
-#include "robot/program/waypoint_list.h"
+#include "robot/project/waypoint_list.h"
 
 namespace tiller::waypoint_clipboard {
 

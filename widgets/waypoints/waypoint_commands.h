@@ -7,7 +7,7 @@
 #include <QVector>
 #include <vector>
 
-#include "robot/program/waypoint.h"
+#include "robot/project/waypoint.h"
 
 namespace tiller {
 

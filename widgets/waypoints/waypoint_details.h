@@ -7,7 +7,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "robot/program/waypoint_list.h"
+#include "robot/project/waypoint_list.h"
 #include "widgets/session/session_state.h"
 
 class QLabel;

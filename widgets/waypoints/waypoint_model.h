@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "robot/core/robot_model.h"
-#include "robot/program/reachability.h"
-#include "robot/program/session_file.h"
+#include "robot/project/project_file.h"
+#include "robot/project/reachability.h"
 
 namespace tiller {
 

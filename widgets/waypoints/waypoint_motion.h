@@ -4,7 +4,7 @@
 // From a waypoint to the bounded move that brings the arm there while a key is held, within the interface's
 // own caps.
 
-#include "robot/program/reachability.h"
+#include "robot/project/reachability.h"
 #include "widgets/session/robot_session.h"
 
 namespace tiller {

@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-#include "robot/program/waypoint_list.h"
+#include "robot/project/waypoint_list.h"
 #include "widgets/session/robot_session.h"
 
 class QAction;

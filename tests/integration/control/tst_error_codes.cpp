@@ -15,7 +15,7 @@
 #include "robot/control/programs.h"
 #include "robot/core/tcp_connect.h"
 #include "robot/dashboard/dashboard_client.h"
-#include "robot/program/session_file.h"
+#include "robot/project/project_file.h"
 #include "robot/receive/receiver.h"
 #include "robot/recording/recorder.h"
 #include "robot/rtde/connection.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/program/session_file.h"
+#include "robot/project/project_file.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -7,7 +7,7 @@
 #include <QJsonDocument>
 #include <QSaveFile>
 
-#include "robot/program/session_reader.h"
+#include "robot/project/project_reader.h"
 
 namespace tiller::program {
 namespace {

@@ -21,7 +21,7 @@
 
 #include "robot/core/result.h"
 #include "robot/core/robot_model.h"
-#include "robot/program/waypoint_list.h"
+#include "robot/project/waypoint_list.h"
 
 namespace tiller::program {
 

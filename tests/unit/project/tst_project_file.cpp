@@ -14,7 +14,7 @@
 #include <csignal>
 #endif
 
-#include "robot/program/session_file.h"
+#include "robot/project/project_file.h"
 
 using namespace tiller;
 using namespace tiller::program;
@@ -360,4 +360,4 @@ private:
 };
 
 QTEST_GUILESS_MAIN(TestSessionFile)
-#include "tst_session_file.moc"
+#include "tst_project_file.moc"

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "robot/kinematics/arm_kinematics.h"
-#include "robot/program/reachability.h"
+#include "robot/project/reachability.h"
 
 using namespace tiller;
 using namespace tiller::program;

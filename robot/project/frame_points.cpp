@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/program/frame_points.h"
+#include "robot/project/frame_points.h"
 
 namespace tiller::program {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/program/reachability.h"
+#include "robot/project/reachability.h"
 
 #include <algorithm>
 #include <cmath>

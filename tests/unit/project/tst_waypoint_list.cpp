@@ -2,7 +2,7 @@
 #include <QTest>
 #include <numbers>
 
-#include "robot/program/waypoint_list.h"
+#include "robot/project/waypoint_list.h"
 
 using namespace tiller;
 using namespace tiller::program;

@@ -6,8 +6,8 @@
 #include <limits>
 #include <random>
 
-#include "robot/program/frame_points.h"
-#include "robot/program/waypoint_list.h"
+#include "robot/project/frame_points.h"
+#include "robot/project/waypoint_list.h"
 
 using namespace tiller;
 using namespace tiller::program;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// From JSON to waypoints and frames, field by field, remembering what is wrong. Private to robot/program.
+// From JSON to waypoints and frames, field by field, remembering what is wrong. Private to robot/project.
 
 #include <QJsonArray>
 #include <QJsonObject>
 #include <QJsonValue>
 
-#include "robot/program/session_file.h"
+#include "robot/project/project_file.h"
 
 namespace tiller::program {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/program/session_reader.h"
+#include "robot/project/project_reader.h"
 
 #include <QJsonDocument>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "robot/core/robot_model.h"
-#include "robot/program/waypoint_list.h"
+#include "robot/project/waypoint_list.h"
 
 namespace tiller::program {
 

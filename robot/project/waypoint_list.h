@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "robot/program/waypoint.h"
+#include "robot/project/waypoint.h"
 
 namespace tiller::program {
 

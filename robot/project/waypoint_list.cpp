@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/program/waypoint_list.h"
+#include "robot/project/waypoint_list.h"
 
 #include <QRegularExpression>
 #include <algorithm>
