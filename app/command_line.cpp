@@ -38,7 +38,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     line.showVersion = parser.isSet(version);
     line.helpText = parser.helpText();
     line.demoDirectory = parser.value(demo);
-    line.sessionFile = parser.value(session);
+    line.projectFile = parser.value(session);
     line.theme = parser.value(theme).toLower();
     if (!line.theme.isEmpty() && line.theme != "light" && line.theme != "dark") {
         return wrong(tr("--theme takes light or dark, not \"%1\"").arg(line.theme));

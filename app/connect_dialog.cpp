@@ -112,18 +112,18 @@ ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* p
     connect_ = new QPushButton(tr("Connect"));
     connect_->setObjectName("connectRobot");
     connect_->setAutoDefault(false);
-    auto* session = new QPushButton(tr("Open a session…"));
-    session->setObjectName("openSession");
-    session->setToolTip(tr("Waypoints from a file, without a robot: everything but moving works."));
-    session->setAutoDefault(false);
-    buttons->addWidget(session);
+    auto* project = new QPushButton(tr("Open a project…"));
+    project->setObjectName("openProject");
+    project->setToolTip(tr("Waypoints from a file, without a robot: everything but moving works."));
+    project->setAutoDefault(false);
+    buttons->addWidget(project);
     buttons->addStretch();
     buttons->addWidget(cancel);
     buttons->addWidget(connect_);
     layout->addLayout(buttons);
 
     connect(simulatorButton, &QPushButton::clicked, this, [this] { choose(Choice::Simulator); });
-    connect(session, &QPushButton::clicked, this, [this] { choose(Choice::Session); });
+    connect(project, &QPushButton::clicked, this, [this] { choose(Choice::Project); });
     connect(connect_, &QPushButton::clicked, this, [this] { choose(Choice::Robot); });
     connect(host_, &QLineEdit::textEdited, this, [this] { portOffset_ = 0; });
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);

@@ -18,7 +18,7 @@ class ConnectDialog : public QDialog {
     Q_OBJECT
 
 public:
-    enum class Choice { Simulator, Robot, Session };
+    enum class Choice { Simulator, Robot, Project };
 
     explicit ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* parent = nullptr);
 

@@ -35,18 +35,18 @@ void print(FILE* to, const QString& text) {
 }
 
 /// What was asked for, or what was open last, or a file of one's own to begin with.
-QString sessionFile(const app::CommandLine& line, const app::Settings& settings) {
+QString projectFile(const app::CommandLine& line, const app::Settings& settings) {
     if (!line.demoDirectory.isEmpty()) {
         // The demonstration's own product, as the recording is: it begins anew every time.
         const QString file = line.demoDirectory + QStringLiteral("/demo.tiller");
         QFile::remove(file);
         return file;
     }
-    if (!line.sessionFile.isEmpty()) {
-        return line.sessionFile;
+    if (!line.projectFile.isEmpty()) {
+        return line.projectFile;
     }
-    if (!settings.sessionFile().isEmpty()) {
-        return settings.sessionFile();
+    if (!settings.projectFile().isEmpty()) {
+        return settings.projectFile();
     }
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
     QDir().mkpath(folder);
@@ -123,7 +123,7 @@ int main(int argc, char* argv[]) {
     window.setTheme(theme.isEmpty() ? QStringLiteral("light") : theme);
     window.show();
 
-    window.openSession(sessionFile(*line, settings));
+    window.openProject(projectFile(*line, settings));
     if (demonstration) {
         // It connects by itself, so that it hears of what goes wrong on the way.
         return runDemonstration(application, window, line->demoDirectory);

@@ -223,10 +223,10 @@ void MainWindow::connectParts() {
     connect(waypoints_, &WaypointsTab::marksChanged, this, &MainWindow::updateScene);
     connectFrames();
     const auto showFile = [this] {
-        const SessionStore& store = waypoints_->store();
-        status_->setSessionFile(QFileInfo(store.path()).fileName(), !store.isModified());
+        const ProjectStore& store = waypoints_->store();
+        status_->setProjectFile(QFileInfo(store.path()).fileName(), !store.isModified());
     };
-    connect(&waypoints_->store(), &SessionStore::statusChanged, this, showFile);
+    connect(&waypoints_->store(), &ProjectStore::statusChanged, this, showFile);
     showFile();
     io_->setNames(settings_.ioNames());
     connect(io_, &IoTab::namesChanged, this, [this] { settings_.setIoNames(io_->names()); });
@@ -265,7 +265,7 @@ void MainWindow::connectFrames() {
     connect(frames_, &FramesTab::jogRequested, jog_, &JogColumn::chooseTaughtFrame);
     const auto followFrames = [this] {
         QVector<TaughtFrame> frames;
-        for (const program::Frame& frame : waypoints_->model().frames()) {
+        for (const project::Frame& frame : waypoints_->model().frames()) {
             frames.append({frame.name, frame.T_base_frame, frame.id});
         }
         jog_->setTaughtFrames(frames);
@@ -381,7 +381,7 @@ void MainWindow::askForRobot() {
             case ConnectDialog::Choice::Robot:
                 showPreflight(dialog->address());
                 break;
-            case ConnectDialog::Choice::Session:
+            case ConnectDialog::Choice::Project:
                 actions_->find("waypoint.action.open")->trigger();
                 break;
         }
@@ -420,7 +420,7 @@ void MainWindow::setTheme(const QString& theme) {
     applyTheme(*qApp, theme == QLatin1String("dark") ? Theme::dark() : Theme::light());
 }
 
-void MainWindow::openSession(const QString& path) {
+void MainWindow::openProject(const QString& path) {
     waypoints_->openFile(path);
 }
 

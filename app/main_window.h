@@ -66,7 +66,7 @@ public:
     const ActionTable& actions() const { return *actions_; }
     /// "light" or "dark"; remembered when the operator chose it.
     void setTheme(const QString& theme);
-    void openSession(const QString& path);
+    void openProject(const QString& path);
 
     /// What the settings page chose; holds at once.
     void applyPreferences(const Preferences& preferences);

@@ -102,11 +102,11 @@ void Settings::setIoNames(const QMap<QString, QString>& names) {
     }
 }
 
-QString Settings::sessionFile() const {
+QString Settings::projectFile() const {
     return openSettings(file_).value("session/file").toString();
 }
 
-void Settings::setSessionFile(const QString& path) {
+void Settings::setProjectFile(const QString& path) {
     openSettings(file_).setValue("session/file", path);
 }
 

@@ -34,8 +34,8 @@ public:
     /// The operator's names of inputs and outputs, by terminal: "DI 0".
     QMap<QString, QString> ioNames() const;
     void setIoNames(const QMap<QString, QString>& names);
-    QString sessionFile() const;
-    void setSessionFile(const QString& path);
+    QString projectFile() const;
+    void setProjectFile(const QString& path);
 
     /// What the settings page offers.
     Preferences preferences() const { return readPreferences(file_); }

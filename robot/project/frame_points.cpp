@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/project/frame_points.h"
 
-namespace tiller::program {
+namespace tiller::project {
 namespace {
 
 bool isFinite(const std::optional<Eigen::Vector3d>& point) {
@@ -50,4 +50,4 @@ std::optional<Pose> frameThrough(const FramePoints& points) {
     return Pose(T_base_frame);
 }
 
-}  // namespace tiller::program
+}  // namespace tiller::project

@@ -9,7 +9,7 @@
 
 #include "robot/core/spatial.h"
 
-namespace tiller::program {
+namespace tiller::project {
 
 /// In the base frame [m]; what is not taken yet is empty.
 struct FramePoints {
@@ -47,4 +47,4 @@ FramePointsCheck check(const FramePoints& points);
 /// Returns  nothing unless check() finds nothing
 std::optional<Pose> frameThrough(const FramePoints& points);
 
-}  // namespace tiller::program
+}  // namespace tiller::project

@@ -9,7 +9,7 @@
 
 #include "robot/project/project_reader.h"
 
-namespace tiller::program {
+namespace tiller::project {
 namespace {
 
 constexpr char kFormat[] = "tiller-session";
@@ -71,7 +71,7 @@ Result<QByteArray> readFile(const QString& path) {
     if (QFileInfo(path).isDir() || !file.open(QIODevice::ReadOnly)) {
         return Error{ErrorCode::FileNotReadable, QStringLiteral("read %1").arg(path), file.errorString()};
     }
-    if (file.size() > kMaxSessionFileBytes) {
+    if (file.size() > kMaxProjectFileBytes) {
         return inFile(
             corrupt(
                 QStringLiteral("has %1 MB, more than a session can have").arg(file.size() / (1024 * 1024))),
@@ -93,7 +93,7 @@ Error writeError(const QString& path, const QFileDevice& file) {
 /// A file that would be written over although it cannot be read completely goes aside first.
 Result<SaveReport> keepWhatCannotBeRead(const QString& path) {
     const QFileInfo info(path);
-    if (!info.exists() || (info.isFile() && info.size() == 0) || loadSession(path).ok()) {
+    if (!info.exists() || (info.isFile() && info.size() == 0) || loadProject(path).ok()) {
         return SaveReport{};
     }
     for (int number = 1;; ++number) {
@@ -112,7 +112,7 @@ Result<SaveReport> keepWhatCannotBeRead(const QString& path) {
 }
 
 /// An array of the root; a wrong type is a problem, absence only where it is said to be one.
-QJsonArray arrayIn(const QJsonObject& root, const char* key, bool required, SessionReader& reader) {
+QJsonArray arrayIn(const QJsonObject& root, const char* key, bool required, ProjectReader& reader) {
     const QJsonValue value = root.value(QLatin1String(key));
     if (value.isUndefined() ? required : !value.isArray()) {
         reader.addProblem(QLatin1String(key), value.isUndefined() ? QStringLiteral("is missing")
@@ -121,19 +121,19 @@ QJsonArray arrayIn(const QJsonObject& root, const char* key, bool required, Sess
     return value.toArray();
 }
 
-Result<RecoveredSession> readRoot(const QJsonObject& root) {
+Result<RecoveredProject> readRoot(const QJsonObject& root) {
     const QJsonValue format = root.value(QLatin1String("format"));
     if (format.toString() != QLatin1String(kFormat)) {
         return corrupt(QStringLiteral("is not a Tiller session (field \"format\")"));
     }
-    SessionReader reader;
+    ProjectReader reader;
     const QJsonValue version = root.value(QLatin1String("version"));
-    if (version.toDouble(0) > kSessionFileVersion) {
+    if (version.toDouble(0) > kProjectFileVersion) {
         return Error{
             ErrorCode::VersionUnsupported,
             QStringLiteral("was written by a newer Tiller (version %1 of the format, this one reads %2)")
                 .arg(version.toDouble())
-                .arg(kSessionFileVersion),
+                .arg(kProjectFileVersion),
             {}};
     }
     if (version.toInt(0) < 1) {
@@ -148,13 +148,13 @@ Result<RecoveredSession> readRoot(const QJsonObject& root) {
     return reader.take();
 }
 
-Result<RecoveredSession> salvage(const QByteArray& bytes, const QJsonParseError& error) {
+Result<RecoveredProject> salvage(const QByteArray& bytes, const QJsonParseError& error) {
     const FileProblem problem{placeOf(bytes, error.offset), error.errorString()};
     if (!bytes.contains(kFormat)) {
         return corrupt(problem.toString());
     }
     const SalvagedEntries entries = salvageEntries(bytes);
-    SessionReader reader;
+    ProjectReader reader;
     reader.addProblem(problem.where, problem.what);
     reader.readFrames(entries.frames);
     reader.readWaypoints(entries.waypoints);
@@ -169,7 +169,7 @@ Result<RecoveredSession> salvage(const QByteArray& bytes, const QJsonParseError&
 
 }  // namespace
 
-Result<RecoveredSession> recoverFromBytes(const QByteArray& bytes) {
+Result<RecoveredProject> recoverFromBytes(const QByteArray& bytes) {
     QJsonParseError error;
     const QJsonDocument json = QJsonDocument::fromJson(bytes, &error);
     if (error.error != QJsonParseError::NoError) {
@@ -181,17 +181,17 @@ Result<RecoveredSession> recoverFromBytes(const QByteArray& bytes) {
     return readRoot(json.object());
 }
 
-Result<RecoveredSession> recoverSession(const QString& path) {
+Result<RecoveredProject> recoverProject(const QString& path) {
     const Result<QByteArray> bytes = readFile(path);
     if (!bytes) {
         return bytes.error();
     }
-    Result<RecoveredSession> recovered = recoverFromBytes(*bytes);
+    Result<RecoveredProject> recovered = recoverFromBytes(*bytes);
     return recovered ? recovered : inFile(recovered.error(), path);
 }
 
-Result<SessionDocument> parseSession(const QByteArray& bytes) {
-    Result<RecoveredSession> recovered = recoverFromBytes(bytes);
+Result<Project> parseProject(const QByteArray& bytes) {
+    Result<RecoveredProject> recovered = recoverFromBytes(bytes);
     if (!recovered) {
         return recovered.error();
     }
@@ -206,16 +206,16 @@ Result<SessionDocument> parseSession(const QByteArray& bytes) {
     return std::move(recovered->document);
 }
 
-Result<SessionDocument> loadSession(const QString& path) {
+Result<Project> loadProject(const QString& path) {
     const Result<QByteArray> bytes = readFile(path);
     if (!bytes) {
         return bytes.error();
     }
-    Result<SessionDocument> document = parseSession(*bytes);
+    Result<Project> document = parseProject(*bytes);
     return document ? document : inFile(document.error(), path);
 }
 
-Result<QByteArray> serializeSession(const SessionDocument& document) {
+Result<QByteArray> serializeProject(const Project& document) {
     QJsonArray frames;
     for (const Frame& frame : document.frames) {
         frames.append(toJson(frame));
@@ -226,7 +226,7 @@ Result<QByteArray> serializeSession(const SessionDocument& document) {
     }
     QJsonObject root = document.extra;
     root["format"] = QLatin1String(kFormat);
-    root["version"] = kSessionFileVersion;
+    root["version"] = kProjectFileVersion;
     if (document.robot) {
         root["robot"] = QLatin1String(robotModel(*document.robot).name);
     }
@@ -234,15 +234,15 @@ Result<QByteArray> serializeSession(const SessionDocument& document) {
     root["waypoints"] = waypoints;
     QByteArray bytes = QJsonDocument(root).toJson(QJsonDocument::Indented);
     // What could not be read again must not be written: JSON has no NaN, for one.
-    const Result<SessionDocument> again = parseSession(bytes);
+    const Result<Project> again = parseProject(bytes);
     if (!again) {
         return Error{ErrorCode::InvalidArgument, again.error().context, {}};
     }
     return bytes;
 }
 
-Result<SaveReport> saveSession(const QString& path, const SessionDocument& document) {
-    const Result<QByteArray> bytes = serializeSession(document);
+Result<SaveReport> saveProject(const QString& path, const Project& document) {
+    const Result<QByteArray> bytes = serializeProject(document);
     if (!bytes) {
         return bytes.error();
     }
@@ -257,4 +257,4 @@ Result<SaveReport> saveSession(const QString& path, const SessionDocument& docum
     return report;
 }
 
-}  // namespace tiller::program
+}  // namespace tiller::project

@@ -23,18 +23,18 @@
 #include "robot/core/robot_model.h"
 #include "robot/project/waypoint_list.h"
 
-namespace tiller::program {
+namespace tiller::project {
 
-inline constexpr int kSessionFileVersion = 1;
+inline constexpr int kProjectFileVersion = 1;
 /// Larger files are not read: a session of a thousand waypoints takes half a megabyte.
-inline constexpr qint64 kMaxSessionFileBytes = 64LL * 1024 * 1024;
+inline constexpr qint64 kMaxProjectFileBytes = 64LL * 1024 * 1024;
 
-struct SessionDocument {
+struct Project {
     std::optional<RobotModelId> robot;  ///< the arm it was taught with
     FrameList frames;
     WaypointList waypoints;
     QJsonObject extra;  ///< fields of the file that this version does not know
-    friend bool operator==(const SessionDocument&, const SessionDocument&) = default;
+    friend bool operator==(const Project&, const Project&) = default;
 };
 
 /// One thing that is wrong with a file.
@@ -45,8 +45,8 @@ struct FileProblem {
 };
 
 /// What could be read of a damaged file, and what could not.
-struct RecoveredSession {
-    SessionDocument document;
+struct RecoveredProject {
+    Project document;
     QVector<FileProblem> problems;
     int lostWaypoints = 0;  ///< entries that were left out
     int lostFrames = 0;
@@ -55,14 +55,14 @@ struct RecoveredSession {
 /// Everything of the file, or the first thing that is wrong with it.
 /// Errors   FileNotReadable; FileCorrupt with place and reason; VersionUnsupported for a newer file
 /// Threads  any. Blocks: for the file system. Real-time: no
-Result<SessionDocument> loadSession(const QString& path);
-Result<SessionDocument> parseSession(const QByteArray& bytes);
+Result<Project> loadProject(const QString& path);
+Result<Project> parseProject(const QByteArray& bytes);
 
 /// As much of the file as makes sense: every waypoint that is whole, also from a file cut off in the middle.
 /// Never touches the file.
 /// Errors   FileNotReadable; FileCorrupt when it is not a session at all; VersionUnsupported
-Result<RecoveredSession> recoverSession(const QString& path);
-Result<RecoveredSession> recoverFromBytes(const QByteArray& bytes);
+Result<RecoveredProject> recoverProject(const QString& path);
+Result<RecoveredProject> recoverFromBytes(const QByteArray& bytes);
 
 /// Where a file went that would have been lost, if there was one.
 struct SaveReport {
@@ -72,8 +72,8 @@ struct SaveReport {
 /// Writes a new file beside the old one and puts it in its place in one step: a crash, a full disk or a
 /// pulled plug leaves the old one as it was. Errors   InvalidArgument for values no file may hold (not
 /// finite, no name); FileNotWritable, DiskFull
-Result<SaveReport> saveSession(const QString& path, const SessionDocument& document);
+Result<SaveReport> saveProject(const QString& path, const Project& document);
 /// Errors   InvalidArgument
-Result<QByteArray> serializeSession(const SessionDocument& document);
+Result<QByteArray> serializeProject(const Project& document);
 
-}  // namespace tiller::program
+}  // namespace tiller::project

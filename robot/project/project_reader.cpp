@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace tiller::program {
+namespace tiller::project {
 namespace {
 
 QString at(const QString& where, const char* key) {
@@ -50,11 +50,11 @@ QJsonObject without(QJsonObject object, std::initializer_list<const char*> known
     return object;
 }
 
-void SessionReader::addProblem(const QString& where, const QString& what) {
+void ProjectReader::addProblem(const QString& where, const QString& what) {
     result_.problems.append({where, what});
 }
 
-void SessionReader::readRobot(const QJsonValue& value) {
+void ProjectReader::readRobot(const QJsonValue& value) {
     if (value.isUndefined() || value.isNull()) {
         return;
     }
@@ -69,7 +69,7 @@ void SessionReader::readRobot(const QJsonValue& value) {
     }
 }
 
-void SessionReader::readFrames(const QJsonArray& entries) {
+void ProjectReader::readFrames(const QJsonArray& entries) {
     for (int i = 0; i < entries.size(); ++i) {
         const QString where = at(QStringLiteral("frames"), i);
         std::optional<Frame> read;
@@ -86,7 +86,7 @@ void SessionReader::readFrames(const QJsonArray& entries) {
     }
 }
 
-void SessionReader::readWaypoints(const QJsonArray& entries) {
+void ProjectReader::readWaypoints(const QJsonArray& entries) {
     for (int i = 0; i < entries.size(); ++i) {
         const QString where = at(QStringLiteral("waypoints"), i);
         std::optional<Waypoint> read;
@@ -103,7 +103,7 @@ void SessionReader::readWaypoints(const QJsonArray& entries) {
     }
 }
 
-std::optional<Frame> SessionReader::frame(const QString& where, const QJsonObject& object) {
+std::optional<Frame> ProjectReader::frame(const QString& where, const QJsonObject& object) {
     const qsizetype before = result_.problems.size();
     Frame frame;
     frame.id = id(where, object, "id");
@@ -116,7 +116,7 @@ std::optional<Frame> SessionReader::frame(const QString& where, const QJsonObjec
     return result_.problems.size() == before ? std::optional(frame) : std::nullopt;
 }
 
-std::optional<Waypoint> SessionReader::waypoint(const QString& where, const QJsonObject& object) {
+std::optional<Waypoint> ProjectReader::waypoint(const QString& where, const QJsonObject& object) {
     const qsizetype before = result_.problems.size();
     Waypoint point;
     point.id = id(where, object, "id");
@@ -163,7 +163,7 @@ std::optional<Waypoint> SessionReader::waypoint(const QString& where, const QJso
     return result_.problems.size() == before ? std::optional(point) : std::nullopt;
 }
 
-QString SessionReader::text(const QString& where, const QJsonObject& object, const char* key) {
+QString ProjectReader::text(const QString& where, const QJsonObject& object, const char* key) {
     const QJsonValue value = object.value(QLatin1String(key));
     if (!value.isString()) {
         addProblem(at(where, key), isNot(value, QStringLiteral("a text")));
@@ -173,7 +173,7 @@ QString SessionReader::text(const QString& where, const QJsonObject& object, con
     return value.toString();
 }
 
-QUuid SessionReader::id(const QString& where, const QJsonObject& object, const char* key) {
+QUuid ProjectReader::id(const QString& where, const QJsonObject& object, const char* key) {
     const QJsonValue value = object.value(QLatin1String(key));
     const QUuid id(value.toString());
     if (!value.isString()) {
@@ -184,7 +184,7 @@ QUuid SessionReader::id(const QString& where, const QJsonObject& object, const c
     return id;
 }
 
-double SessionReader::number(const QString& where, const QJsonValue& value, double least, double most,
+double ProjectReader::number(const QString& where, const QJsonValue& value, double least, double most,
                              const char* unit) {
     if (!value.isDouble()) {
         addProblem(where, isNot(value, QStringLiteral("a number")));
@@ -200,7 +200,7 @@ double SessionReader::number(const QString& where, const QJsonValue& value, doub
     return read;
 }
 
-std::array<double, 6> SessionReader::six(const QString& where, const QJsonObject& object, const char* key) {
+std::array<double, 6> ProjectReader::six(const QString& where, const QJsonObject& object, const char* key) {
     std::array<double, 6> result{};
     const QJsonValue value = object.value(QLatin1String(key));
     if (!value.isArray()) {
@@ -222,7 +222,7 @@ std::array<double, 6> SessionReader::six(const QString& where, const QJsonObject
     return result;
 }
 
-std::array<double, 6> SessionReader::pose(const QString& where, const QJsonObject& object, const char* key) {
+std::array<double, 6> ProjectReader::pose(const QString& where, const QJsonObject& object, const char* key) {
     std::array<double, 6> result = six(where, object, key);
     for (int i = 0; i < 6; ++i) {
         // No arm reaches 50 m: such a figure is somebody's millimetres.
@@ -305,4 +305,4 @@ SalvagedEntries salvageEntries(const QByteArray& bytes) {
     return result;
 }
 
-}  // namespace tiller::program
+}  // namespace tiller::project

@@ -9,10 +9,10 @@
 
 #include "robot/project/project_file.h"
 
-namespace tiller::program {
+namespace tiller::project {
 
-/// Reads the entries of a session into a RecoveredSession. An entry with a problem is left out and counted.
-class SessionReader {
+/// Reads the entries of a session into a RecoveredProject. An entry with a problem is left out and counted.
+class ProjectReader {
 public:
     void readRobot(const QJsonValue& value);
     void readFrames(const QJsonArray& entries);
@@ -24,7 +24,7 @@ public:
     void addLostFrame() { ++result_.lostFrames; }
     void addLostWaypoint() { ++result_.lostWaypoints; }
 
-    RecoveredSession take() { return std::move(result_); }
+    RecoveredProject take() { return std::move(result_); }
 
 private:
     std::optional<Frame> frame(const QString& where, const QJsonObject& object);
@@ -36,7 +36,7 @@ private:
     std::array<double, 6> six(const QString& where, const QJsonObject& object, const char* key);
     std::array<double, 6> pose(const QString& where, const QJsonObject& object, const char* key);
 
-    RecoveredSession result_;
+    RecoveredProject result_;
 };
 
 /// The complete entries of the arrays "frames" and "waypoints" of a text that is not whole JSON: cut off, or
@@ -52,4 +52,4 @@ SalvagedEntries salvageEntries(const QByteArray& bytes);
 /// Fields of `object` that are not in `known`.
 QJsonObject without(QJsonObject object, std::initializer_list<const char*> known);
 
-}  // namespace tiller::program
+}  // namespace tiller::project

@@ -6,7 +6,7 @@
 
 #include "robot/kinematics/arm_kinematics.h"
 
-namespace tiller::program {
+namespace tiller::project {
 namespace {
 
 bool insideJointRange(const JointPositions& q) {
@@ -112,4 +112,4 @@ double moveDuration(double distance, double speed, double acceleration) {
                                     : 2 * std::sqrt(distance / acceleration);
 }
 
-}  // namespace tiller::program
+}  // namespace tiller::project

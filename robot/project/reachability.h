@@ -8,7 +8,7 @@
 #include "robot/core/robot_model.h"
 #include "robot/project/waypoint_list.h"
 
-namespace tiller::program {
+namespace tiller::project {
 
 struct Reach {
     enum class Obstacle {
@@ -50,4 +50,4 @@ std::optional<Pose> targetForTcp(const Waypoint& waypoint, const FrameList& fram
 /// Time of a move over `distance` that speeds up, goes on and slows down [s].
 double moveDuration(double distance, double speed, double acceleration);
 
-}  // namespace tiller::program
+}  // namespace tiller::project

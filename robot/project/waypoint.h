@@ -12,7 +12,7 @@
 #include "robot/core/joints.h"
 #include "robot/core/spatial.h"
 
-namespace tiller::program {
+namespace tiller::project {
 
 enum class MoveKind {
     Joint,   ///< MoveJ: all joints start and stop together
@@ -61,4 +61,4 @@ struct Frame {
     friend bool operator==(const Frame&, const Frame&) = default;
 };
 
-}  // namespace tiller::program
+}  // namespace tiller::project

@@ -4,7 +4,7 @@
 #include <QRegularExpression>
 #include <algorithm>
 
-namespace tiller::program {
+namespace tiller::project {
 namespace {
 
 /// `wanted`, or with the next free number behind it.
@@ -152,4 +152,4 @@ PoseDifference poseDifference(const Pose& a, const Pose& b) {
             rotationVector(rotationMatrix(a.rotation).transpose() * rotationMatrix(b.rotation)).norm()};
 }
 
-}  // namespace tiller::program
+}  // namespace tiller::project

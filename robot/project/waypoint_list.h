@@ -9,7 +9,7 @@
 
 #include "robot/project/waypoint.h"
 
-namespace tiller::program {
+namespace tiller::project {
 
 class FrameList {
 public:
@@ -93,4 +93,4 @@ struct PoseDifference {
 };
 PoseDifference poseDifference(const Pose& a, const Pose& b);
 
-}  // namespace tiller::program
+}  // namespace tiller::project

@@ -154,7 +154,7 @@ void TestBlackHole::askForEverything(Waits& waits) {
     bench.window.resize(1280, 720);
     bench.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&bench.window));
-    bench.window.openSession(bench.folder.filePath("cell.tiller"));
+    bench.window.openProject(bench.folder.filePath("cell.tiller"));
     QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
     bench.window.waypoints().teach();
     bench.window.session().startRecording(bench.folder.filePath("recording.csv"));

@@ -43,7 +43,7 @@ private Q_SLOTS:
         window.askForRobot();
         auto* dialog = window.findChild<ConnectDialog*>();
         QVERIFY(dialog != nullptr && dialog->isVisible());
-        for (const char* key : {"startSimulator", "connectRobot", "openSession"}) {
+        for (const char* key : {"startSimulator", "connectRobot", "openProject"}) {
             QVERIFY2(dialog->findChild<QPushButton*>(QLatin1String(key)) != nullptr, key);
         }
         QVERIFY(dialog->findChild<QPushButton*>("startSimulator")->isDefault());

@@ -31,7 +31,7 @@ private:
 
     VirtualCell& cell() { return bench_->cell; }
     app::MainWindow& window() { return bench_->window; }
-    const program::FrameList& frames() { return window().waypoints().model().frames(); }
+    const project::FrameList& frames() { return window().waypoints().model().frames(); }
     QAction& command(const char* id) { return *window().actions().find(QLatin1String(id)); }
     template <class Widget>
     Widget& find(const char* name) {
@@ -136,12 +136,12 @@ private Q_SLOTS:
         QCOMPARE(frames().size(), std::size_t(1));
         command("waypoint.action.redo").trigger();
         command("waypoint.action.redo").trigger();
-        const program::Frame kept = frames().at(0);
+        const project::Frame kept = frames().at(0);
         QVERIFY(window().waypoints().store().saveNow());
 
         VirtualClock clock;
         app::MainWindow again(app::Settings(bench_->folder.filePath("again.ini")), clock);
-        again.openSession(path);
+        again.openProject(path);
         QCOMPARE(again.waypoints().model().frames().size(), std::size_t(1));
         QVERIFY(again.waypoints().model().frames().at(0) == kept);
         QCOMPARE(again.waypoints().model().waypoints().at(0).frame, kept.id);
@@ -156,7 +156,7 @@ private Q_SLOTS:
         press(find<HoldButton>("jog.X+"));
         cell().advanceMs(400);
         QVERIFY(tcpSpeed(cell()) > 0.095);
-        program::Frame turned = frames().at(0);
+        project::Frame turned = frames().at(0);
         turned.T_base_frame.rotation.z() += 0.3;
         window().frames().model().change(0, turned, "x");
         QVERIFY(cell().advanceUntil([&] { return standsStill(cell()); }, 300));

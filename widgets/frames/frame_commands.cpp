@@ -5,7 +5,7 @@
 
 namespace tiller {
 
-EditFrames::EditFrames(WaypointModel& model, program::FrameList after, const QString& text)
+EditFrames::EditFrames(WaypointModel& model, project::FrameList after, const QString& text)
     : QUndoCommand(text), model_(model), before_(model.frames()), after_(std::move(after)) {}
 
 void EditFrames::redo() {

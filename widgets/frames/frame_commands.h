@@ -13,14 +13,14 @@ class WaypointModel;
 
 class EditFrames : public QUndoCommand {
 public:
-    EditFrames(WaypointModel& model, program::FrameList after, const QString& text);
+    EditFrames(WaypointModel& model, project::FrameList after, const QString& text);
     void redo() override;
     void undo() override;
 
 private:
     WaypointModel& model_;
-    program::FrameList before_;
-    program::FrameList after_;
+    project::FrameList before_;
+    project::FrameList after_;
 };
 
 }  // namespace tiller

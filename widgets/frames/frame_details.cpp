@@ -88,7 +88,7 @@ FrameDetails::FrameDetails(QWidget* parent) : QWidget(parent), name_(new QLabel)
     setFrame(std::nullopt, 0);
 }
 
-void FrameDetails::setFrame(const std::optional<program::Frame>& frame, int waypoints) {
+void FrameDetails::setFrame(const std::optional<project::Frame>& frame, int waypoints) {
     frame_ = frame;
     waypoints_ = waypoints;
     setEnabled(frame.has_value());
@@ -141,7 +141,7 @@ void FrameDetails::showFacts() {
                          : waypoints_ == 1 ? tr("1 waypoint moves with it")
                                            : tr("%1 waypoints move with it").arg(waypoints_)};
     if (tcp_) {
-        const program::PoseDifference away = program::poseDifference(frame_->T_base_frame, *tcp_);
+        const project::PoseDifference away = project::poseDifference(frame_->T_base_frame, *tcp_);
         facts << tr("%1 from the TCP").arg(format::difference(away.distance, away.angle));
     }
     name_->setText(frame_->name);

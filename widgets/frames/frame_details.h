@@ -24,7 +24,7 @@ public:
     explicit FrameDetails(QWidget* parent = nullptr);
 
     /// waypoints  how many move with it
-    void setFrame(const std::optional<program::Frame>& frame, int waypoints);
+    void setFrame(const std::optional<project::Frame>& frame, int waypoints);
     /// Nothing while there are no data.
     void setTcp(const std::optional<Pose>& T_base_tcp);
     void editFigures();
@@ -44,7 +44,7 @@ private:
     void showFacts();
     void take(int figure);
 
-    std::optional<program::Frame> frame_;
+    std::optional<project::Frame> frame_;
     int waypoints_ = 0;
     std::optional<Pose> tcp_;
     QLabel* name_;

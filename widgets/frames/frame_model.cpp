@@ -23,13 +23,13 @@ FrameModel::FrameModel(WaypointModel& document, QObject* parent)
     follow();
 }
 
-const program::FrameList& FrameModel::frames() const {
+const project::FrameList& FrameModel::frames() const {
     return document_.frames();
 }
 
 void FrameModel::follow() {
     QVector<QUuid> ids;
-    for (const program::Frame& frame : frames()) {
+    for (const project::Frame& frame : frames()) {
         ids.append(frame.id);
     }
     if (ids == ids_) {
@@ -48,17 +48,17 @@ int FrameModel::rowOf(const QUuid& id) const {
 }
 
 FrameUse FrameModel::use(const QUuid& id, const Pose& T_base_frame) const {
-    program::FrameList moved = frames();
+    project::FrameList moved = frames();
     if (const int row = rowOf(id); row >= 0) {
-        program::Frame frame = moved.at(static_cast<std::size_t>(row));
+        project::Frame frame = moved.at(static_cast<std::size_t>(row));
         frame.T_base_frame = T_base_frame;
         moved.replace(static_cast<std::size_t>(row), frame);
     }
     FrameUse use;
-    for (const program::Waypoint& point : document_.waypoints()) {
-        if (program::movesWith(point, id)) {
+    for (const project::Waypoint& point : document_.waypoints()) {
+        if (project::movesWith(point, id)) {
             ++use.waypoints;
-            use.outOfReach += program::reach(document_.robot(), point, moved).ok() ? 0 : 1;
+            use.outOfReach += project::reach(document_.robot(), point, moved).ok() ? 0 : 1;
         }
     }
     return use;
@@ -76,14 +76,14 @@ void FrameModel::setTcp(const std::optional<Pose>& T_base_tcp) {
 
 // ---- edits by hand ---------------------------------------------------------------------------------
 
-void FrameModel::insert(int row, const program::Frame& frame, const QString& text) {
-    program::FrameList after = frames();
+void FrameModel::insert(int row, const project::Frame& frame, const QString& text) {
+    project::FrameList after = frames();
     after.insert(static_cast<std::size_t>(std::clamp(row, 0, rowCount())), frame);
     document_.undoStack().push(new EditFrames(document_, after, text));
 }
 
-void FrameModel::change(int row, const program::Frame& frame, const QString& text) {
-    program::FrameList after = frames();
+void FrameModel::change(int row, const project::Frame& frame, const QString& text) {
+    project::FrameList after = frames();
     after.replace(static_cast<std::size_t>(row), frame);
     if (!(after == frames())) {
         document_.undoStack().push(new EditFrames(document_, after, text));
@@ -91,17 +91,17 @@ void FrameModel::change(int row, const program::Frame& frame, const QString& tex
 }
 
 void FrameModel::remove(int row) {
-    const program::Frame frame = frames().at(static_cast<std::size_t>(row));
-    program::FrameList after = frames();
+    const project::Frame frame = frames().at(static_cast<std::size_t>(row));
+    project::FrameList after = frames();
     after.remove(static_cast<std::size_t>(row));
     const QString text = tr("Delete “%1”").arg(frame.name);
     QUndoStack& history = document_.undoStack();
     history.beginMacro(text);
     // Also those whose joints rule: the pose they remember must not lose its frame.
     for (int i = 0; i < document_.rowCount(); ++i) {
-        const program::Waypoint point = document_.waypoints().at(i);
+        const project::Waypoint point = document_.waypoints().at(i);
         if (point.frame == frame.id) {
-            document_.change(i, program::givenIn(point, QUuid(), frames()).value_or(point), text);
+            document_.change(i, project::givenIn(point, QUuid(), frames()).value_or(point), text);
         }
     }
     history.push(new EditFrames(document_, after, text));
@@ -122,7 +122,7 @@ QString FrameModel::nameProblem(const QString& name, const QUuid& own) const {
     if (reserved.contains(name, Qt::CaseInsensitive)) {
         return tr("“%1” is a frame every robot has. Choose another name.").arg(name);
     }
-    for (const program::Frame& frame : frames()) {
+    for (const project::Frame& frame : frames()) {
         if (frame.id != own && frame.name.compare(name, Qt::CaseInsensitive) == 0) {
             return tr("“%1” is taken by another frame. Choose another name.").arg(name);
         }
@@ -134,7 +134,7 @@ bool FrameModel::setData(const QModelIndex& index, const QVariant& value, int ro
     if (role != Qt::EditRole || !index.isValid() || index.row() >= rowCount() || index.column() != Name) {
         return false;
     }
-    program::Frame frame = frames().at(static_cast<std::size_t>(index.row()));
+    project::Frame frame = frames().at(static_cast<std::size_t>(index.row()));
     const QString name = value.toString().trimmed();
     if (name == frame.name) {
         return true;
@@ -159,7 +159,7 @@ int FrameModel::columnCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : ColumnCount;
 }
 
-QString FrameModel::display(const program::Frame& frame, int column) const {
+QString FrameModel::display(const project::Frame& frame, int column) const {
     const auto three = [](const QString& a, const QString& b, const QString& c) {
         return QStringLiteral("%1 %2 %3").arg(a, b, c);
     };
@@ -178,7 +178,7 @@ QString FrameModel::display(const program::Frame& frame, int column) const {
         case Waypoints:
             return QString::number(
                 std::count_if(document_.waypoints().begin(), document_.waypoints().end(),
-                              [&](const auto& point) { return program::movesWith(point, frame.id); }));
+                              [&](const auto& point) { return project::movesWith(point, frame.id); }));
         case Distance:
             return tcp_
                        ? format::lengthNumber((frame.T_base_frame.position - tcp_->position).norm(), 1, false)
@@ -192,7 +192,7 @@ QVariant FrameModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || index.row() >= rowCount()) {
         return {};
     }
-    const program::Frame& frame = frames().at(static_cast<std::size_t>(index.row()));
+    const project::Frame& frame = frames().at(static_cast<std::size_t>(index.row()));
     const int column = index.column();
     switch (role) {
         case Qt::DisplayRole:

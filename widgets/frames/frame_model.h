@@ -27,20 +27,20 @@ public:
 
     explicit FrameModel(WaypointModel& document, QObject* parent = nullptr);
 
-    const program::FrameList& frames() const;
+    const project::FrameList& frames() const;
     /// -1 when there is none.
     int rowOf(const QUuid& id) const;
     /// How many waypoints move with it, and how many of them could not be reached if it stood at
     /// `T_base_frame`.
     FrameUse use(const QUuid& id, const Pose& T_base_frame) const;
-    FrameUse use(const program::Frame& frame) const { return use(frame.id, frame.T_base_frame); }
+    FrameUse use(const project::Frame& frame) const { return use(frame.id, frame.T_base_frame); }
     /// For the column of distances; nothing while there are no data.
     void setTcp(const std::optional<Pose>& T_base_tcp);
 
     // Edits by hand: one undo step each.
-    void insert(int row, const program::Frame& frame, const QString& text);
+    void insert(int row, const project::Frame& frame, const QString& text);
     /// Does nothing when `frame` is as it was.
-    void change(int row, const program::Frame& frame, const QString& text);
+    void change(int row, const project::Frame& frame, const QString& text);
     /// Waypoints that were given in it stay where they are, given in Base.
     void remove(int row);
     /// Why a frame cannot have that name, as a sentence; empty when it can.
@@ -59,7 +59,7 @@ Q_SIGNALS:
 
 private:
     void follow();
-    QString display(const program::Frame& frame, int column) const;
+    QString display(const project::Frame& frame, int column) const;
 
     WaypointModel& document_;
     QVector<QUuid> ids_;  ///< as the views know them

@@ -14,7 +14,7 @@
 
 namespace tiller {
 
-using Problem = program::FramePointsCheck::Problem;
+using Problem = project::FramePointsCheck::Problem;
 
 FrameTeacher::FrameTeacher(QWidget* parent)
     : QWidget(parent)
@@ -103,7 +103,7 @@ int FrameTeacher::nextMissing() const {
 }
 
 void FrameTeacher::takeNext() {
-    const Problem problem = program::check(points_).problem;
+    const Problem problem = project::check(points_).problem;
     // A point that spoils the frame is taken again before the next one.
     take(problem == Problem::XTooClose ? 1 : nextMissing() < 0 ? 2 : nextMissing());
 }
@@ -119,24 +119,24 @@ void FrameTeacher::take(int index) {
 }
 
 void FrameTeacher::finish() {
-    if (const std::optional<Pose> frame = program::frameThrough(points_)) {
+    if (const std::optional<Pose> frame = project::frameThrough(points_)) {
         Q_EMIT made(*frame);
     }
 }
 
 std::optional<Pose> FrameTeacher::preview() const {
-    program::FramePoints points = points_;
+    project::FramePoints points = points_;
     const int missing = nextMissing();
     if (missing == 2) {
         points.towardsY = tip_;
     }
-    return program::frameThrough(points);
+    return project::frameThrough(points);
 }
 
 QString FrameTeacher::feedback() const {
-    const QString arm = format::shortLength(program::kLeastFrameArm);
-    const QString offset = format::shortLength(program::kLeastFrameOffset);
-    const auto found = program::check(points_);
+    const QString arm = format::shortLength(project::kLeastFrameArm);
+    const QString offset = format::shortLength(project::kLeastFrameOffset);
+    const auto found = project::check(points_);
     switch (found.problem) {
         case Problem::NotFinite:
             return tr("The robot sent no valid place. Take the point again.");
@@ -162,23 +162,23 @@ QString FrameTeacher::feedback() const {
     if (!obstacle_.isEmpty()) {
         return obstacle_;
     }
-    program::FramePoints with = points_;
+    project::FramePoints with = points_;
     switch (nextMissing()) {
         case 0:
             return tr("Jog the tip to where the frame begins, and take it (P).");
         case 1:
             with.onX = tip_;
             return tr("Now to a point on +X: %1 from the origin, %2 is the least.")
-                .arg(format::length(program::check(with).alongX, 1), arm);
+                .arg(format::length(project::check(with).alongX, 1), arm);
         default:
             with.towardsY = tip_;
             return tr("Now to the side of +Y: %1 beside the X axis, %2 is the least.")
-                .arg(format::length(program::check(with).offLine, 1), offset);
+                .arg(format::length(project::check(with).offLine, 1), offset);
     }
 }
 
 void FrameTeacher::refresh() {
-    const auto found = program::check(points_);
+    const auto found = project::check(points_);
     const int next = found.problem == Problem::XTooClose ? 1 : nextMissing();
     const std::array<const std::optional<Eigen::Vector3d>*, 3> taken = {&points_.origin, &points_.onX,
                                                                         &points_.towardsY};

@@ -52,7 +52,7 @@ private:
     void take(int index);
     void refresh();
 
-    program::FramePoints points_;
+    project::FramePoints points_;
     std::optional<Eigen::Vector3d> tip_;
     QString obstacle_;
     QLabel* title_;

@@ -150,7 +150,7 @@ void FramesTab::showLive() {
 void FramesTab::onFrames() {
     QVector<QUuid> ids;
     QUuid came;
-    for (const program::Frame& frame : document_.frames()) {
+    for (const project::Frame& frame : document_.frames()) {
         ids.append(frame.id);
         came = known_.contains(frame.id) ? came : frame.id;
     }
@@ -194,7 +194,7 @@ void FramesTab::resizeEvent(QResizeEvent* event) {
 }
 
 void FramesTab::onSelection() {
-    const std::optional<program::Frame> frame = current();
+    const std::optional<project::Frame> frame = current();
     const QUuid id = frame ? frame->id : QUuid();
     details_->setFrame(frame, frame ? model_->use(*frame).waypoints : 0);
     updateAvailability();
@@ -210,7 +210,7 @@ int FramesTab::currentRow() const {
     return current.isValid() && current.row() < model_->rowCount() ? current.row() : -1;
 }
 
-std::optional<program::Frame> FramesTab::current() const {
+std::optional<project::Frame> FramesTab::current() const {
     const int row = currentRow();
     return row < 0 ? std::nullopt : std::optional(model_->frames().at(static_cast<std::size_t>(row)));
 }
@@ -230,7 +230,7 @@ void FramesTab::selectRow(int row) {
 
 std::vector<FrameMark> FramesTab::marks() const {
     std::vector<FrameMark> result;
-    for (const program::Frame& frame : model_->frames()) {
+    for (const project::Frame& frame : model_->frames()) {
         result.push_back({frame.name, frame.T_base_frame, !teaching_ && frame.id == selected_});
     }
     if (const std::optional<Pose> preview = teaching_ ? teacher_->preview() : std::nullopt) {

@@ -85,7 +85,7 @@ private:
     void showPage();
     void updateAvailability();
     QString teachObstacle() const;
-    std::optional<program::Frame> current() const;
+    std::optional<project::Frame> current() const;
 
     void insertFrame(const Pose& T_base_frame);
     void askToMove(const QUuid& id, const Pose& T_base_frame);

@@ -128,7 +128,7 @@ void FramesTab::teachThreePoints() {
 }
 
 void FramesTab::touchUp() {
-    const std::optional<program::Frame> frame = current();
+    const std::optional<project::Frame> frame = current();
     const QString obstacle = frame ? teachObstacle() : tr("Select a frame to touch up.");
     if (!obstacle.isEmpty()) {
         showProblem(obstacle);
@@ -139,7 +139,7 @@ void FramesTab::touchUp() {
 }
 
 void FramesTab::touchUpThreePoints() {
-    if (const std::optional<program::Frame> frame = current()) {
+    if (const std::optional<project::Frame> frame = current()) {
         beginTeaching(frame->id);
     } else {
         showProblem(tr("Select a frame to touch up."));
@@ -150,7 +150,7 @@ void FramesTab::beginTeaching(const QUuid& into) {
     notice_->dismiss();
     teaching_ = true;
     teachingInto_ = into;
-    const std::optional<program::Frame> frame = into.isNull() ? std::nullopt : current();
+    const std::optional<project::Frame> frame = into.isNull() ? std::nullopt : current();
     teacher_->begin(
         frame ? tr("Touch up “%1” from three points").arg(frame->name) : tr("New frame from three points"),
         frame ? tr("Touch up…") : tr("Make frame"));
@@ -177,7 +177,7 @@ void FramesTab::onMade(const Pose& T_base_frame) {
 }
 
 void FramesTab::insertFrame(const Pose& T_base_frame) {
-    program::Frame frame;
+    project::Frame frame;
     frame.id = QUuid::createUuid();
     frame.name = model_->frames().nextName(tr("frame"));
     frame.T_base_frame = T_base_frame;
@@ -190,8 +190,8 @@ void FramesTab::askToMove(const QUuid& id, const Pose& T_base_frame) {
     if (row < 0) {
         return;
     }
-    const program::Frame frame = model_->frames().at(static_cast<std::size_t>(row));
-    const program::PoseDifference by = program::poseDifference(frame.T_base_frame, T_base_frame);
+    const project::Frame frame = model_->frames().at(static_cast<std::size_t>(row));
+    const project::PoseDifference by = project::poseDifference(frame.T_base_frame, T_base_frame);
     const FrameUse use = model_->use(id, T_base_frame);
     QStringList lines = {tr("It moves by %1 (%2, base frame).")
                              .arg(format::difference(by.distance, by.angle),
@@ -217,7 +217,7 @@ QString FramesTab::moveFrame(const QUuid& id, const Pose& T_base_frame, const QS
     if (row < 0) {
         return {};
     }
-    program::Frame frame = model_->frames().at(static_cast<std::size_t>(row));
+    project::Frame frame = model_->frames().at(static_cast<std::size_t>(row));
     frame.T_base_frame = T_base_frame;
     model_->change(row, frame, step);
     const FrameUse use = model_->use(frame);
@@ -231,7 +231,7 @@ QString FramesTab::moveFrame(const QUuid& id, const Pose& T_base_frame, const QS
 // ---- editing ---------------------------------------------------------------------------------------
 
 void FramesTab::duplicateSelected() {
-    std::optional<program::Frame> frame = current();
+    std::optional<project::Frame> frame = current();
     if (!frame) {
         return;
     }
@@ -242,7 +242,7 @@ void FramesTab::duplicateSelected() {
 }
 
 void FramesTab::deleteSelected() {
-    const std::optional<program::Frame> frame = current();
+    const std::optional<project::Frame> frame = current();
     if (!frame) {
         return;
     }

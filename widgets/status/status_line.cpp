@@ -54,7 +54,7 @@ StatusLine::StatusLine(QWidget* parent)
     setFixedHeight(kHeight);
     recording_->setObjectName(QStringLiteral("recordingState"));
     details_->setObjectName(QStringLiteral("recordingDetails"));
-    file_->setObjectName(QStringLiteral("sessionFile"));
+    file_->setObjectName(QStringLiteral("projectFile"));
     message_->setObjectName(QStringLiteral("lastMessage"));
 
     recording_->setFont(textFont(13, QFont::Bold));
@@ -96,7 +96,7 @@ QString StatusLine::messageText() const {
     return message_->fullText();
 }
 
-void StatusLine::setSessionFile(const QString& name, bool saved) {
+void StatusLine::setProjectFile(const QString& name, bool saved) {
     file_->setFullText(name.isEmpty() ? QString()
                                       : tr("%1 — %2").arg(name, saved ? tr("saved") : tr("not saved")));
 }

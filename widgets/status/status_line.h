@@ -23,7 +23,7 @@ public:
     explicit StatusLine(RobotSession& session, QWidget* parent = nullptr);
 
     /// name  of the file, without its folder; empty for none
-    void setSessionFile(const QString& name, bool saved);
+    void setProjectFile(const QString& name, bool saved);
     QString recordingText() const;
     QString messageText() const;
 

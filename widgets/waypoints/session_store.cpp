@@ -8,27 +8,27 @@
 
 namespace tiller {
 
-struct SessionStore::Written {
+struct ProjectStore::Written {
     std::mutex mutex;  ///< held while a file is written
     std::uint64_t revision = 0;
     QString path;
 };
 
-SessionStore::SessionStore(WaypointModel& model, QObject* parent)
+ProjectStore::ProjectStore(WaypointModel& model, QObject* parent)
     : QObject(parent), model_(model), written_(std::make_shared<Written>()) {
     autosave_.setSingleShot(true);
     autosave_.setInterval(kAutosaveMs);
-    connect(&autosave_, &QTimer::timeout, this, &SessionStore::autosave);
-    connect(&model_, &WaypointModel::documentChanged, this, &SessionStore::onChange);
+    connect(&autosave_, &QTimer::timeout, this, &ProjectStore::autosave);
+    connect(&model_, &WaypointModel::documentChanged, this, &ProjectStore::onChange);
 }
 
-SessionStore::~SessionStore() {
+ProjectStore::~ProjectStore() {
     if (modified_ && !path_.isEmpty()) {
         (void)saveNow();
     }
 }
 
-QString SessionStore::statusText() const {
+QString ProjectStore::statusText() const {
     if (path_.isEmpty()) {
         return modified_ ? tr("waypoints not saved to a file") : QString();
     }
@@ -42,7 +42,7 @@ QString SessionStore::statusText() const {
     return modified_ ? tr("%1 — saving…").arg(name) : tr("%1 — saved").arg(name);
 }
 
-void SessionStore::onChange() {
+void ProjectStore::onChange() {
     if (loading_) {
         return;
     }
@@ -54,7 +54,7 @@ void SessionStore::onChange() {
     Q_EMIT statusChanged(statusText());
 }
 
-void SessionStore::show(const program::SessionDocument& document, const QString& path) {
+void ProjectStore::show(const project::Project& document, const QString& path) {
     autosave_.stop();
     loading_ = true;
     model_.setDocument(document);
@@ -65,8 +65,8 @@ void SessionStore::show(const program::SessionDocument& document, const QString&
     Q_EMIT statusChanged(statusText());
 }
 
-Result<void> SessionStore::open(const QString& path) {
-    const Result<program::SessionDocument> document = program::loadSession(path);
+Result<void> ProjectStore::open(const QString& path) {
+    const Result<project::Project> document = project::loadProject(path);
     if (!document) {
         return document.error();
     }
@@ -79,8 +79,8 @@ Result<void> SessionStore::open(const QString& path) {
     return {};
 }
 
-Result<program::RecoveredSession> SessionStore::openRecovered(const QString& path) {
-    Result<program::RecoveredSession> recovered = program::recoverSession(path);
+Result<project::RecoveredProject> ProjectStore::openRecovered(const QString& path) {
+    Result<project::RecoveredProject> recovered = project::recoverProject(path);
     if (recovered) {
         if (modified_ && !path_.isEmpty()) {
             if (const Result<void> saved = saveNow(); !saved) {
@@ -95,7 +95,7 @@ Result<program::RecoveredSession> SessionStore::openRecovered(const QString& pat
     return recovered;
 }
 
-Result<void> SessionStore::saveAs(const QString& path) {
+Result<void> ProjectStore::saveAs(const QString& path) {
     const QString before = path_;
     path_ = path;
     Result<void> saved = saveNow();
@@ -106,7 +106,7 @@ Result<void> SessionStore::saveAs(const QString& path) {
     return saved;
 }
 
-Result<void> SessionStore::openOrStart(const QString& path) {
+Result<void> ProjectStore::openOrStart(const QString& path) {
     if (QFileInfo::exists(path)) {
         return open(path);
     }
@@ -114,15 +114,15 @@ Result<void> SessionStore::openOrStart(const QString& path) {
     return {};
 }
 
-program::SessionDocument SessionStore::document() const {
-    program::SessionDocument document = model_.document();
+project::Project ProjectStore::document() const {
+    project::Project document = model_.document();
     if (!document.robot) {
         document.robot = model_.robot().id;
     }
     return document;
 }
 
-void SessionStore::autosave() {
+void ProjectStore::autosave() {
     // The disk may take its time: not in the thread that paints, and that stops the arm.
     worker_.post(this, [this, path = path_, revision = revision_, document = document(),
                         written = written_](const CancelToken&) {
@@ -130,7 +130,7 @@ void SessionStore::autosave() {
         if (written->path == path && written->revision >= revision) {
             return std::function<void()>();  // saved by hand meanwhile
         }
-        const Result<program::SaveReport> saved = program::saveSession(path, document);
+        const Result<project::SaveReport> saved = project::saveProject(path, document);
         if (saved) {
             written->path = path;
             written->revision = revision;
@@ -147,7 +147,7 @@ void SessionStore::autosave() {
     });
 }
 
-void SessionStore::settle(std::uint64_t revision, const Result<program::SaveReport>& saved) {
+void ProjectStore::settle(std::uint64_t revision, const Result<project::SaveReport>& saved) {
     lastError_ = saved.error();
     if (saved) {
         modified_ = modified_ && revision != revision_;
@@ -158,13 +158,13 @@ void SessionStore::settle(std::uint64_t revision, const Result<program::SaveRepo
     Q_EMIT statusChanged(statusText());
 }
 
-Result<void> SessionStore::saveNow() {
+Result<void> ProjectStore::saveNow() {
     autosave_.stop();
     if (path_.isEmpty()) {
         return Error{ErrorCode::FileNotWritable, tr("no file chosen"), {}};
     }
     const std::lock_guard lock(written_->mutex);
-    const Result<program::SaveReport> saved = program::saveSession(path_, document());
+    const Result<project::SaveReport> saved = project::saveProject(path_, document());
     if (saved) {
         written_->path = path_;
         written_->revision = revision_;

@@ -15,13 +15,13 @@ namespace tiller {
 
 class WaypointModel;
 
-class SessionStore : public QObject {
+class ProjectStore : public QObject {
     Q_OBJECT
 
 public:
-    explicit SessionStore(WaypointModel& model, QObject* parent = nullptr);
+    explicit ProjectStore(WaypointModel& model, QObject* parent = nullptr);
     /// Saves what is not saved yet, if there is a file.
-    ~SessionStore() override;
+    ~ProjectStore() override;
 
     QString path() const { return path_; }
     bool isModified() const { return modified_; }
@@ -31,7 +31,7 @@ public:
     /// Shows the file's waypoints and saves to it from now on. On an error everything stays as it was.
     Result<void> open(const QString& path);
     /// What can be read of a damaged file is shown; the first save puts the damaged one aside.
-    Result<program::RecoveredSession> openRecovered(const QString& path);
+    Result<project::RecoveredProject> openRecovered(const QString& path);
     /// Saves to this file now and from now on.
     Result<void> saveAs(const QString& path);
     /// As open(); where there is no such file yet, an empty list that will be saved there. For the start of
@@ -52,9 +52,9 @@ Q_SIGNALS:
 private:
     void onChange();
     void autosave();
-    program::SessionDocument document() const;
-    void settle(std::uint64_t revision, const Result<program::SaveReport>& saved);
-    void show(const program::SessionDocument& document, const QString& path);
+    project::Project document() const;
+    void settle(std::uint64_t revision, const Result<project::SaveReport>& saved);
+    void show(const project::Project& document, const QString& path);
 
     WaypointModel& model_;
     QString path_;

@@ -108,8 +108,8 @@ private:
     Error error_;
 };
 
-program::Waypoint waypointOf(Line& line, const program::FrameList& frames) {
-    program::Waypoint point;
+project::Waypoint waypointOf(Line& line, const project::FrameList& frames) {
+    project::Waypoint point;
     point.id = QUuid::createUuid();
     point.name = line.text(Name);
     if (point.name.isEmpty()) {
@@ -119,21 +119,21 @@ program::Waypoint waypointOf(Line& line, const program::FrameList& frames) {
     if (move != QLatin1String("J") && move != QLatin1String("L")) {
         line.fail(Move, tr("“%1” is neither J nor L").arg(move));
     }
-    point.move = move == QLatin1String("L") ? program::MoveKind::Linear : program::MoveKind::Joint;
+    point.move = move == QLatin1String("L") ? project::MoveKind::Linear : project::MoveKind::Joint;
     const QString rules = line.text(Rules);
     if (rules != QLatin1String("joints") && rules != QLatin1String("pose")) {
         line.fail(Rules, tr("“%1” is neither joints nor pose").arg(rules));
     }
-    point.ruling = rules == QLatin1String("pose") ? program::Ruling::Pose : program::Ruling::Joints;
+    point.ruling = rules == QLatin1String("pose") ? project::Ruling::Pose : project::Ruling::Joints;
     const QString frame = line.text(Frame);
     if (!frame.isEmpty() && frame != QLatin1String("Base")) {
-        if (const program::Frame* found = frames.findByName(frame)) {
+        if (const project::Frame* found = frames.findByName(frame)) {
             point.frame = found->id;
         } else {
             line.fail(Frame, tr("there is no frame “%1” in this session").arg(frame));
         }
     }
-    const bool joint = point.move == program::MoveKind::Joint;
+    const bool joint = point.move == project::MoveKind::Joint;
     (joint ? point.jointSpeed : point.toolSpeed) =
         joint ? line.number(Speed, 0.01, 1000) / kDegPerRad : line.number(Speed, 0.01, 10000) / kMmPerM;
     point.blend = line.number(Blend, 0, 10000) / kMmPerM;
@@ -149,20 +149,20 @@ program::Waypoint waypointOf(Line& line, const program::FrameList& frames) {
 
 }  // namespace
 
-QString toText(const std::vector<program::Waypoint>& waypoints, const program::FrameList& frames) {
+QString toText(const std::vector<project::Waypoint>& waypoints, const project::FrameList& frames) {
     QStringList headings;
     for (const char* heading : kHeadings) {
         headings << QString::fromUtf8(heading);
     }
     QString result = headings.join(QLatin1Char('\t')) + QLatin1Char('\n');
-    for (const program::Waypoint& point : waypoints) {
-        const bool joint = point.move == program::MoveKind::Joint;
-        const program::Frame* frame = frames.find(point.frame);
+    for (const project::Waypoint& point : waypoints) {
+        const bool joint = point.move == project::MoveKind::Joint;
+        const project::Frame* frame = frames.find(point.frame);
         QString name = point.name;
         QStringList fields = {
             name.replace(QLatin1Char('\t'), QLatin1Char(' ')).replace(QLatin1Char('\n'), QLatin1Char(' ')),
             joint ? QStringLiteral("J") : QStringLiteral("L"),
-            point.ruling == program::Ruling::Joints ? QStringLiteral("joints") : QStringLiteral("pose"),
+            point.ruling == project::Ruling::Joints ? QStringLiteral("joints") : QStringLiteral("pose"),
             frame == nullptr ? QStringLiteral("Base") : frame->name,
             figure(joint ? point.jointSpeed * kDegPerRad : point.toolSpeed * kMmPerM),
             figure(point.blend * kMmPerM)};
@@ -176,13 +176,13 @@ QString toText(const std::vector<program::Waypoint>& waypoints, const program::F
     return result;
 }
 
-Result<std::vector<program::Waypoint>> fromText(const QString& text, const program::FrameList& frames) {
+Result<std::vector<project::Waypoint>> fromText(const QString& text, const project::FrameList& frames) {
     std::array<int, ColumnCount> places{};
     for (std::size_t i = 0; i < places.size(); ++i) {
         places[i] = static_cast<int>(i);
     }
     const QStringList lines = QString(text).remove(QLatin1Char('\r')).split(QLatin1Char('\n'));
-    std::vector<program::Waypoint> result;
+    std::vector<project::Waypoint> result;
     bool first = true;
     for (int n = 0; n < lines.size(); ++n) {
         if (lines[n].trimmed().isEmpty()) {
@@ -206,7 +206,7 @@ Result<std::vector<program::Waypoint>> fromText(const QString& text, const progr
         }
         first = false;
         Line line(n + 1, fields, places);
-        program::Waypoint point = waypointOf(line, frames);
+        project::Waypoint point = waypointOf(line, frames);
         if (line.error().code != ErrorCode::None) {
             return line.error();
         }

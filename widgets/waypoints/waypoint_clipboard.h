@@ -13,11 +13,11 @@
 namespace tiller::waypoint_clipboard {
 
 /// One heading line and one line for each.
-QString toText(const std::vector<program::Waypoint>& waypoints, const program::FrameList& frames);
+QString toText(const std::vector<project::Waypoint>& waypoints, const project::FrameList& frames);
 
 /// With or without the heading line; with it, the columns may come in any order and optional ones may be
 /// missing. New ids; names as they stand.
 /// Errors   InvalidArgument naming line and column; nothing of a text with an error is used
-Result<std::vector<program::Waypoint>> fromText(const QString& text, const program::FrameList& frames);
+Result<std::vector<project::Waypoint>> fromText(const QString& text, const project::FrameList& frames);
 
 }  // namespace tiller::waypoint_clipboard

@@ -5,13 +5,13 @@
 
 namespace tiller {
 
-InsertWaypoints::InsertWaypoints(WaypointModel& model, int row, std::vector<program::Waypoint> waypoints,
+InsertWaypoints::InsertWaypoints(WaypointModel& model, int row, std::vector<project::Waypoint> waypoints,
                                  const QString& text)
     : QUndoCommand(text), model_(model), row_(row), waypoints_(std::move(waypoints)) {}
 
 void InsertWaypoints::redo() {
     int row = row_;
-    for (const program::Waypoint& waypoint : waypoints_) {
+    for (const project::Waypoint& waypoint : waypoints_) {
         model_.insertRaw(row++, waypoint);
     }
     Q_EMIT model_.rowsAppeared(row_, row - 1);
@@ -41,7 +41,7 @@ void RemoveWaypoints::undo() {
     Q_EMIT model_.rowsAppeared(rows_.first(), rows_.first());
 }
 
-ChangeWaypoint::ChangeWaypoint(WaypointModel& model, int row, program::Waypoint after, const QString& text)
+ChangeWaypoint::ChangeWaypoint(WaypointModel& model, int row, project::Waypoint after, const QString& text)
     : QUndoCommand(text), model_(model), before_(model.waypoints().at(row)), after_(std::move(after)) {}
 
 void ChangeWaypoint::redo() {
@@ -54,7 +54,7 @@ void ChangeWaypoint::undo() {
 
 ReorderWaypoints::ReorderWaypoints(WaypointModel& model, QVector<QUuid> order, const QString& text)
     : QUndoCommand(text), model_(model), after_(std::move(order)) {
-    for (const program::Waypoint& waypoint : model.waypoints()) {
+    for (const project::Waypoint& waypoint : model.waypoints()) {
         before_.append(waypoint.id);
     }
 }

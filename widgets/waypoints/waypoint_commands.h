@@ -15,7 +15,7 @@ class WaypointModel;
 
 class InsertWaypoints : public QUndoCommand {
 public:
-    InsertWaypoints(WaypointModel& model, int row, std::vector<program::Waypoint> waypoints,
+    InsertWaypoints(WaypointModel& model, int row, std::vector<project::Waypoint> waypoints,
                     const QString& text);
     void redo() override;
     void undo() override;
@@ -23,7 +23,7 @@ public:
 private:
     WaypointModel& model_;
     int row_;
-    std::vector<program::Waypoint> waypoints_;
+    std::vector<project::Waypoint> waypoints_;
 };
 
 class RemoveWaypoints : public QUndoCommand {
@@ -35,19 +35,19 @@ public:
 private:
     WaypointModel& model_;
     QVector<int> rows_;  // ascending
-    std::vector<program::Waypoint> taken_;
+    std::vector<project::Waypoint> taken_;
 };
 
 class ChangeWaypoint : public QUndoCommand {
 public:
-    ChangeWaypoint(WaypointModel& model, int row, program::Waypoint after, const QString& text);
+    ChangeWaypoint(WaypointModel& model, int row, project::Waypoint after, const QString& text);
     void redo() override;
     void undo() override;
 
 private:
     WaypointModel& model_;
-    program::Waypoint before_;
-    program::Waypoint after_;
+    project::Waypoint before_;
+    project::Waypoint after_;
 };
 
 class ReorderWaypoints : public QUndoCommand {

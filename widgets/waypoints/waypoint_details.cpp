@@ -104,18 +104,18 @@ void WaypointDetails::refresh() {
     if (!shown) {
         return;
     }
-    const program::Waypoint& point = model_.waypoints().at(row_);
-    const bool joints = point.ruling == program::Ruling::Joints;
+    const project::Waypoint& point = model_.waypoints().at(row_);
+    const bool joints = point.ruling == project::Ruling::Joints;
     // Where the joints rule, the place is where they bring this arm, whatever pose was remembered.
     const std::optional<Pose> place =
         joints ? std::optional(kinematics::forwardTcp(model_.robot().dh, point.joints, point.tcpOffset))
-               : program::poseInBase(point, model_.frames());
+               : project::poseInBase(point, model_.frames());
     QStringList facts;
     if (usedIn_) {
         facts << (*usedIn_ == 1 ? tr("used in 1 step") : tr("used in %1 steps").arg(*usedIn_));
     }
     if (live_.hasData() && place) {
-        const program::PoseDifference away = program::poseDifference(*place, live_.tcpPose);
+        const project::PoseDifference away = project::poseDifference(*place, live_.tcpPose);
         facts << tr("%1 from the live pose").arg(format::difference(away.distance, away.angle));
     } else {
         facts << (joints ? tr("joints rule") : tr("pose rules"));

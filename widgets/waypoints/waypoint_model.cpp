@@ -30,7 +30,7 @@ void WaypointModel::setRobot(RobotModelId robot) {
     }
 }
 
-void WaypointModel::setDocument(program::SessionDocument document) {
+void WaypointModel::setDocument(project::Project document) {
     beginResetModel();
     document_ = std::move(document);
     refreshReach();
@@ -42,38 +42,38 @@ void WaypointModel::setDocument(program::SessionDocument document) {
 
 void WaypointModel::refreshReach() {
     reach_.clear();
-    for (const program::Waypoint& point : document_.waypoints) {
-        reach_.push_back(program::reach(*robot_, point, document_.frames));
+    for (const project::Waypoint& point : document_.waypoints) {
+        reach_.push_back(project::reach(*robot_, point, document_.frames));
     }
 }
 
-QString WaypointModel::reachText(const program::Reach& reach) {
+QString WaypointModel::reachText(const project::Reach& reach) {
     switch (reach.obstacle) {
-        case program::Reach::Obstacle::None:
+        case project::Reach::Obstacle::None:
             return QStringLiteral("✓");
-        case program::Reach::Obstacle::JointLimit:
+        case project::Reach::Obstacle::JointLimit:
             return tr("✕ joint");
-        case program::Reach::Obstacle::FrameMissing:
+        case project::Reach::Obstacle::FrameMissing:
             return tr("✕ frame");
-        case program::Reach::Obstacle::OutOfReach:
+        case project::Reach::Obstacle::OutOfReach:
             break;
-        case program::Reach::Obstacle::OnTheWay:
+        case project::Reach::Obstacle::OnTheWay:
             return tr("✕ line");
     }
     return tr("✕ reach");
 }
 
-QString WaypointModel::reachAdvice(const program::Reach& reach) {
+QString WaypointModel::reachAdvice(const project::Reach& reach) {
     switch (reach.obstacle) {
-        case program::Reach::Obstacle::None:
+        case project::Reach::Obstacle::None:
             return {};
-        case program::Reach::Obstacle::JointLimit:
+        case project::Reach::Obstacle::JointLimit:
             return tr("A joint would leave its range. Touch the waypoint up from another arm posture.");
-        case program::Reach::Obstacle::FrameMissing:
+        case project::Reach::Obstacle::FrameMissing:
             return tr("Its frame is not in this session. Choose another frame.");
-        case program::Reach::Obstacle::OnTheWay:
+        case project::Reach::Obstacle::OnTheWay:
             return tr("The straight line from here leaves the arm's reach. Use MoveJ, or start elsewhere.");
-        case program::Reach::Obstacle::OutOfReach:
+        case project::Reach::Obstacle::OutOfReach:
             break;
     }
     return tr("Out of reach. Touch it up nearer to the base.");
@@ -81,7 +81,7 @@ QString WaypointModel::reachAdvice(const program::Reach& reach) {
 
 // ---- edits by hand ---------------------------------------------------------------------------------
 
-void WaypointModel::insert(int row, const std::vector<program::Waypoint>& waypoints, const QString& text) {
+void WaypointModel::insert(int row, const std::vector<project::Waypoint>& waypoints, const QString& text) {
     if (!waypoints.empty()) {
         undo_.push(new InsertWaypoints(*this, std::clamp(row, 0, rowCount()), waypoints, text));
     }
@@ -99,7 +99,7 @@ void WaypointModel::remove(QList<int> rows) {
     undo_.push(new RemoveWaypoints(*this, rows, text));
 }
 
-void WaypointModel::change(int row, const program::Waypoint& waypoint, const QString& text) {
+void WaypointModel::change(int row, const project::Waypoint& waypoint, const QString& text) {
     if (!(document_.waypoints.at(row) == waypoint)) {
         undo_.push(new ChangeWaypoint(*this, row, waypoint, text));
     }
@@ -127,26 +127,26 @@ void WaypointModel::moveRowsBefore(const QList<int>& rows, int before) {
 
 // ---- for commands ----------------------------------------------------------------------------------
 
-void WaypointModel::insertRaw(int row, const program::Waypoint& waypoint) {
+void WaypointModel::insertRaw(int row, const project::Waypoint& waypoint) {
     beginInsertRows({}, row, row);
     document_.waypoints.insert(row, waypoint);
-    reach_.insert(reach_.begin() + row, program::reach(*robot_, waypoint, document_.frames));
+    reach_.insert(reach_.begin() + row, project::reach(*robot_, waypoint, document_.frames));
     endInsertRows();
     Q_EMIT documentChanged();
 }
 
-program::Waypoint WaypointModel::takeRaw(int row) {
+project::Waypoint WaypointModel::takeRaw(int row) {
     beginRemoveRows({}, row, row);
-    program::Waypoint taken = document_.waypoints.take(row);
+    project::Waypoint taken = document_.waypoints.take(row);
     reach_.erase(reach_.begin() + row);
     endRemoveRows();
     Q_EMIT documentChanged();
     return taken;
 }
 
-void WaypointModel::replaceRaw(int row, const program::Waypoint& waypoint) {
+void WaypointModel::replaceRaw(int row, const project::Waypoint& waypoint) {
     document_.waypoints.replace(row, waypoint);
-    reach_.at(static_cast<std::size_t>(row)) = program::reach(*robot_, waypoint, document_.frames);
+    reach_.at(static_cast<std::size_t>(row)) = project::reach(*robot_, waypoint, document_.frames);
     Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
     Q_EMIT documentChanged();
 }
@@ -158,7 +158,7 @@ void WaypointModel::reorderRaw(const QVector<QUuid>& order) {
     for (const QModelIndex& old : before) {
         ids.append(document_.waypoints.at(old.row()).id);
     }
-    program::WaypointList sorted;
+    project::WaypointList sorted;
     for (const QUuid& id : order) {
         sorted.append(document_.waypoints.at(document_.waypoints.indexOf(id)));
     }
@@ -173,7 +173,7 @@ void WaypointModel::reorderRaw(const QVector<QUuid>& order) {
     Q_EMIT documentChanged();
 }
 
-void WaypointModel::setFramesRaw(const program::FrameList& frames) {
+void WaypointModel::setFramesRaw(const project::FrameList& frames) {
     document_.frames = frames;
     refreshReach();
     if (rowCount() > 0) {
@@ -193,23 +193,23 @@ int WaypointModel::columnCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : ColumnCount;
 }
 
-QString WaypointModel::display(const program::Waypoint& point, int row, int column) const {
+QString WaypointModel::display(const project::Waypoint& point, int row, int column) const {
     switch (column) {
         case Number:
             return QString::number(row + 1);
         case Name:
             return point.name;
         case Move:
-            return point.move == program::MoveKind::Joint ? QStringLiteral("J") : QStringLiteral("L");
+            return point.move == project::MoveKind::Joint ? QStringLiteral("J") : QStringLiteral("L");
         case Frame: {
-            if (point.ruling == program::Ruling::Joints) {
+            if (point.ruling == project::Ruling::Joints) {
                 return QStringLiteral("—");
             }
-            const program::Frame* frame = document_.frames.find(point.frame);
+            const project::Frame* frame = document_.frames.find(point.frame);
             return point.frame.isNull() ? tr("Base") : frame != nullptr ? frame->name : tr("missing");
         }
         case Speed:
-            return point.move == program::MoveKind::Joint ? format::degreesPerSecond(point.jointSpeed)
+            return point.move == project::MoveKind::Joint ? format::degreesPerSecond(point.jointSpeed)
                                                           : format::speed(point.toolSpeed);
         case Blend:
             return QString::number(point.blend / format::metresPerUnit(), 'g', 6);
@@ -220,15 +220,15 @@ QString WaypointModel::display(const program::Waypoint& point, int row, int colu
     }
 }
 
-QString WaypointModel::toolTip(const program::Waypoint& point, int row, int column) const {
+QString WaypointModel::toolTip(const project::Waypoint& point, int row, int column) const {
     switch (column) {
         case Name:
             return point.name;
         case Move:
-            return point.move == program::MoveKind::Joint ? tr("MoveJ: all joints start and stop together")
+            return point.move == project::MoveKind::Joint ? tr("MoveJ: all joints start and stop together")
                                                           : tr("MoveL: the TCP goes along a straight line");
         case Frame:
-            return point.ruling == program::Ruling::Joints
+            return point.ruling == project::Ruling::Joints
                        ? tr("The joints rule: the arm comes back in the same posture")
                        : tr("The pose rules: it moves with its frame");
         case ReachColumn:
@@ -242,7 +242,7 @@ QVariant WaypointModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || index.row() >= rowCount()) {
         return {};
     }
-    const program::Waypoint& point = document_.waypoints.at(index.row());
+    const project::Waypoint& point = document_.waypoints.at(index.row());
     const bool unreachable = index.column() == ReachColumn && !reach(index.row()).ok();
     switch (role) {
         case Qt::DisplayRole:
@@ -250,7 +250,7 @@ QVariant WaypointModel::data(const QModelIndex& index, int role) const {
             return index.column() == Number ? QVariant() : display(point, index.row(), index.column());
         case Qt::EditRole:
             if (index.column() == Speed) {
-                return QString::number(point.move == program::MoveKind::Joint
+                return QString::number(point.move == project::MoveKind::Joint
                                            ? point.jointSpeed * kDegPerRad
                                            : point.toolSpeed / format::metresPerUnit(),
                                        'g', 8);

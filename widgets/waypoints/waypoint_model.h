@@ -22,27 +22,27 @@ public:
 
     explicit WaypointModel(QObject* parent = nullptr);
 
-    const program::SessionDocument& document() const { return document_; }
-    const program::WaypointList& waypoints() const { return document_.waypoints; }
-    const program::FrameList& frames() const { return document_.frames; }
+    const project::Project& document() const { return document_; }
+    const project::WaypointList& waypoints() const { return document_.waypoints; }
+    const project::FrameList& frames() const { return document_.frames; }
     const RobotModel& robot() const { return *robot_; }
     /// Reach depends on the arm.
     void setRobot(RobotModelId robot);
     QUndoStack& undoStack() { return undo_; }
 
     /// Another document; the history is empty afterwards.
-    void setDocument(program::SessionDocument document);
-    const program::Reach& reach(int row) const { return reach_.at(static_cast<std::size_t>(row)); }
+    void setDocument(project::Project document);
+    const project::Reach& reach(int row) const { return reach_.at(static_cast<std::size_t>(row)); }
     /// What stands in the column Reach: "✓", "✕ reach", "✕ joint", "✕ frame".
-    static QString reachText(const program::Reach& reach);
+    static QString reachText(const project::Reach& reach);
     /// As a sentence with what to do; empty when it can be reached.
-    static QString reachAdvice(const program::Reach& reach);
+    static QString reachAdvice(const project::Reach& reach);
 
     // Edits by hand: one undo step each.
-    void insert(int row, const std::vector<program::Waypoint>& waypoints, const QString& text);
+    void insert(int row, const std::vector<project::Waypoint>& waypoints, const QString& text);
     void remove(QList<int> rows);
     /// Does nothing when `waypoint` is as it was.
-    void change(int row, const program::Waypoint& waypoint, const QString& text);
+    void change(int row, const project::Waypoint& waypoint, const QString& text);
     /// order  of the ids after the step
     void reorder(const QVector<QUuid>& order);
     /// Moves the rows, in their order, in front of row `before`.
@@ -52,12 +52,12 @@ public:
     QStringList frameChoices() const;
 
     // For commands.
-    void insertRaw(int row, const program::Waypoint& waypoint);
-    program::Waypoint takeRaw(int row);
-    void replaceRaw(int row, const program::Waypoint& waypoint);
+    void insertRaw(int row, const project::Waypoint& waypoint);
+    project::Waypoint takeRaw(int row);
+    void replaceRaw(int row, const project::Waypoint& waypoint);
     void reorderRaw(const QVector<QUuid>& order);
     /// Every waypoint's frame must be among them.
-    void setFramesRaw(const program::FrameList& frames);
+    void setFramesRaw(const project::FrameList& frames);
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
@@ -84,16 +84,16 @@ Q_SIGNALS:
     void editRefused(const QString& reason);
 
 private:
-    QString display(const program::Waypoint& point, int row, int column) const;
-    QString toolTip(const program::Waypoint& point, int row, int column) const;
+    QString display(const project::Waypoint& point, int row, int column) const;
+    QString toolTip(const project::Waypoint& point, int row, int column) const;
     bool setName(int row, const QString& text);
     bool setMove(int row, const QString& text);
     bool setFrame(int row, const QString& text);
     bool setFigure(int row, int column, const QString& text);
     void refreshReach();
 
-    program::SessionDocument document_;
-    std::vector<program::Reach> reach_;
+    project::Project document_;
+    std::vector<project::Reach> reach_;
     const RobotModel* robot_;
     QUndoStack undo_;
 };

@@ -60,7 +60,7 @@ bool WaypointModel::setData(const QModelIndex& index, const QVariant& value, int
 }
 
 bool WaypointModel::setName(int row, const QString& text) {
-    program::Waypoint point = document_.waypoints.at(row);
+    project::Waypoint point = document_.waypoints.at(row);
     if (text == point.name) {
         return true;
     }
@@ -81,25 +81,25 @@ bool WaypointModel::setName(int row, const QString& text) {
 }
 
 bool WaypointModel::setMove(int row, const QString& text) {
-    program::Waypoint point = document_.waypoints.at(row);
+    project::Waypoint point = document_.waypoints.at(row);
     if (text != QLatin1String("J") && text != QLatin1String("L")) {
         return false;
     }
-    point.move = text == QLatin1String("J") ? program::MoveKind::Joint : program::MoveKind::Linear;
+    point.move = text == QLatin1String("J") ? project::MoveKind::Joint : project::MoveKind::Linear;
     change(row, point, tr("Make “%1” a Move%2").arg(point.name, text));
     return true;
 }
 
 QStringList WaypointModel::frameChoices() const {
     QStringList result = {QStringLiteral("—"), tr("Base")};
-    for (const program::Frame& frame : document_.frames) {
+    for (const project::Frame& frame : document_.frames) {
         result << frame.name;
     }
     return result;
 }
 
 bool WaypointModel::setFrame(int row, const QString& text) {
-    program::Waypoint point = document_.waypoints.at(row);
+    project::Waypoint point = document_.waypoints.at(row);
     if (text == display(point, row, Frame)) {
         return true;
     }
@@ -108,31 +108,31 @@ bool WaypointModel::setFrame(int row, const QString& text) {
         if (reach(row).ok()) {
             point.joints = reach(row).q;
         }
-        point.ruling = program::Ruling::Joints;
+        point.ruling = project::Ruling::Joints;
         change(row, point, tr("Let the joints of “%1” rule").arg(point.name));
         return true;
     }
-    const program::Frame* frame = document_.frames.findByName(text);
+    const project::Frame* frame = document_.frames.findByName(text);
     if (frame == nullptr && text != tr("Base")) {
         Q_EMIT editRefused(tr("There is no frame “%1” in this session.").arg(text));
         return false;
     }
     // The place stays where it is: only the axes it is given in change.
     const std::optional<Pose> place =
-        point.ruling == program::Ruling::Joints
+        point.ruling == project::Ruling::Joints
             ? std::optional(kinematics::forwardTcp(robot_->dh, point.joints, point.tcpOffset))
-            : program::poseInBase(point, document_.frames);
-    point.ruling = program::Ruling::Pose;
+            : project::poseInBase(point, document_.frames);
+    point.ruling = project::Ruling::Pose;
     point.frame = frame == nullptr ? QUuid() : frame->id;
     if (place) {
-        point = *program::taughtAt(point, point.joints, *place, point.tcpOffset, document_.frames);
+        point = *project::taughtAt(point, point.joints, *place, point.tcpOffset, document_.frames);
     }
     change(row, point, tr("Give “%1” in %2").arg(point.name, text));
     return true;
 }
 
 bool WaypointModel::setFigure(int row, int column, const QString& text) {
-    program::Waypoint point = document_.waypoints.at(row);
+    project::Waypoint point = document_.waypoints.at(row);
     if (text == data(index(row, column), Qt::EditRole).toString()) {
         return true;  // the digits that are not shown stay
     }
@@ -141,7 +141,7 @@ bool WaypointModel::setFigure(int row, int column, const QString& text) {
         Q_EMIT editRefused(tr("“%1” is not a number.").arg(text));
         return false;
     }
-    const bool turns = column == Speed && point.move == program::MoveKind::Joint;
+    const bool turns = column == Speed && point.move == project::MoveKind::Joint;
     const double unit = turns ? 1 / kDegPerRad : format::metresPerUnit();
     const double value = *figure * unit;
     const double least = column == Blend ? 0 : turns ? 1 / kDegPerRad : kLeastToolSpeed;

@@ -9,17 +9,17 @@
 
 namespace tiller {
 
-Result<MoveRequest> moveRequestFor(const RobotModel& model, const program::Waypoint& waypoint,
-                                   const program::FrameList& frames, const JointPositions& from,
+Result<MoveRequest> moveRequestFor(const RobotModel& model, const project::Waypoint& waypoint,
+                                   const project::FrameList& frames, const JointPositions& from,
                                    const Pose& tcpOffset, const control::MotionLimits& limits) {
-    const program::MovePreview preview = program::previewMove(model, waypoint, frames, from);
+    const project::MovePreview preview = project::previewMove(model, waypoint, frames, from);
     if (!preview.reach.ok()) {
         return Error{ErrorCode::NoSolution, WaypointModel::reachAdvice(preview.reach), {}};
     }
     MoveRequest request;
     request.acceleration = waypoint.acceleration();
     request.q = preview.reach.q;
-    if (waypoint.move == program::MoveKind::Joint) {
+    if (waypoint.move == project::MoveKind::Joint) {
         request.kind = MoveRequest::Kind::MoveJ;
         request.speed = std::min(
             {waypoint.jointSpeed, limits.jointSpeed,
@@ -28,9 +28,9 @@ Result<MoveRequest> moveRequestFor(const RobotModel& model, const program::Waypo
     }
     request.kind = MoveRequest::Kind::MoveL;
     request.speed = std::min(waypoint.toolSpeed, limits.tcpSpeed);
-    request.pose = waypoint.ruling == program::Ruling::Joints
+    request.pose = waypoint.ruling == project::Ruling::Joints
                        ? kinematics::forwardTcp(model.dh, waypoint.joints, tcpOffset)
-                       : *program::targetForTcp(waypoint, frames, tcpOffset);
+                       : *project::targetForTcp(waypoint, frames, tcpOffset);
     return request;
 }
 

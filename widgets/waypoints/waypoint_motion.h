@@ -13,8 +13,8 @@ namespace tiller {
 /// tcpOffset  the active one
 /// limits     the caps: TCP and elbow never faster than tcpSpeed, no joint faster than jointSpeed
 /// Errors     NoSolution, in words an operator can use
-Result<MoveRequest> moveRequestFor(const RobotModel& model, const program::Waypoint& waypoint,
-                                   const program::FrameList& frames, const JointPositions& from,
+Result<MoveRequest> moveRequestFor(const RobotModel& model, const project::Waypoint& waypoint,
+                                   const project::FrameList& frames, const JointPositions& from,
                                    const Pose& tcpOffset, const control::MotionLimits& limits);
 
 }  // namespace tiller

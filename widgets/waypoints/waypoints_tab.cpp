@@ -49,7 +49,7 @@ WaypointsTab::WaypointsTab(RobotSession& session, WaypointPort port, QWidget* pa
     , port_(std::move(port))
     , state_(session.state())
     , model_(std::make_unique<WaypointModel>())
-    , store_(std::make_unique<SessionStore>(*model_)) {
+    , store_(std::make_unique<ProjectStore>(*model_)) {
     setObjectName(QStringLiteral("waypoints"));
     setAccessibleName(tr("Waypoints"));
     buildLayout();
@@ -73,10 +73,10 @@ WaypointsTab::WaypointsTab(RobotSession& session, WaypointPort port, QWidget* pa
         Q_EMIT marksChanged();
         Q_EMIT ghostChanged();
     });
-    connect(store_.get(), &SessionStore::keptAside, this, [this](const QString& copy) {
+    connect(store_.get(), &ProjectStore::keptAside, this, [this](const QString& copy) {
         Q_EMIT message(Severity::Warning, tr("The damaged session file was kept as %1").arg(copy));
     });
-    connect(store_.get(), &SessionStore::saveFailed, this, [this](const Error& error) {
+    connect(store_.get(), &ProjectStore::saveFailed, this, [this](const Error& error) {
         Q_EMIT message(Severity::Error, texts::errorText(error));
         notice_->show(NoticeBar::Kind::Warning, tr("The waypoints could not be saved"),
                       texts::errorText(error));
@@ -202,11 +202,11 @@ std::optional<WaypointGhost> WaypointsTab::ghost() const {
     if (row < 0) {
         return std::nullopt;
     }
-    const program::Waypoint& point = model_->waypoints().at(row);
-    const program::Reach& reach = model_->reach(row);
+    const project::Waypoint& point = model_->waypoints().at(row);
+    const project::Reach& reach = model_->reach(row);
     return WaypointGhost{point.name,
                          reach.ok() ? reach.q : point.joints,
-                         point.move == program::MoveKind::Linear,
+                         point.move == project::MoveKind::Linear,
                          reach.ok(),
                          point.speed(),
                          point.acceleration()};
@@ -215,9 +215,9 @@ std::optional<WaypointGhost> WaypointsTab::ghost() const {
 std::vector<WaypointMark> WaypointsTab::marks() const {
     std::vector<WaypointMark> result;
     for (int row = 0; row < model_->rowCount(); ++row) {
-        const program::Waypoint& point = model_->waypoints().at(row);
-        std::optional<Pose> pose = program::poseInBase(point, model_->frames());
-        if (point.ruling == program::Ruling::Joints) {
+        const project::Waypoint& point = model_->waypoints().at(row);
+        std::optional<Pose> pose = project::poseInBase(point, model_->frames());
+        if (point.ruling == project::Ruling::Joints) {
             pose = kinematics::forwardTcp(model_->robot().dh, point.joints, point.tcpOffset);
         }
         if (pose) {

@@ -25,7 +25,7 @@ namespace tiller {
 
 class HoldButton;
 class NoticeBar;
-class SessionStore;
+class ProjectStore;
 class WaypointDetails;
 class WaypointModel;
 class WaypointTable;
@@ -67,7 +67,7 @@ public:
     ~WaypointsTab() override;
 
     /// The file behind the list: open, save as, autosave, and what the status line says about it.
-    SessionStore& store() { return *store_; }
+    ProjectStore& store() { return *store_; }
     WaypointModel& model() { return *model_; }
 
     /// Every action with its shortcut, for menus, the command palette and the help.
@@ -116,7 +116,7 @@ private:
     void askForFile(bool save);
     QString goToObstacle() const;
     Result<RobotSession::MotionId> beginGoTo();
-    void replaceByTouchUp(const QUuid& id, const program::Waypoint& taught);
+    void replaceByTouchUp(const QUuid& id, const project::Waypoint& taught);
     QString teachObstacle() const;
     void duplicateSelected();
     void deleteSelected();
@@ -134,7 +134,7 @@ private:
     WaypointPort port_;
     SessionState state_;
     std::unique_ptr<WaypointModel> model_;
-    std::unique_ptr<SessionStore> store_;
+    std::unique_ptr<ProjectStore> store_;
     QList<QAction*> actions_;
     QTimer detailsTimer_;
     QUuid lastSelected_;

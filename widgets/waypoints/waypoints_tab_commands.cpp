@@ -103,7 +103,7 @@ void WaypointsTab::teach() {
         return;
     }
     const int row = currentRow();
-    program::Waypoint point;
+    project::Waypoint point;
     if (row >= 0) {
         // A neighbour usually wants the same kind of move, frame and speed.
         point = model_->waypoints().at(row);
@@ -111,11 +111,11 @@ void WaypointsTab::teach() {
     }
     point.id = QUuid::createUuid();
     point.name = model_->waypoints().nextName(tr("waypoint"));
-    std::optional<program::Waypoint> taught =
-        program::taughtAt(point, state_.q, state_.tcpPose, state_.tcpOffset, model_->frames());
+    std::optional<project::Waypoint> taught =
+        project::taughtAt(point, state_.q, state_.tcpPose, state_.tcpOffset, model_->frames());
     if (!taught) {
         point.frame = QUuid();
-        taught = program::taughtAt(point, state_.q, state_.tcpPose, state_.tcpOffset, model_->frames());
+        taught = project::taughtAt(point, state_.q, state_.tcpPose, state_.tcpOffset, model_->frames());
     }
     model_->insert(row < 0 ? model_->rowCount() : row + 1, {*taught}, tr("Teach “%1”").arg(point.name));
 }
@@ -127,9 +127,9 @@ void WaypointsTab::touchUp() {
         showProblem(obstacle);
         return;
     }
-    const program::Waypoint before = model_->waypoints().at(row);
-    const std::optional<program::Waypoint> after =
-        program::taughtAt(before, state_.q, state_.tcpPose, state_.tcpOffset, model_->frames());
+    const project::Waypoint before = model_->waypoints().at(row);
+    const std::optional<project::Waypoint> after =
+        project::taughtAt(before, state_.q, state_.tcpPose, state_.tcpOffset, model_->frames());
     if (!after) {
         showProblem(
             tr("The frame of “%1” is not in this session. Choose another frame first.").arg(before.name));
@@ -137,7 +137,7 @@ void WaypointsTab::touchUp() {
     }
     const Pose old = kinematics::forwardTcp(
         model_->robot().dh, model_->reach(row).ok() ? model_->reach(row).q : before.joints, before.tcpOffset);
-    const program::PoseDifference by = program::poseDifference(old, state_.tcpPose);
+    const project::PoseDifference by = project::poseDifference(old, state_.tcpPose);
     const Vector6 turns = after->joints.values - before.joints.values;
     int joint = 0;
     turns.cwiseAbs().maxCoeff(&joint);
@@ -150,7 +150,7 @@ void WaypointsTab::touchUp() {
                   [this, id = before.id, taught = *after] { replaceByTouchUp(id, taught); });
 }
 
-void WaypointsTab::replaceByTouchUp(const QUuid& id, const program::Waypoint& taught) {
+void WaypointsTab::replaceByTouchUp(const QUuid& id, const project::Waypoint& taught) {
     // What was shown is what is kept, even if the arm has moved on since.
     const int row = model_->waypoints().indexOf(id);
     if (row >= 0) {
@@ -165,10 +165,10 @@ void WaypointsTab::duplicateSelected() {
     if (rows.isEmpty()) {
         return;
     }
-    program::WaypointList names = model_->waypoints();
-    std::vector<program::Waypoint> copies;
+    project::WaypointList names = model_->waypoints();
+    std::vector<project::Waypoint> copies;
     for (const int row : rows) {
-        program::Waypoint copy = model_->waypoints().at(row);
+        project::Waypoint copy = model_->waypoints().at(row);
         copy.id = QUuid::createUuid();
         copy.name = names.uniqueName(copy.name);
         names.append(copy);
@@ -198,7 +198,7 @@ void WaypointsTab::moveSelected(int by) {
 }
 
 void WaypointsTab::copySelected() {
-    std::vector<program::Waypoint> chosen;
+    std::vector<project::Waypoint> chosen;
     for (const int row : table_->selectedRows()) {
         chosen.push_back(model_->waypoints().at(row));
     }
@@ -208,7 +208,7 @@ void WaypointsTab::copySelected() {
 }
 
 void WaypointsTab::paste() {
-    Result<std::vector<program::Waypoint>> pasted =
+    Result<std::vector<project::Waypoint>> pasted =
         waypoint_clipboard::fromText(QApplication::clipboard()->text(), model_->frames());
     if (!pasted) {
         notice_->show(NoticeBar::Kind::Warning, tr("Nothing was pasted"), pasted.error().context);
@@ -218,8 +218,8 @@ void WaypointsTab::paste() {
         showProblem(tr("There are no waypoints on the clipboard."));
         return;
     }
-    program::WaypointList names = model_->waypoints();
-    for (program::Waypoint& point : *pasted) {
+    project::WaypointList names = model_->waypoints();
+    for (project::Waypoint& point : *pasted) {
         point.name = names.uniqueName(point.name);
         names.append(point);
     }
@@ -262,7 +262,7 @@ void WaypointsTab::openFile(const QString& path) {
 
 void WaypointsTab::offerRecovery(const QString& path, const Error& error) {
     const QString name = QFileInfo(path).fileName();
-    const Result<program::RecoveredSession> found = program::recoverSession(path);
+    const Result<project::RecoveredProject> found = project::recoverProject(path);
     if (!found || found->document.waypoints.isEmpty()) {
         notice_->show(NoticeBar::Kind::Warning, tr("%1 is damaged").arg(name), error.context);
         return;

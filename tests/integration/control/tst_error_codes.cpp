@@ -175,7 +175,7 @@ const std::map<ErrorCode, std::function<Error()>>& provocations() {
          }},
         {ErrorCode::VersionUnsupported,
          [] {
-             return program::parseSession(R"({"format": "tiller-session", "version": 99, "waypoints": []})")
+             return project::parseProject(R"({"format": "tiller-session", "version": 99, "waypoints": []})")
                  .error();
          }},
         {ErrorCode::FieldUnknown,
@@ -261,13 +261,13 @@ const std::map<ErrorCode, std::function<Error()>>& provocations() {
              });
          }},
         {ErrorCode::FileNotReadable,
-         [] { return program::loadSession(QStringLiteral("/nonexistent/cell.tiller")).error(); }},
+         [] { return project::loadProject(QStringLiteral("/nonexistent/cell.tiller")).error(); }},
         {ErrorCode::FileNotWritable,
          [] {
              receive::Receiver receiver({});
              return recording::Recorder().start({QStringLiteral("/nonexistent/a.csv"), {}}, receiver).error();
          }},
-        {ErrorCode::FileCorrupt, [] { return program::parseSession("{").error(); }},
+        {ErrorCode::FileCorrupt, [] { return project::parseProject("{").error(); }},
         {ErrorCode::DiskFull,
          [] {
              receive::Receiver receiver({});

@@ -15,9 +15,9 @@
 
 using namespace tiller;
 using namespace tiller::test;
-using program::Frame;
-using program::Ruling;
-using program::Waypoint;
+using project::Frame;
+using project::Ruling;
+using project::Waypoint;
 
 class TestFrameModel : public QObject {
     Q_OBJECT
@@ -28,9 +28,9 @@ private Q_SLOTS:
         document_ = std::make_unique<WaypointModel>();
         tray_ = {QUuid::createUuid(), "tray", Pose(-0.1, -0.4, 0.1, 0, 0, 0.5), {}};
         table_ = {QUuid::createUuid(), "table", Pose(0, -0.5, 0, 0, 0, 0), {}};
-        program::SessionDocument session;
-        session.frames.append(tray_);
-        session.frames.append(table_);
+        project::Project cell;
+        cell.frames.append(tray_);
+        cell.frames.append(table_);
         // Two move with the tray; the joints of the third rule, it only remembers a pose in it.
         for (int i = 0; i < 3; ++i) {
             Waypoint point;
@@ -39,10 +39,10 @@ private Q_SLOTS:
             point.ruling = i < 2 ? Ruling::Pose : Ruling::Joints;
             const JointPositions q = moved(0, 0.1 * i);
             point.frame = tray_.id;
-            session.waypoints.append(*program::taughtAt(
-                point, q, kinematics::forwardTcp(robotModel(RobotModelId::UR5e).dh, q), {}, session.frames));
+            cell.waypoints.append(*project::taughtAt(
+                point, q, kinematics::forwardTcp(robotModel(RobotModelId::UR5e).dh, q), {}, cell.frames));
         }
-        document_->setDocument(session);
+        document_->setDocument(cell);
         model_ = std::make_unique<FrameModel>(*document_);
         tester_ = std::make_unique<QAbstractItemModelTester>(
             model_.get(), QAbstractItemModelTester::FailureReportingMode::QtTest);
@@ -81,8 +81,8 @@ private Q_SLOTS:
         QCOMPARE(changed.count(), 1);
         QVERIFY((placeOf(0).position - before.position - Eigen::Vector3d(0, 0, 0.05)).norm() < 1e-9);
         document_->undoStack().undo();
-        QVERIFY(program::poseDifference(placeOf(0), before).distance < 1e-12);
-        QVERIFY(program::poseDifference(placeOf(2), jointsBefore).distance < 1e-12);
+        QVERIFY(project::poseDifference(placeOf(0), before).distance < 1e-12);
+        QVERIFY(project::poseDifference(placeOf(2), jointsBefore).distance < 1e-12);
         document_->undoStack().redo();
         QVERIFY((placeOf(0).position - before.position).norm() > 0.04);
     }
@@ -110,11 +110,11 @@ private Q_SLOTS:
         for (const Waypoint& point : document_->waypoints()) {
             QVERIFY2(point.frame.isNull(), qPrintable(point.name));
         }
-        QVERIFY(program::poseDifference(placeOf(0), first).distance < 1e-9);
+        QVERIFY(project::poseDifference(placeOf(0), first).distance < 1e-9);
         QVERIFY(document_->reach(0).ok());
         // And a file of it can be read again: no waypoint names a frame that is not there.
-        const auto bytes = program::serializeSession(document_->document());
-        QVERIFY(bytes && program::parseSession(*bytes));
+        const auto bytes = project::serializeProject(document_->document());
+        QVERIFY(bytes && project::parseProject(*bytes));
         // One step back brings all of it.
         document_->undoStack().undo();
         QCOMPARE(model_->rowCount(), 2);
@@ -163,7 +163,7 @@ private Q_SLOTS:
 private:
     QString cell(int row, int column) { return model_->index(row, column).data().toString(); }
     Pose placeOf(int row) {
-        return *program::poseInBase(document_->waypoints().at(row), document_->frames());
+        return *project::poseInBase(document_->waypoints().at(row), document_->frames());
     }
 
     Frame tray_;

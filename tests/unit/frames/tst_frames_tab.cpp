@@ -27,8 +27,8 @@
 
 using namespace tiller;
 using namespace tiller::test;
-using program::Ruling;
-using program::Waypoint;
+using project::Ruling;
+using project::Waypoint;
 
 namespace {
 
@@ -186,7 +186,7 @@ private Q_SLOTS:
         QVERIFY((placeOf(0).position - place.position - Eigen::Vector3d(0.03, 0, 0.04)).norm() < 1e-9);
         document_->undoStack().undo();
         QVERIFY(frame(0).T_base_frame == before);
-        QVERIFY(program::poseDifference(placeOf(0), place).distance < 1e-12);
+        QVERIFY(project::poseDifference(placeOf(0), place).distance < 1e-12);
     }
 
     void touchUpSaysWhatWouldBeOutOfReach() {
@@ -306,7 +306,7 @@ private Q_SLOTS:
         click("notice.accept");
         QVERIFY(names().isEmpty());
         QVERIFY(document_->waypoints().at(0).frame.isNull());
-        QVERIFY(program::poseDifference(placeOf(0), place).distance < 1e-9);
+        QVERIFY(project::poseDifference(placeOf(0), place).distance < 1e-9);
         document_->undoStack().undo();
         QCOMPARE(names().size(), 1);
         QCOMPARE(document_->waypoints().at(0).frame, frame(0).id);
@@ -356,7 +356,7 @@ private:
             point.ruling = Ruling::Pose;
             point.frame = frame(0).id;
             const SessionState ready = liveState(moved(0, 0.05 * i));
-            points.push_back(*program::taughtAt(point, ready.q, ready.tcpPose, {}, document_->frames()));
+            points.push_back(*project::taughtAt(point, ready.q, ready.tcpPose, {}, document_->frames()));
         }
         document_->insert(0, points, "x");
         tab_->selectRow(0);
@@ -377,14 +377,14 @@ private:
 
     QStringList names() {
         QStringList result;
-        for (const program::Frame& frame : document_->frames()) {
+        for (const project::Frame& frame : document_->frames()) {
             result << frame.name;
         }
         return result;
     }
-    const program::Frame& frame(std::size_t row) { return document_->frames().at(row); }
+    const project::Frame& frame(std::size_t row) { return document_->frames().at(row); }
     Pose placeOf(int row) {
-        return *program::poseInBase(document_->waypoints().at(row), document_->frames());
+        return *project::poseInBase(document_->waypoints().at(row), document_->frames());
     }
     QString feedback() { return teacher()->feedback(); }
     QString place(const QString& point) {

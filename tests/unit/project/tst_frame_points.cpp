@@ -10,7 +10,7 @@
 #include "robot/project/waypoint_list.h"
 
 using namespace tiller;
-using namespace tiller::program;
+using namespace tiller::project;
 using Problem = FramePointsCheck::Problem;
 using Eigen::Vector3d;
 

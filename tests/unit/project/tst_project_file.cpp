@@ -17,12 +17,12 @@
 #include "robot/project/project_file.h"
 
 using namespace tiller;
-using namespace tiller::program;
+using namespace tiller::project;
 
 namespace {
 
-SessionDocument sample(int waypoints = 3) {
-    SessionDocument document;
+Project sample(int waypoints = 3) {
+    Project document;
     document.robot = RobotModelId::UR5e;
     const QUuid tray = QUuid::createUuid();
     document.frames.append({tray, QStringLiteral("Tray Ä"), Pose(0.5, 0.1, 0, 0, 0, 1.0 / 3), {}});
@@ -44,8 +44,8 @@ SessionDocument sample(int waypoints = 3) {
     return document;
 }
 
-QByteArray bytesOf(const SessionDocument& document) {
-    const Result<QByteArray> bytes = serializeSession(document);
+QByteArray bytesOf(const Project& document) {
+    const Result<QByteArray> bytes = serializeProject(document);
     return bytes ? *bytes : QByteArray();
 }
 
@@ -77,7 +77,7 @@ void put(const QString& path, const QByteArray& bytes) {
 
 }  // namespace
 
-class TestSessionFile : public QObject {
+class TestProjectFile : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -88,18 +88,18 @@ private Q_SLOTS:
     }
 
     void whatIsSavedComesBackDigitForDigit() {
-        const SessionDocument document = sample();
-        const Result<SaveReport> saved = saveSession(path_, document);
+        const Project document = sample();
+        const Result<SaveReport> saved = saveProject(path_, document);
         QVERIFY2(saved.ok(), qPrintable(saved.error().toString()));
         QVERIFY(saved->keptCopy.isEmpty());
-        const Result<SessionDocument> loaded = loadSession(path_);
+        const Result<Project> loaded = loadProject(path_);
         QVERIFY2(loaded.ok(), qPrintable(loaded.error().toString()));
         QVERIFY(*loaded == document);
     }
 
-    void emptySessionComesBack() {
-        QVERIFY(saveSession(path_, {}).ok());
-        const auto loaded = loadSession(path_);
+    void emptyProjectComesBack() {
+        QVERIFY(saveProject(path_, {}).ok());
+        const auto loaded = loadProject(path_);
         QVERIFY(loaded.ok());
         QVERIFY(loaded->waypoints.isEmpty());
         QVERIFY(!loaded->robot.has_value());
@@ -122,27 +122,27 @@ private Q_SLOTS:
         root["waypoints"] = points;
         put(path_, QJsonDocument(root).toJson());
 
-        Result<SessionDocument> loaded = loadSession(path_);
+        Result<Project> loaded = loadProject(path_);
         QVERIFY2(loaded.ok(), qPrintable(loaded.error().toString()));
-        QVERIFY(saveSession(path_, *loaded).ok());
+        QVERIFY(saveProject(path_, *loaded).ok());
         QCOMPARE(QJsonDocument::fromJson(contentOf(path_)).object(), root);
     }
 
     void missingFileIsSaid() {
-        const auto loaded = loadSession(directory_->filePath("none.tiller"));
+        const auto loaded = loadProject(directory_->filePath("none.tiller"));
         QVERIFY(loaded.error().code == ErrorCode::FileNotReadable);
         QVERIFY(loaded.error().context.contains("none.tiller"));
-        QVERIFY(loadSession(directory_->path()).error().code == ErrorCode::FileNotReadable);
+        QVERIFY(loadProject(directory_->path()).error().code == ErrorCode::FileNotReadable);
     }
 
     void newerFormatIsSaid() {
         QJsonObject root = QJsonDocument::fromJson(bytesOf(sample())).object();
         root["version"] = 7;
         put(path_, QJsonDocument(root).toJson());
-        const auto loaded = loadSession(path_);
+        const auto loaded = loadProject(path_);
         QVERIFY(loaded.error().code == ErrorCode::VersionUnsupported);
         QVERIFY(loaded.error().context.contains("version 7"));
-        QVERIFY(recoverSession(path_).error().code == ErrorCode::VersionUnsupported);
+        QVERIFY(recoverProject(path_).error().code == ErrorCode::VersionUnsupported);
     }
 
     void wrongFieldsAreNamed_data() {
@@ -195,7 +195,7 @@ private Q_SLOTS:
         QFETCH(QByteArray, bytes);
         QFETCH(QString, where);
         put(path_, bytes);
-        const auto loaded = loadSession(path_);
+        const auto loaded = loadProject(path_);
         QVERIFY(!loaded.ok());
         QVERIFY2(loaded.error().code == ErrorCode::FileCorrupt, qPrintable(loaded.error().toString()));
         QVERIFY2(loaded.error().context.contains("cell-7.tiller"), qPrintable(loaded.error().context));
@@ -208,7 +208,7 @@ private Q_SLOTS:
         QJsonArray points = root["waypoints"].toArray();
         points.append(points[0]);
         root["waypoints"] = points;
-        const auto parsed = parseSession(QJsonDocument(root).toJson());
+        const auto parsed = parseProject(QJsonDocument(root).toJson());
         QVERIFY(parsed.error().context.contains("waypoints[3].id"));
     }
 
@@ -224,13 +224,13 @@ private Q_SLOTS:
     }
 
     void fileCutOffAnywhereIsSaidAndLosesNoWholeWaypoint() {
-        const SessionDocument document = sample(4);
+        const Project document = sample(4);
         const QByteArray whole = bytesOf(document);
         QVERIFY(recoverFromBytes(whole)->problems.isEmpty());
         int mostRecovered = 0;
         for (qsizetype length = 0; length < whole.trimmed().size(); ++length) {
             const QByteArray cut = whole.left(length);
-            QVERIFY(parseSession(cut).error().code == ErrorCode::FileCorrupt);
+            QVERIFY(parseProject(cut).error().code == ErrorCode::FileCorrupt);
             const auto recovered = recoverFromBytes(cut);
             if (!recovered) {
                 continue;
@@ -247,7 +247,7 @@ private Q_SLOTS:
     }
 
     void damageInTheMiddleCostsOneWaypoint() {
-        const SessionDocument document = sample(3);
+        const Project document = sample(3);
         QByteArray bytes = bytesOf(document);
         const qsizetype second = bytes.indexOf("\"joints\"", bytes.indexOf("\"joints\"") + 1);
         bytes.replace(second, 8, "\x01\x02 oops");
@@ -266,21 +266,21 @@ private Q_SLOTS:
                 QByteArray changed = whole;
                 changed[i] = byte;
                 (void)recoverFromBytes(changed);
-                const auto parsed = parseSession(changed);
+                const auto parsed = parseProject(changed);
                 QVERIFY(parsed.ok() || !parsed.error().context.isEmpty());
             }
         }
     }
 
-    void largeSessionsAreReadAndAbsurdOnesRefused() {
-        QVERIFY(saveSession(path_, sample(2000)).ok());
-        QCOMPARE(loadSession(path_)->waypoints.size(), 2000);
+    void largeProjectsAreReadAndAbsurdOnesRefused() {
+        QVERIFY(saveProject(path_, sample(2000)).ok());
+        QCOMPARE(loadProject(path_)->waypoints.size(), 2000);
 
         QFile file(path_);
         QVERIFY(file.open(QIODevice::ReadWrite));
-        QVERIFY(file.resize(kMaxSessionFileBytes + 1));  // sparse: costs nothing
+        QVERIFY(file.resize(kMaxProjectFileBytes + 1));  // sparse: costs nothing
         file.close();
-        const auto loaded = loadSession(path_);
+        const auto loaded = loadProject(path_);
         QVERIFY(loaded.error().code == ErrorCode::FileCorrupt);
         QVERIFY(loaded.error().context.contains("64 MB"));
     }
@@ -288,15 +288,15 @@ private Q_SLOTS:
     void damagedFileIsPutAsideBeforeItIsReplaced() {
         const QByteArray damaged = bytesOf(sample()).left(500);
         put(path_, damaged);
-        const auto first = saveSession(path_, sample());
+        const auto first = saveProject(path_, sample());
         QVERIFY2(first.ok(), qPrintable(first.error().toString()));
         QCOMPARE(first->keptCopy, path_ + ".damaged-1");
         QCOMPARE(contentOf(first->keptCopy), damaged);
-        QVERIFY(loadSession(path_).ok());
-        QVERIFY(saveSession(path_, sample())->keptCopy.isEmpty());
+        QVERIFY(loadProject(path_).ok());
+        QVERIFY(saveProject(path_, sample())->keptCopy.isEmpty());
 
         put(path_, "something else");
-        const auto second = saveSession(path_, sample());
+        const auto second = saveProject(path_, sample());
         QCOMPARE(second->keptCopy, path_ + ".damaged-2");
         QCOMPARE(contentOf(second->keptCopy), QByteArray("something else"));
         QCOMPARE(contentOf(first->keptCopy), damaged);
@@ -306,42 +306,42 @@ private Q_SLOTS:
         QJsonObject root = QJsonDocument::fromJson(bytesOf(sample())).object();
         root["version"] = 2;
         put(path_, QJsonDocument(root).toJson());
-        QVERIFY(!saveSession(path_, sample())->keptCopy.isEmpty());
+        QVERIFY(!saveProject(path_, sample())->keptCopy.isEmpty());
     }
 
     void valuesNoFileMayHoldAreRefusedAndTheOldFileStays() {
-        QVERIFY(saveSession(path_, sample()).ok());
+        QVERIFY(saveProject(path_, sample()).ok());
         const QByteArray before = contentOf(path_);
-        SessionDocument bad = sample();
+        Project bad = sample();
         Waypoint point = bad.waypoints.at(1);
         point.pose.position.x() = std::numeric_limits<double>::quiet_NaN();
         bad.waypoints.replace(1, point);
-        const auto saved = saveSession(path_, bad);
+        const auto saved = saveProject(path_, bad);
         QVERIFY(saved.error().code == ErrorCode::InvalidArgument);
         QVERIFY2(saved.error().context.contains("waypoints[1].pose[0]"), qPrintable(saved.error().context));
         QCOMPARE(contentOf(path_), before);
         point.pose.position.x() = 0;
         point.name.clear();
         bad.waypoints.replace(1, point);
-        QVERIFY(saveSession(path_, bad).error().code == ErrorCode::InvalidArgument);
+        QVERIFY(saveProject(path_, bad).error().code == ErrorCode::InvalidArgument);
     }
 
     void folderThatIsNotThereIsSaid() {
-        const auto saved = saveSession(directory_->filePath("no/such/folder/x.tiller"), sample());
+        const auto saved = saveProject(directory_->filePath("no/such/folder/x.tiller"), sample());
         QVERIFY(saved.error().code == ErrorCode::FileNotWritable);
         QVERIFY(!saved.error().controllerMessage.isEmpty());
     }
 
     void writeThatFailsHalfWayLeavesTheOldFile() {
 #ifdef __linux__
-        QVERIFY(saveSession(path_, sample()).ok());
+        QVERIFY(saveProject(path_, sample()).ok());
         const QByteArray before = contentOf(path_);
         rlimit old{};
         QCOMPARE(getrlimit(RLIMIT_FSIZE, &old), 0);
         const rlimit tight{4096, old.rlim_max};
         const auto ignored = std::signal(SIGXFSZ, SIG_IGN);
         QCOMPARE(setrlimit(RLIMIT_FSIZE, &tight), 0);
-        const auto saved = saveSession(path_, sample(200));
+        const auto saved = saveProject(path_, sample(200));
         setrlimit(RLIMIT_FSIZE, &old);
         std::signal(SIGXFSZ, ignored);
         QVERIFY(!saved.ok());
@@ -359,5 +359,5 @@ private:
     QString path_;
 };
 
-QTEST_GUILESS_MAIN(TestSessionFile)
+QTEST_GUILESS_MAIN(TestProjectFile)
 #include "tst_project_file.moc"

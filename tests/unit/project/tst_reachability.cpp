@@ -6,7 +6,7 @@
 #include "robot/project/reachability.h"
 
 using namespace tiller;
-using namespace tiller::program;
+using namespace tiller::project;
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include "robot/project/waypoint_list.h"
 
 using namespace tiller;
-using namespace tiller::program;
+using namespace tiller::project;
 
 namespace {
 

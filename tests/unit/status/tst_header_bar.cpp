@@ -345,7 +345,7 @@ private Q_SLOTS:
             StatusLine line;
             header.show();
             line.show();
-            line.setSessionFile(QStringLiteral("cell-7.tiller"), true);
+            line.setProjectFile(QStringLiteral("cell-7.tiller"), true);
             SessionState state = movingState();
             state.recording = {true, QStringLiteral("/home/x/pick-and-place.csv"), 96000, 192, 80'000'000'000,
                                {}};

@@ -66,11 +66,11 @@ private Q_SLOTS:
     void sessionFileSaysWhetherItIsSaved() {
         StatusLine line;
         line.show();
-        line.setSessionFile(QStringLiteral("cell-7.tiller"), true);
-        QCOMPARE(line.findChild<ElidedLabel*>(QStringLiteral("sessionFile"))->fullText(),
+        line.setProjectFile(QStringLiteral("cell-7.tiller"), true);
+        QCOMPARE(line.findChild<ElidedLabel*>(QStringLiteral("projectFile"))->fullText(),
                  QStringLiteral("cell-7.tiller — saved"));
-        line.setSessionFile(QStringLiteral("cell-7.tiller"), false);
-        QVERIFY(line.findChild<ElidedLabel*>(QStringLiteral("sessionFile"))
+        line.setProjectFile(QStringLiteral("cell-7.tiller"), false);
+        QVERIFY(line.findChild<ElidedLabel*>(QStringLiteral("projectFile"))
                     ->fullText()
                     .contains(QStringLiteral("not saved")));
     }

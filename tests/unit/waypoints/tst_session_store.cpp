@@ -14,8 +14,8 @@ using namespace tiller;
 
 namespace {
 
-program::Waypoint named(const QString& name) {
-    program::Waypoint point;
+project::Waypoint named(const QString& name) {
+    project::Waypoint point;
     point.id = QUuid::createUuid();
     point.name = name;
     return point;
@@ -28,7 +28,7 @@ QByteArray contentOf(const QString& path) {
 
 }  // namespace
 
-class TestSessionStore : public QObject {
+class TestProjectStore : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -36,7 +36,7 @@ private Q_SLOTS:
         directory_ = std::make_unique<QTemporaryDir>();
         path_ = directory_->filePath("cell-7.tiller");
         model_ = std::make_unique<WaypointModel>();
-        store_ = std::make_unique<SessionStore>(*model_);
+        store_ = std::make_unique<ProjectStore>(*model_);
     }
     void cleanup() {
         store_.reset();
@@ -50,14 +50,14 @@ private Q_SLOTS:
         model_->insert(0, {named("home")}, "Teach");
         QCOMPARE(store_->statusText(), QString("cell-7.tiller — saving…"));
         QTRY_COMPARE(store_->statusText(), QString("cell-7.tiller — saved"));
-        QCOMPARE(program::loadSession(path_)->waypoints.at(0).name, QString("home"));
+        QCOMPARE(project::loadProject(path_)->waypoints.at(0).name, QString("home"));
     }
 
     void whatIsNotSavedYetIsSavedAtTheEnd() {
         QVERIFY(store_->openOrStart(path_).ok());
         model_->insert(0, {named("home")}, "Teach");
         store_.reset();
-        QCOMPARE(program::loadSession(path_)->waypoints.size(), 1);
+        QCOMPARE(project::loadProject(path_)->waypoints.size(), 1);
     }
 
     void undoIsSavedToo() {
@@ -66,14 +66,14 @@ private Q_SLOTS:
         QVERIFY(store_->saveNow().ok());
         model_->undoStack().undo();
         QTRY_VERIFY(!store_->isModified());
-        QCOMPARE(program::loadSession(path_)->waypoints.size(), 0);
+        QCOMPARE(project::loadProject(path_)->waypoints.size(), 0);
     }
 
     void openingShowsTheFileAndForgetsTheHistory() {
-        program::SessionDocument document;
+        project::Project document;
         document.waypoints.append(named("a"));
         document.robot = RobotModelId::UR10e;
-        QVERIFY(program::saveSession(path_, document).ok());
+        QVERIFY(project::saveProject(path_, document).ok());
         model_->insert(0, {named("x")}, "Teach");
         QVERIFY(store_->open(path_).ok());
         QCOMPARE(model_->rowCount(), 1);
@@ -82,7 +82,7 @@ private Q_SLOTS:
         // The arm it was taught with stays written in it.
         model_->insert(1, {named("b")}, "Teach");
         QVERIFY(store_->saveNow().ok());
-        QCOMPARE(program::loadSession(path_)->robot, std::optional(RobotModelId::UR10e));
+        QCOMPARE(project::loadProject(path_)->robot, std::optional(RobotModelId::UR10e));
     }
 
     void damagedFileChangesNothing() {
@@ -102,17 +102,17 @@ private Q_SLOTS:
     }
 
     void recoveredFileIsPutAsideAtTheFirstSave() {
-        program::SessionDocument document;
+        project::Project document;
         document.waypoints.append(named("a"));
         document.waypoints.append(named("b"));
-        const QByteArray whole = *program::serializeSession(document);
+        const QByteArray whole = *project::serializeProject(document);
         const QByteArray damaged = whole.left(whole.lastIndexOf("\"joints\""));
         QFile file(path_);
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(damaged);
         file.close();
 
-        QSignalSpy kept(store_.get(), &SessionStore::keptAside);
+        QSignalSpy kept(store_.get(), &ProjectStore::keptAside);
         const auto recovered = store_->openRecovered(path_);
         QVERIFY(recovered.ok());
         QCOMPARE(recovered->lostWaypoints, 1);
@@ -121,7 +121,7 @@ private Q_SLOTS:
         QVERIFY(store_->saveNow().ok());
         QCOMPARE(kept.count(), 1);
         QCOMPARE(contentOf(kept[0][0].toString()), damaged);
-        QCOMPARE(program::loadSession(path_)->waypoints.size(), 1);
+        QCOMPARE(project::loadProject(path_)->waypoints.size(), 1);
     }
 
     void failedSaveIsSaidAndTriedAgain() {
@@ -129,7 +129,7 @@ private Q_SLOTS:
         QVERIFY(QDir().mkdir(folder));
         QVERIFY(store_->openOrStart(folder + "/x.tiller").ok());
         QVERIFY(QDir().rmdir(folder));
-        QSignalSpy failed(store_.get(), &SessionStore::saveFailed);
+        QSignalSpy failed(store_.get(), &ProjectStore::saveFailed);
         model_->insert(0, {named("home")}, "Teach");
         QTRY_COMPARE(failed.count(), 1);
         QVERIFY2(store_->statusText().startsWith("x.tiller — not saved: "), qPrintable(store_->statusText()));
@@ -154,8 +154,8 @@ private:
     std::unique_ptr<QTemporaryDir> directory_;
     QString path_;
     std::unique_ptr<WaypointModel> model_;
-    std::unique_ptr<SessionStore> store_;
+    std::unique_ptr<ProjectStore> store_;
 };
 
-QTEST_MAIN(TestSessionStore)
+QTEST_MAIN(TestProjectStore)
 #include "tst_session_store.moc"

@@ -13,9 +13,9 @@
 #include "widgets/waypoints/waypoint_motion.h"
 
 using namespace tiller;
-using program::MoveKind;
-using program::Ruling;
-using program::Waypoint;
+using project::MoveKind;
+using project::Ruling;
+using project::Waypoint;
 
 namespace {
 
@@ -56,7 +56,7 @@ private Q_SLOTS:
         model_ = std::make_unique<WaypointModel>();
         tester_ = std::make_unique<QAbstractItemModelTester>(
             model_.get(), QAbstractItemModelTester::FailureReportingMode::QtTest);
-        program::SessionDocument document;
+        project::Project document;
         tray_ = QUuid::createUuid();
         document.frames.append({tray_, "Tray A", Pose(-0.3, -0.4, 0.1, 0, 0, 0.4), {}});
         for (const char* name : {"home", "approach", "above tray", "pick"}) {
@@ -102,7 +102,7 @@ private Q_SLOTS:
     }
 
     void everyEditGoesThereAndBack() {
-        const program::SessionDocument before = model_->document();
+        const project::Project before = model_->document();
         model_->insert(1, {at("new", kStart)}, "Teach");
         model_->remove({0, 3});
         QVERIFY(model_->setData(model_->index(0, WaypointModel::Name), "renamed", Qt::EditRole));
@@ -111,7 +111,7 @@ private Q_SLOTS:
         QVERIFY(model_->setData(model_->index(0, WaypointModel::Blend), "2,5", Qt::EditRole));
         QVERIFY(model_->setData(model_->index(0, WaypointModel::Frame), "Tray A", Qt::EditRole));
         model_->moveRowsBefore({0}, 3);
-        const program::SessionDocument after = model_->document();
+        const project::Project after = model_->document();
         QCOMPARE(names(*model_), QString("approach,pick,renamed"));
         QCOMPARE(model_->undoStack().count(), 8);
         while (model_->undoStack().canUndo()) {
@@ -151,12 +151,12 @@ private Q_SLOTS:
     }
 
     void changingTheFrameKeepsThePlace() {
-        const Pose before = *program::poseInBase(model_->waypoints().at(2), model_->frames());
+        const Pose before = *project::poseInBase(model_->waypoints().at(2), model_->frames());
         QVERIFY(model_->setData(model_->index(2, WaypointModel::Frame), "Tray A", Qt::EditRole));
         const Waypoint& moved = model_->waypoints().at(2);
         QCOMPARE(moved.frame, tray_);
         QVERIFY(moved.pose != before);
-        const auto off = program::poseDifference(*program::poseInBase(moved, model_->frames()), before);
+        const auto off = project::poseDifference(*project::poseInBase(moved, model_->frames()), before);
         QVERIFY(off.distance < 1e-12);
         QVERIFY(off.angle < 1e-12);
         QVERIFY(model_->setData(model_->index(2, WaypointModel::Frame), "—", Qt::EditRole));
@@ -183,7 +183,7 @@ private Q_SLOTS:
     }
 
     void tableOfTextComesBackTheSame() {
-        program::FrameList frames = model_->frames();
+        project::FrameList frames = model_->frames();
         QVERIFY(model_->setData(model_->index(2, WaypointModel::Frame), "Tray A", Qt::EditRole));
         std::vector<Waypoint> points(model_->waypoints().begin(), model_->waypoints().end());
         points[3].tcpOffset = Pose(0.01, 0.02, 0.15, 0.1, 0.2, 0.3);
@@ -199,9 +199,9 @@ private Q_SLOTS:
             QVERIFY(got.ruling == points[i].ruling);
             QCOMPARE(got.frame, points[i].frame);
             QVERIFY((got.joints.values - points[i].joints.values).norm() < 1e-12);
-            QVERIFY(program::poseDifference(got.pose, points[i].pose).distance < 1e-12);
-            QVERIFY(program::poseDifference(got.pose, points[i].pose).angle < 1e-7);
-            QVERIFY(program::poseDifference(got.tcpOffset, points[i].tcpOffset).distance < 1e-12);
+            QVERIFY(project::poseDifference(got.pose, points[i].pose).distance < 1e-12);
+            QVERIFY(project::poseDifference(got.pose, points[i].pose).angle < 1e-7);
+            QVERIFY(project::poseDifference(got.tcpOffset, points[i].tcpOffset).distance < 1e-12);
             QVERIFY(std::abs(got.speed() - points[i].speed()) < 1e-12);
             QVERIFY(std::abs(got.blend - points[i].blend) < 1e-12);
         }

@@ -115,7 +115,7 @@ private Q_SLOTS:
         QTest::keyClick(tab_.get(), Qt::Key_T);
         QCOMPARE(names(), QStringList({"waypoint 1", "waypoint 4", "waypoint 2", "waypoint 3"}));
         QCOMPARE(tab_->currentRow(), 1);
-        const program::Waypoint& taught = model().waypoints().at(1);
+        const project::Waypoint& taught = model().waypoints().at(1);
         QCOMPARE(taught.joints, state.q);
         QCOMPARE(taught.pose, state.tcpPose);
         QCOMPARE(taught.tcpOffset, state.tcpOffset);
@@ -124,7 +124,7 @@ private Q_SLOTS:
     void touchUpShowsTheDifferenceAndAsks() {
         teachThree();
         tab_->selectRow(1);
-        const program::Waypoint before = model().waypoints().at(1);
+        const project::Waypoint before = model().waypoints().at(1);
         const SessionState live = liveState(moved(4, 0.2));
         feed(live);
         QTest::keyClick(tab_.get(), Qt::Key_U);
@@ -320,8 +320,8 @@ private Q_SLOTS:
 
     void unreachableWaypointCannotBeGoneTo() {
         teachThree();
-        program::Waypoint far = model().waypoints().at(1);
-        far.ruling = program::Ruling::Pose;
+        project::Waypoint far = model().waypoints().at(1);
+        far.ruling = project::Ruling::Pose;
         far.pose.position.x() = 4;
         model().change(1, far, "x");
         tab_->selectRow(1);
@@ -370,8 +370,8 @@ private Q_SLOTS:
     }
 
     void theFrameIsChosenInTheDetailsAndThePlaceStays() {
-        program::SessionDocument document;
-        program::Frame tray;
+        project::Project document;
+        project::Frame tray;
         tray.id = QUuid::createUuid();
         tray.name = "tray";
         tray.T_base_frame = Pose(0.3, -0.2, 0.1, 0, 0, 0.7);
@@ -386,17 +386,17 @@ private Q_SLOTS:
         QTest::keyClick(frame, Qt::Key_Down);
         QTest::keyClick(frame, Qt::Key_Down);
         QCOMPARE(frame->currentText(), QStringLiteral("tray"));
-        const program::Waypoint& point = model().waypoints().at(0);
+        const project::Waypoint& point = model().waypoints().at(0);
         QCOMPARE(point.frame, tray.id);
-        QVERIFY(point.ruling == program::Ruling::Pose);
-        const Pose place = *program::poseInBase(point, model().frames());
-        QVERIFY(program::poseDifference(place, liveState().tcpPose).distance < 1e-9);
+        QVERIFY(point.ruling == project::Ruling::Pose);
+        const Pose place = *project::poseInBase(point, model().frames());
+        QVERIFY(project::poseDifference(place, liveState().tcpPose).distance < 1e-9);
         model().undoStack().undo();
         model().undoStack().undo();
         QCOMPARE(frame->currentText(), QStringLiteral("—"));
     }
 
-    void damagedSessionIsNamedAndWhatIsLeftIsOffered() {
+    void damagedProjectIsNamedAndWhatIsLeftIsOffered() {
         teachThree();
         QTemporaryDir directory;
         const QString path = directory.filePath("cell-7.tiller");
@@ -440,7 +440,7 @@ private:
     WaypointModel& model() { return tab_->model(); }
     QStringList names() {
         QStringList result;
-        for (const program::Waypoint& point : model().waypoints()) {
+        for (const project::Waypoint& point : model().waypoints()) {
             result << point.name;
         }
         return result;
