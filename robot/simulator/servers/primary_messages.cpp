@@ -96,6 +96,11 @@ Bytes safetyMode(std::uint64_t timestampNs, tiller::SafetyMode mode) {
                    [&](ByteWriter& out) { out.i32(0).i32(0).u8(static_cast<unsigned>(mode)).u32(1).u32(0); });
 }
 
+bool isSafetyMode(const Bytes& message) {
+    constexpr std::size_t kKindAt = 14;
+    return message.size() > kKindAt && message[4] == kRobotMessage && message[kKindAt] == SafetyModeChange;
+}
+
 Bytes requestValue(std::uint64_t timestampNs, std::uint32_t id, std::uint32_t kind, std::string_view words) {
     return message(timestampNs, RobotInterface, RequestValue,
                    [&](ByteWriter& out) { out.u32(id).u32(kind).text(bounded(words)); });

@@ -37,6 +37,8 @@ Bytes errorCode(std::uint64_t timestampNs, const ErrorCode& error);
 Bytes runtimeException(std::uint64_t timestampNs, std::int32_t line, std::int32_t column,
                        std::string_view text);
 Bytes safetyMode(std::uint64_t timestampNs, tiller::SafetyMode mode);
+/// Whether a message is one of safetyMode().
+bool isSafetyMode(const Bytes& message);
 
 struct PopupMessage {
     std::uint32_t id = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/simulator/servers/primary_server.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "robot/simulator/plant.h"
@@ -34,27 +35,52 @@ void PrimaryServer::service() {
     removeClosed(clients_, [](const Client&) {});
 }
 
-void PrimaryServer::publish() {
-    if (plant_.elapsed() + 1e-9 < nextState_) {
-        return;
+void PrimaryServer::publish(const std::vector<primary::Bytes>& messages) {
+    const bool due = plant_.elapsed() + 1e-9 >= nextState_;
+    if (due) {
+        nextState_ += kStatePeriod;
     }
-    nextState_ += kStatePeriod;
     if (clients_.empty()) {
         return;
     }
-    const auto first = primary::robotState(plant_.telemetry(), true);
-    const auto later = primary::robotState(plant_.telemetry(), false);
-    for (const auto& client : clients_) {
-        client->peer.flush();
-        if (client->peer.pending() > 0) {
-            continue;  // does not keep up: this state is skipped
-        }
-        const std::uint64_t identity = plant_.telemetry().identity;
-        client->peer.send(client->knows == identity ? later : first);
-        client->knows = identity;
+    const bool safetyChanged = messages_ && std::ranges::any_of(messages, &primary::isSafetyMode);
+    if (due || safetyChanged) {
+        sendStates(safetyChanged);
     }
     if (messages_) {
-        publishVariables();
+        sendMessages(messages);
+        if (due) {
+            publishVariables();
+        }
+    }
+}
+
+void PrimaryServer::sendStates(bool evenToTheSlow) {
+    const auto first = primary::robotState(plant_.telemetry(), true);
+    const auto later = primary::robotState(plant_.telemetry(), false);
+    const std::uint64_t identity = plant_.telemetry().identity;
+    for (const auto& client : clients_) {
+        client->peer.flush();
+        client->hasState = (evenToTheSlow || client->peer.pending() == 0) &&
+                           client->peer.send(client->knows == identity ? later : first);
+        if (client->hasState) {
+            client->knows = identity;
+        }
+    }
+}
+
+void PrimaryServer::sendMessages(const std::vector<primary::Bytes>& messages) {
+    const auto last = std::ranges::find_if(messages.rbegin(), messages.rend(), &primary::isSafetyMode);
+    for (auto message = messages.begin(); message != messages.end(); ++message) {
+        const bool safety = primary::isSafetyMode(*message);
+        if (safety && message + 1 != last.base()) {
+            continue;  // overtaken within the period: no state shows it
+        }
+        for (const auto& client : clients_) {
+            if (!safety || client->hasState) {
+                client->peer.send(*message);  // kept as long as there is room
+            }
+        }
     }
 }
 
@@ -84,15 +110,6 @@ void PrimaryServer::publishVariables() {
         }
     }
     lastValues_ = variables.values;
-}
-
-void PrimaryServer::sendMessage(const primary::Bytes& message) {
-    if (!messages_) {
-        return;
-    }
-    for (const auto& client : clients_) {
-        client->peer.send(message);  // kept as long as there is room
-    }
 }
 
 }  // namespace tiller::simulator

@@ -128,14 +128,10 @@ void Services::publish() {
     rtde_.publish();
     realtime_.publish();
     realtimeReadOnly_.publish();
-    for (const primary::Bytes& message : plant_.takeOutbox()) {
-        primary_.sendMessage(message);
-        primaryReadOnly_.sendMessage(message);
+    const std::vector<primary::Bytes> messages = plant_.takeOutbox();
+    for (PrimaryServer* const server : {&primary_, &secondary_, &primaryReadOnly_, &secondaryReadOnly_}) {
+        server->publish(messages);
     }
-    primary_.publish();
-    secondary_.publish();
-    primaryReadOnly_.publish();
-    secondaryReadOnly_.publish();
 }
 
 void Services::closeClients() {

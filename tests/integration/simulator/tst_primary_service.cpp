@@ -7,6 +7,21 @@
 using namespace tiller;
 using namespace tiller::test;
 
+namespace {
+
+/// The safety mode of a robot state package; -1 when it has none.
+int safetyModeIn(const QByteArray& state) {
+    constexpr int kMasterboard = 3, kOffset = 65;
+    for (qsizetype at = 5; at + 5 <= state.size() && intAt(state, at) >= 5; at += intAt(state, at)) {
+        if (state[at + 4] == kMasterboard) {
+            return static_cast<unsigned char>(state[at + kOffset]);
+        }
+    }
+    return -1;
+}
+
+}  // namespace
+
 class TestPrimaryService : public QObject {
     Q_OBJECT
 
@@ -242,6 +257,86 @@ private Q_SLOTS:
         const Heard unlocked = run(robot, primary, "set unlock protective stop\n", 0.5);
         QCOMPARE(unlocked.safetyModes.size(), std::size_t(1));
         QCOMPARE(int(unlocked.safetyModes[0][8]), 1);
+    }
+
+    // Clients wait for the message and then look at the newest state.
+    void aSafetyModeIsToldBehindAStateThatShowsIt_data() {
+        QTest::addColumn<QString>("fault");
+        QTest::addColumn<QByteArray>("script");
+        QTest::addColumn<QList<int>>("modes");
+        const auto row = [](const char* fault, const QList<int>& modes) {
+            QTest::newRow(fault) << QString(fault) << QByteArray() << modes;
+        };
+        row("protective-stop", {3});
+        row("emergency-stop on", {7});
+        row("system-emergency-stop on", {6});
+        row("safeguard on", {5});
+        row("reduced on", {2});
+        row("violation", {8});
+        row("fault", {9});
+        QTest::newRow("protective_stop()")
+            << QString() << QByteArray("def p():\n  protective_stop()\nend\n") << QList<int>{3};
+        QTest::newRow("stop category 0 of a path")
+            << QString() << QByteArray("def p():\n  movel(p[10,0,0,0,0,0])\nend\n") << QList<int>{3};
+    }
+    void aSafetyModeIsToldBehindAStateThatShowsIt() {
+        QFETCH(QString, fault);
+        QFETCH(QByteArray, script);
+        QFETCH(QList<int>, modes);
+        // Wherever in the time between two states it happens.
+        for (const int ticksBefore : {1, 13, 26, 39, 49, 50, 51}) {
+            VirtualRobot robot;
+            RawPrimary primary = robot.primary();
+            robot.controller.drainSockets();
+            robot.controller.step(50 + ticksBefore);
+            primary.packages();
+            if (script.isEmpty()) {
+                QVERIFY(robot.controller.inject(fault).ok());
+            } else {
+                primary.send(script);
+                robot.controller.drainSockets();
+            }
+            robot.controller.stepSeconds(1);
+            int shown = 1;
+            QList<int> told;
+            for (const QByteArray& package : primary.packages()) {
+                if (package[4] == 16) {
+                    shown = safetyModeIn(package);
+                } else if (package[4] == 20 && package[14] == kSafetyMode) {
+                    told << static_cast<unsigned char>(package[15 + 8]);
+                    QCOMPARE(shown, told.back());
+                }
+            }
+            QCOMPARE(told, modes);
+        }
+    }
+
+    // What changed while nothing was sent is told once, as it stands now.
+    void afterASilenceTheLastSafetyModeIsTold() {
+        VirtualRobot robot;
+        RawPrimary primary = robot.primary();
+        robot.controller.drainSockets();
+        robot.controller.step(60);
+        primary.packages();
+        robot.controller.silence(true);
+        QVERIFY(robot.controller.inject("safeguard on").ok());
+        robot.controller.step(10);
+        QVERIFY(robot.controller.inject("safeguard off").ok());
+        QVERIFY(robot.controller.inject("protective-stop").ok());
+        robot.controller.step(10);
+        robot.controller.silence(false);
+        robot.controller.stepSeconds(0.5);
+        int shown = 0;
+        QList<int> told;
+        for (const QByteArray& package : primary.packages()) {
+            if (package[4] == 16) {
+                shown = safetyModeIn(package);
+            } else if (package[4] == 20 && package[14] == kSafetyMode) {
+                told << static_cast<unsigned char>(package[15 + 8]);
+                QCOMPARE(shown, told.back());
+            }
+        }
+        QCOMPARE(told, QList<int>{3});
     }
 
     void aLineOutOfReachIsAProtectiveStopAndTheArmMovesAgainAfterwards() {
