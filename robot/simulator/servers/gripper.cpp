@@ -30,9 +30,6 @@ bool Gripper::set(std::string_view name, int value) {
         goTo_ = bit;
     } else if (name == "ATR") {
         release_ = bit;
-        if (bit == 0 && (fault_ == kReleasing || fault_ == kReleased) && activated_ == 0) {
-            fault_ = kNone;
-        }
     } else if (name == "ARD" || name == "ADR") {
         releaseDirection_ = bit;
     } else if (name == "POS") {
@@ -44,7 +41,7 @@ bool Gripper::set(std::string_view name, int value) {
     } else {
         return setAside(name, byte);
     }
-    if (goTo_ != 0 && (name == "POS" || name == "GTO")) {
+    if (goTo_ != 0 && (name == "POS" || name == "GTO") && !isReleased()) {
         if (status_ == kActive) {
             objectStatus_ = kMoving;
         } else {
@@ -140,7 +137,15 @@ void Gripper::move(double target, double speed, double dt) {
 }
 
 void Gripper::step(double dt) {
-    if (status_ == kActivating) {
+    if (release_ != 0 && activated_ != 0 && !isReleased()) {
+        // From here on it counts as in reset, until it is reset and activated again.
+        status_ = kReset;
+        fault_ = kReleasing;
+    }
+    if (fault_ == kReleasing) {
+        move(releaseDirection_ != 0 ? kMostOpen : kMostClosed, kReleaseSpeed, dt);
+        fault_ = objectStatus_ == kMoving ? kReleasing : kReleased;
+    } else if (status_ == kActivating) {
         activationTime_ += dt;
         // It closes, opens and knows its range.
         const double part = activationTime_ / kActivationTime;
@@ -150,13 +155,6 @@ void Gripper::step(double dt) {
             position_ = kMostOpen;
             status_ = kActive;
             fault_ = fault_ == kDelayed ? kNone : fault_;  // what was asked for meanwhile is done now
-        }
-    } else if (status_ == kActive && release_ != 0) {
-        if (fault_ != kReleased) {
-            fault_ = kReleasing;
-            const double end = releaseDirection_ != 0 ? kMostOpen : kMostClosed;
-            move(end, kReleaseSpeed, dt);
-            fault_ = objectStatus_ == kMoving ? kReleasing : kReleased;
         }
     } else if (status_ == kActive && goTo_ != 0 && fault_ == kNone) {
         move(requested_, fingerSpeed(), dt);

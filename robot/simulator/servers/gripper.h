@@ -26,6 +26,8 @@ private:
     enum Object { kMoving = 0, kStoppedOpening = 1, kStoppedClosing = 2, kAtDestination = 3 };
     enum Fault { kNone = 0, kDelayed = 5, kNotActivated = 7, kReleasing = 11, kReleased = 15 };
 
+    /// An automatic release has begun, and no reset has come since.
+    bool isReleased() const { return fault_ == kReleasing || fault_ == kReleased; }
     bool setAside(std::string_view name, int value);
     void activate(bool active);
     void move(double target, double speed, double dt);

@@ -177,15 +177,42 @@ private Q_SLOTS:
         QVERIFY(gripper.set("ARD 1 ATR 1"));
         robot.controller.step();
         QCOMPARE(gripper.value("FLT"), 0x0B);
+        QCOMPARE(gripper.value("STA"), 0);
         gripper.stepUntil([&] { return gripper.value("FLT") == 0x0F; });
         QCOMPARE(gripper.value("FLT"), 0x0F);
         QCOMPARE(gripper.value("POS"), 3);
+        QCOMPARE(gripper.value("STA"), 0);
+        QCOMPARE(gripper.value("ACT"), 1);
         QVERIFY(gripper.set("POS 100 GTO 1"));
         robot.controller.stepSeconds(2);
         QCOMPARE(gripper.value("POS"), 3);
-        QVERIFY(gripper.set("ATR 0") && gripper.set("ACT 0"));
+        // The end of the release alone does not bring it back, nor does a second activation without a reset.
+        QVERIFY(gripper.set("ATR 0"));
+        robot.controller.stepSeconds(2);
+        QCOMPARE(gripper.value("STA"), 0);
+        QVERIFY(gripper.set("ACT 1"));
+        robot.controller.stepSeconds(2);
+        QCOMPARE(gripper.value("STA"), 0);
+        QCOMPARE(gripper.value("POS"), 3);
+        QVERIFY(gripper.set("ACT 0"));
+        QCOMPARE(gripper.value("FLT"), 0);
         gripper.activate();
         QCOMPARE(gripper.move("POS 100"), 3);
+    }
+
+    // It goes before everything but a reset.
+    void anAutomaticReleaseEndsAnActivation() {
+        VirtualRobot robot;
+        GripperClient gripper(robot);
+        QVERIFY(gripper.set("ACT 1"));
+        robot.controller.stepSeconds(0.5);
+        QCOMPARE(gripper.value("STA"), 1);
+        QVERIFY(gripper.set("ARD 1 ATR 1"));
+        robot.controller.step();
+        QCOMPARE(gripper.value("STA"), 0);
+        gripper.stepUntil([&] { return gripper.value("FLT") == 0x0F; });
+        QCOMPARE(gripper.value("FLT"), 0x0F);
+        QCOMPARE(gripper.value("STA"), 0);
     }
 
     // To a program its own controller is 127.0.0.1 with the usual ports, wherever this one listens.
