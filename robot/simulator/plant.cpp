@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/simulator/plant.h"
 
+#include <QLoggingCategory>
 #include <cmath>
 #include <utility>
 
@@ -8,6 +9,8 @@
 #include "robot/simulator/script_host.h"
 
 namespace tiller::simulator {
+
+Q_LOGGING_CATEGORY(simulatorLog, "tiller.simulator")
 
 namespace {
 
@@ -353,6 +356,11 @@ int Plant::showPopup(const std::string& text, bool blocking) {
     publish(
         primary::popup(timestampNs(), {static_cast<std::uint32_t>(id), false, false, blocking, "", text}));
     return id;
+}
+
+void Plant::tellLog(const std::string& text) {
+    qCWarning(simulatorLog).noquote() << QString::fromStdString(text);
+    publish(primary::text(timestampNs(), text));
 }
 
 std::vector<primary::Bytes> Plant::takeOutbox() {

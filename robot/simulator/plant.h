@@ -108,6 +108,9 @@ public:
 
     /// Shows a popup and tells primary clients. Returns its id.
     int showPopup(const std::string& text, bool blocking);
+    /// What the pendant's log would show and whoever started this program should know: to primary clients as
+    /// a text message, and to the error output.
+    void tellLog(const std::string& text);
     /// A message for primary clients.
     void publish(primary::Bytes message) { outbox_.push_back(std::move(message)); }
     std::vector<primary::Bytes> takeOutbox();

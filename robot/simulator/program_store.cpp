@@ -43,10 +43,47 @@ std::optional<std::string> scriptOfUrpx(const QJsonObject& root) {
     return script.isString() ? std::optional(script.toString().toStdString()) : std::nullopt;
 }
 
-std::optional<std::string> scriptOf(const QString& path) {
-    const std::optional<QByteArray> content = contentOf(path);
-    if (!content) {
+Error notThere(const QString& name) {
+    return {ErrorCode::FileNotReadable,
+            QStringLiteral("there is no file '%1' in the programs folder").arg(name),
+            {}};
+}
+
+}  // namespace
+
+/// Whether a file that exists is in the folder, all links followed.
+bool ProgramStore::isWithin(const QString& path) const {
+    const QString root = QDir(folder_).canonicalPath();
+    const QString real = QFileInfo(path).canonicalFilePath();
+    return !root.isEmpty() && !real.isEmpty() && (real == root || real.startsWith(root + '/'));
+}
+
+std::optional<QString> ProgramStore::find(const QString& name) const {
+    if (folder_.isEmpty() || name.isEmpty() || name.contains(QChar(0))) {
         return std::nullopt;
+    }
+    QString within = name;
+    for (const char* const root : kProgramRoots) {
+        if (name.startsWith(QLatin1String(root))) {
+            within = name.mid(QLatin1String(root).size());
+            break;
+        }
+    }
+    // A full path stays one; whether it leads into the folder is seen where it ends.
+    const QString path =
+        within == name && QDir::isAbsolutePath(name) ? name : QDir(folder_).absolutePath() + '/' + within;
+    return QFileInfo(path).isFile() && isWithin(path) ? std::optional(path) : std::nullopt;
+}
+
+std::optional<QByteArray> ProgramStore::read(const QString& name) const {
+    const std::optional<QString> path = find(name);
+    return path ? contentOf(*path) : std::nullopt;
+}
+
+Result<std::string> ProgramStore::scriptOf(const QString& path) const {
+    const std::optional<QByteArray> content = read(path);
+    if (!content) {
+        return notThere(path);
     }
     const QFileInfo file(path);
     const bool urpx = file.suffix() == QLatin1String("urpx");
@@ -54,64 +91,57 @@ std::optional<std::string> scriptOf(const QString& path) {
     if (!urp && !urpx) {
         return content->toStdString();
     }
-    if (const auto beside =
-            contentOf(file.dir().filePath(file.completeBaseName() + QStringLiteral(".script")))) {
+    if (const auto beside = read(file.dir().filePath(file.completeBaseName() + QStringLiteral(".script")))) {
         return beside->toStdString();
     }
     if (urp) {
-        return scriptOfUrp(*content, file.completeBaseName());
+        return scriptOfUrp(*content, file.completeBaseName(),
+                           [this](const QString& name) { return read(name); });
     }
-    return scriptOfUrpx(QJsonDocument::fromJson(*content).object());
+    QJsonParseError damage{};
+    const QJsonDocument document = QJsonDocument::fromJson(*content, &damage);
+    if (const std::optional<std::string> script = scriptOfUrpx(document.object())) {
+        return *script;
+    }
+    return Error{ErrorCode::FileCorrupt,
+                 damage.error == QJsonParseError::NoError
+                     ? QStringLiteral("there is no URScript within, and no .script file beside it")
+                     : QStringLiteral("no JSON: %1").arg(damage.errorString()),
+                 {}};
 }
 
-}  // namespace
-
-std::optional<QString> ProgramStore::find(const QString& name) const {
-    if (folder_.isEmpty() || name.isEmpty() || name.contains(QChar(0))) {
-        return std::nullopt;
-    }
-    QString path = QDir::isAbsolutePath(name) ? name : QDir(folder_).filePath(name);
-    for (const char* const root : kProgramRoots) {
-        if (!QFileInfo(path).isFile() && name.startsWith(QLatin1String(root))) {
-            path = QDir(folder_).filePath(name.mid(QLatin1String(root).size()));
-        }
-    }
-    return QFileInfo(path).isFile() ? std::optional(path) : std::nullopt;
-}
-
-ProgramStore::Outcome ProgramStore::load(const QString& name) {
+Result<void> ProgramStore::load(const QString& name) {
     const std::optional<QString> path = find(name);
     if (!path) {
-        return Outcome::NotFound;
+        return notThere(name);
     }
-    if (!scriptOf(*path)) {
-        return Outcome::Unreadable;
+    if (const Result<std::string> text = scriptOf(*path); !text) {
+        return Error{ErrorCode::FileCorrupt, text.error().context, {}};
     }
     path_ = *path;
     name_ = QFileInfo(*path).fileName().toStdString();
-    return Outcome::Done;
+    return {};
 }
 
-ProgramStore::Outcome ProgramStore::loadInstallation(const QString& name) {
+Result<void> ProgramStore::loadInstallation(const QString& name) {
     const std::optional<QString> path = find(name);
     if (!path) {
-        return name == QLatin1String("default.installation") ? Outcome::Done : Outcome::NotFound;
+        return name == QLatin1String("default.installation") ? Result<void>() : notThere(name);
     }
     if (!contentOf(*path)) {
-        return Outcome::Unreadable;
+        return Error{ErrorCode::FileCorrupt, QStringLiteral("'%1' cannot be read").arg(name), {}};
     }
     installation_ = name;
-    return Outcome::Done;
+    return {};
 }
 
 ScriptProvider ProgramStore::scriptProvider() const {
-    const std::optional<QString> path = find(installation_);
-    const std::optional<QByteArray> content = path ? contentOf(*path) : std::nullopt;
+    const std::optional<QByteArray> content = read(installation_);
     return content ? scriptProviderOf(*content).value_or(ScriptProvider()) : ScriptProvider();
 }
 
-std::optional<std::string> ProgramStore::script() const {
-    std::optional<std::string> text = isLoaded() ? scriptOf(path_) : std::nullopt;
+Result<std::string> ProgramStore::script() const {
+    Result<std::string> text = isLoaded() ? scriptOf(path_) : Result<std::string>(notThere(QString()));
     if (text && !text->ends_with('\n')) {
         *text += '\n';
     }
@@ -123,12 +153,15 @@ bool ProgramStore::saveBelow(const QString& directory, const QString& bareName,
     if (folder_.isEmpty() || directory.isEmpty()) {
         return false;
     }
-    const QString root = QDir(folder_).canonicalPath();
-    const QString path = QFileInfo(QDir(folder_).filePath(directory)).canonicalFilePath();
-    if (path.isEmpty() || !QFileInfo(path).isDir() || (path != root && !path.startsWith(root + '/'))) {
+    const QDir path(QDir(folder_).filePath(directory));
+    if (!isWithin(path.path()) || !path.exists()) {
         return false;
     }
-    QFile file(QDir(path).filePath(bareName));
+    const QFileInfo target(path.filePath(bareName));
+    if (target.isSymLink()) {
+        return false;
+    }
+    QFile file(target.filePath());
     return file.open(QIODevice::WriteOnly) && file.write(content) == content.size();
 }
 
@@ -137,7 +170,9 @@ std::vector<QString> ProgramStore::list(const QString& ending) const {
     if (!folder_.isEmpty()) {
         for (const QString& name :
              QDir(folder_).entryList({QStringLiteral("*") + ending}, QDir::Files, QDir::Name)) {
-            names.push_back(name);
+            if (!pathOf(name).isEmpty()) {
+                names.push_back(name);
+            }
         }
     }
     return names;
@@ -146,7 +181,13 @@ std::vector<QString> ProgramStore::list(const QString& ending) const {
 QString ProgramStore::pathOf(const QString& bareName) const {
     const bool bare = !bareName.isEmpty() && !bareName.contains('/') && !bareName.contains('\\') &&
                       !bareName.contains(QChar(0)) && !bareName.startsWith('.');
-    return bare && !folder_.isEmpty() ? QDir(folder_).filePath(bareName) : QString();
+    if (!bare || folder_.isEmpty()) {
+        return {};
+    }
+    const QFileInfo file(QDir(folder_).filePath(bareName));
+    // A link that leads nowhere would be written through.
+    const bool free = !file.exists() && !file.isSymLink();
+    return free || isWithin(file.filePath()) ? file.filePath() : QString();
 }
 
 bool ProgramStore::save(const QString& bareName, const QByteArray& content) {

@@ -40,7 +40,7 @@ const UrpElement* UrpElement::resolved() const {
     return at;
 }
 
-std::unique_ptr<UrpElement> readUrpTree(const QByteArray& xml) {
+Result<std::unique_ptr<UrpElement>> readUrpTree(const QByteArray& xml) {
     QXmlStreamReader reader(xml);
     std::unique_ptr<UrpElement> root;
     UrpElement* open = nullptr;
@@ -50,11 +50,15 @@ std::unique_ptr<UrpElement> readUrpTree(const QByteArray& xml) {
         switch (reader.readNext()) {
             case QXmlStreamReader::StartElement: {
                 if (++depth > kDeepest || ++count > kMostElements) {
-                    return nullptr;
+                    return Error{ErrorCode::FileCorrupt,
+                                 QStringLiteral("line %1: too deep or too large for a program")
+                                     .arg(reader.lineNumber()),
+                                 {}};
                 }
                 auto element = std::make_unique<UrpElement>();
                 element->name = reader.name().toString();
                 element->attributes = reader.attributes();
+                element->line = reader.lineNumber();
                 element->parent = open;
                 UrpElement* const here = element.get();
                 (open == nullptr ? root : open->children.emplace_back()) = std::move(element);
@@ -74,7 +78,12 @@ std::unique_ptr<UrpElement> readUrpTree(const QByteArray& xml) {
                 break;
         }
     }
-    return reader.hasError() ? nullptr : std::move(root);
+    if (reader.hasError()) {
+        return Error{ErrorCode::FileCorrupt,
+                     QStringLiteral("line %1: %2").arg(reader.lineNumber()).arg(reader.errorString()),
+                     {}};
+    }
+    return Result<std::unique_ptr<UrpElement>>(std::move(root));
 }
 
 }  // namespace tiller::simulator

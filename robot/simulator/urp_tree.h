@@ -7,15 +7,23 @@
 #include <QByteArray>
 #include <QString>
 #include <QXmlStreamAttributes>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "robot/core/result.h"
+
 namespace tiller::simulator {
+
+/// Other files of the programs folder, by the name a program gives; nothing when there is none.
+using FileReader = std::function<std::optional<QByteArray>(const QString& name)>;
 
 struct UrpElement {
     QString name;
     QXmlStreamAttributes attributes;
-    QString text;  ///< of its own, without its children's
+    QString text;     ///< of its own, without its children's
+    qint64 line = 0;  ///< where it begins in the file, from 1
     UrpElement* parent = nullptr;
     std::vector<std::unique_ptr<UrpElement>> children;
 
@@ -27,7 +35,7 @@ struct UrpElement {
     const UrpElement* resolved() const;
 };
 
-/// Nothing when it is no XML, or too deep or too large for a program.
-std::unique_ptr<UrpElement> readUrpTree(const QByteArray& xml);
+/// Errors   FileCorrupt with the reason: it is no XML, or too deep or too large for a program
+Result<std::unique_ptr<UrpElement>> readUrpTree(const QByteArray& xml);
 
 }  // namespace tiller::simulator

@@ -148,13 +148,13 @@ QString unquoted(const std::string& name) {
 }  // namespace
 
 std::string DashboardCommands::load(const std::string& name) {
-    switch (store_.load(unquoted(name))) {
-        case ProgramStore::Outcome::NotFound:
+    if (const Result<void> loaded = store_.load(unquoted(name)); !loaded) {
+        const Error error = loaded.error();
+        if (error.code == ErrorCode::FileNotReadable) {
             return "File not found: " + name;
-        case ProgramStore::Outcome::Unreadable:
-            return "Error while loading program: " + name;
-        case ProgramStore::Outcome::Done:
-            break;
+        }
+        plant_.tellLog("Error while loading program: " + name + ": " + error.context.toStdString());
+        return "Error while loading program: " + name;
     }
     // The reply means "loaded": what ran before has ended by then.
     plant_.programs().stopNow();
@@ -162,13 +162,12 @@ std::string DashboardCommands::load(const std::string& name) {
 }
 
 std::string DashboardCommands::loadInstallation(const std::string& name) {
-    switch (store_.loadInstallation(unquoted(name))) {
-        case ProgramStore::Outcome::NotFound:
+    if (const Result<void> loaded = store_.loadInstallation(unquoted(name)); !loaded) {
+        if (loaded.error().code == ErrorCode::FileNotReadable) {
             return "File not found: " + name;
-        case ProgramStore::Outcome::Unreadable:
-            return "Failed to load installation: " + name;
-        case ProgramStore::Outcome::Done:
-            break;
+        }
+        plant_.tellLog("Failed to load installation: " + name + ": " + loaded.error().context.toStdString());
+        return "Failed to load installation: " + name;
     }
     plant_.programs().stopNow();
     plant_.power().powerOff();
@@ -189,8 +188,13 @@ std::string DashboardCommands::play(const std::string&) {
     if (programs.state() == RuntimeState::Stopping || programs.isStopRequested()) {
         programs.stopNow();  // "stop" has been answered: "play" may follow at once
     }
-    const std::optional<std::string> text = store_.script();
-    if (!text || programs.isActive()) {
+    if (!store_.isLoaded() || programs.isActive()) {
+        return kFailed;
+    }
+    const Result<std::string> text = store_.script();
+    if (!text) {
+        plant_.tellLog("Error while loading program: " + store_.name() + ": " +
+                       text.error().context.toStdString());
         return kFailed;
     }
     if (text->find(kControlNode) != std::string::npos) {

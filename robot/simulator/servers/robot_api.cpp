@@ -279,12 +279,16 @@ HttpResponse RobotApi::loadProgram(const QJsonObject& body, const char* key) {
         store_.unload();
         return done();
     }
-    if (store_.pathOf(name + kEnding).isEmpty() ||
-        store_.load(name + kEnding) == ProgramStore::Outcome::NotFound) {
+    const bool exists = !store_.pathOf(name + kEnding).isEmpty();
+    const Result<void> loaded = exists ? store_.load(name + kEnding) : Result<void>();
+    if (!exists || loaded.error().code == ErrorCode::FileNotReadable) {
         return refuse(404, QStringLiteral("Program not found"), name);
     }
-    if (loadedName() != name) {
-        return refuse(500, QStringLiteral("The program cannot be read"), name);
+    if (!loaded) {
+        const QString why = loaded.error().context;
+        plant_.tellLog(QStringLiteral("Error while loading program: %1: %2").arg(name, why).toStdString());
+        return refuse(500, QStringLiteral("The program cannot be read"),
+                      QStringLiteral("%1: %2").arg(name, why));
     }
     return done();
 }
@@ -318,8 +322,12 @@ HttpResponse RobotApi::play(bool resuming) {
         return notNow(QStringLiteral("A program is running"));
     }
     // The program of a fresh controller has no nodes yet.
-    const auto text =
-        store_.isLoaded() ? store_.script() : std::optional<std::string>("def Default_program():\nend\n");
+    const Result<std::string> text =
+        store_.isLoaded() ? store_.script() : Result<std::string>("def Default_program():\nend\n");
+    if (!text) {
+        plant_.tellLog("Error while loading program: " + store_.name() + ": " +
+                       text.error().context.toStdString());
+    }
     if (!text || !runner.submitText(*text)) {
         return notNow(QStringLiteral("The program has errors"));
     }

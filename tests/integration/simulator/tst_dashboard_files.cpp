@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The dashboard and files: programs loaded and played, installations, the log, reports.
+#include <QDir>
 #include <QFile>
 #include <QRegularExpression>
 #include <QTemporaryDir>
@@ -222,6 +223,79 @@ private Q_SLOTS:
         QTest::failOnWarning(QRegularExpression("."));
         QVERIFY(
             cell.dashboard.ask(QByteArray("load wait\0program.urp", 21)).startsWith("File not found: wait"));
+    }
+
+    void nothingOutsideTheProgramsFolderIsLoaded_data() {
+        QTest::addColumn<QByteArray>("name");
+        QTest::addColumn<bool>("loads");
+        QTest::newRow("absolute") << QByteArray("OUTSIDE/secret.urp") << false;
+        QTest::newRow("up") << QByteArray("../secret.urp") << false;
+        QTest::newRow("up from the robot's folder") << QByteArray("/programs/../secret.urp") << false;
+        QTest::newRow("up from the vendor's") << QByteArray("/ursim/programs/../secret.urp") << false;
+        QTest::newRow("deep and up") << QByteArray("sub/../../secret.urp") << false;
+        QTest::newRow("a link to a file") << QByteArray("link.urp") << false;
+        QTest::newRow("a link to a folder") << QByteArray("linked/secret.urp") << false;
+        QTest::newRow("system's file") << QByteArray("/etc/hostname") << false;
+        QTest::newRow("within, by its full path") << QByteArray("INSIDE/sub/deep.urp") << true;
+        QTest::newRow("within") << QByteArray("sub/deep.urp") << true;
+        QTest::newRow("robot's path") << QByteArray("/programs/sub/deep.urp") << true;
+        QTest::newRow("vendor's path") << QByteArray("/ursim/programs/sub/deep.urp") << true;
+        QTest::newRow("up and back") << QByteArray("sub/../sub/deep.urp") << true;
+        QTest::newRow("a link within") << QByteArray("near.urp") << true;
+    }
+    void nothingOutsideTheProgramsFolderIsLoaded() {
+        QFETCH(QByteArray, name);
+        QFETCH(bool, loads);
+        QTemporaryDir place;
+        const QDir outside(place.path());
+        QVERIFY(outside.mkpath("programs/sub"));
+        const auto write = [&](const char* path) {
+            QFile file(outside.filePath(path));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write("def p():\n  sleep(1)\nend\n");
+        };
+        write("secret.urp");
+        write("programs/sub/deep.urp");
+        QVERIFY(QFile::link(outside.filePath("secret.urp"), outside.filePath("programs/link.urp")));
+        QVERIFY(QFile::link(outside.path(), outside.filePath("programs/linked")));
+        QVERIFY(
+            QFile::link(outside.filePath("programs/sub/deep.urp"), outside.filePath("programs/near.urp")));
+        name.replace("OUTSIDE", outside.path().toUtf8());
+        name.replace("INSIDE", outside.filePath("programs").toUtf8());
+        auto options = VirtualRobot::options();
+        options.programsFolder = outside.filePath("programs");
+        VirtualRobot robot(options);
+        RawDashboard dashboard = robot.dashboard();
+        for (const QByteArray what : {"", "installation "}) {
+            const QByteArray reply = dashboard.ask("load " + what + name);
+            QVERIFY2(reply.startsWith("Loading") == loads, reply);
+            QVERIFY2(loads || reply == "File not found: " + name + '\n', reply);
+        }
+        QCOMPARE(dashboard.ask("get loaded program") == "No program loaded\n", !loads);
+    }
+
+    // What was within when it was loaded may have become a link since.
+    void aLoadedProgramThatTurnsIntoALinkIsNotPlayed() {
+        QTemporaryDir elsewhere;
+        QFile secret(elsewhere.filePath("secret.script"));
+        QVERIFY(secret.open(QIODevice::WriteOnly));
+        secret.write("def p():\n  set_standard_digital_out(1, True)\nend\n");
+        secret.close();
+        Played cell;
+        QVERIFY(QFile::remove(cell.folder.filePath("wait_program.urp")));
+        QVERIFY(QFile::link(secret.fileName(), cell.folder.filePath("wait_program.urp")));
+        QCOMPARE(cell.dashboard.ask("play"), QByteArray("Failed to execute: play\n"));
+        // Nor is the script beside a program one from elsewhere.
+        QFile program(cell.folder.filePath("pair.urp"));
+        QVERIFY(program.open(QIODevice::WriteOnly));
+        program.write(
+            "<URProgram name=\"p\"><children><MainProgram runOnlyOnce=\"true\"/></children></URProgram>");
+        program.close();
+        QVERIFY(QFile::link(secret.fileName(), cell.folder.filePath("pair.script")));
+        QCOMPARE(cell.dashboard.ask("load pair.urp"), QByteArray("Loading program: pair.urp\n"));
+        QCOMPARE(cell.dashboard.ask("play"), QByteArray("Starting program\n"));
+        cell.robot.controller.step(20);
+        QCOMPARE(cell.robot.controller.truth().digitalOutputs, quint64(0));
     }
 
     void remoteControlTurnedOffRefusesNothingWhereItIsNotGated() {

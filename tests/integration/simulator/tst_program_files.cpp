@@ -2,11 +2,12 @@
 // Programs of the pendant, as it saves them: variables that are told once and referred to, sequences,
 // branches, loops, threads, waypoints given by a variable.
 #include <QFile>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
 
-#include "tests/support/raw_client.h"
+#include "tests/support/primary_listener.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -55,13 +56,19 @@ QString program(const QString& parts) {
 
 /// A robot with one program in its folder, loaded.
 struct Loaded {
-    explicit Loaded(const QString& xml) {
-        QFile file(folder.filePath("p.urp"));
-        if (file.open(QIODevice::WriteOnly)) {
-            file.write(xml.toUtf8());
+    /// beside  other files of the folder, by name
+    explicit Loaded(const QString& xml, const QMap<QString, QString>& beside = {}) {
+        write("p.urp", xml);
+        for (auto file = beside.begin(); file != beside.end(); ++file) {
+            write(file.key(), file.value());
         }
-        file.close();
         reply = dashboard.ask("load p.urp");
+    }
+    void write(const QString& name, const QString& content) const {
+        QFile file(folder.filePath(name));
+        if (file.open(QIODevice::WriteOnly)) {
+            file.write(content.toUtf8());
+        }
     }
     bool play() { return dashboard.ask("play") == "Starting program\n"; }
     bool ends() {
@@ -214,25 +221,318 @@ private Q_SLOTS:
         QCOMPARE(cell.outputs(), quint64(1) << 6);
     }
 
-    void whatCannotBeToldIsRefusedAsAWhole_data() {
+    // The nodes that published programs of the pendant use: each sets output 1 where it should, and none
+    // else.
+    void theNodesOfThePendantRun_data() {
         QTest::addColumn<QString>("parts");
-        const QString good = line("sync()");
-        QTest::newRow("no main program") << QString("<InitVariablesNode/>");
-        QTest::newRow("unknown node") << mainProgram(good + "<Palletizing/>");
-        QTest::newRow("subprogram") << mainProgram(good) + withChildren("SubProgram name=\"s\"", good);
-        QTest::newRow("variable from nowhere")
-            << mainProgram(assign("reference=\"../../../../../../nothing/variable\"", "1"));
-        QTest::newRow("if without condition") << mainProgram(branch("If", {}, good));
-        QTest::newRow("loop over nothing") << mainProgram(withChildren("Loop type=\"While\"", good));
-        QTest::newRow("variable waypoint in another frame")
-            << mainProgram(withChildren("Move motionType=\"MoveL\" speed=\"1\" acceleration=\"1\"",
-                                        "<Waypoint type=\"Variable\"><variable name=\"w\"/></Waypoint>",
-                                        "<feature referencedName=\"table\"/>"));
+        QTest::addColumn<quint64>("outputs");
+        const auto set = [](int output) {
+            return line(QStringLiteral("set_digital_out(%1, True)").arg(output));
+        };
+        const auto row = [](const char* name, const QString& parts, quint64 outputs = 0b10) {
+            QTest::newRow(name) << parts << outputs;
+        };
+        const QString sub = withChildren("SubProgram name=\"Sub 1\" keepHidden=\"false\"", set(1));
+        const QString call =
+            "<CallSubProgram><subprogram reference=\"../../../../SubProgram\"/></CallSubProgram>";
+        row("InitVariablesNode", "<InitVariablesNode/>" + mainProgram(set(1)));
+        row("SpecialSequence",
+            withChildren("SpecialSequence type=\"BeforeStart\"", set(1)) + mainProgram("<Halt/>"));
+        row("SuppressedNode", mainProgram("<SuppressedNode>" + set(0) + "</SuppressedNode>" + set(1)));
+        row("SuppressedNode with children",
+            mainProgram(withChildren("SuppressedNode", set(0) + "<Palletizing/>") + set(1)));
+        row("suppressed node that cannot be told",
+            mainProgram("<SuppressedNode><Palletizing/></SuppressedNode>" + set(1)));
+        row("suppressed variable that cannot be told",
+            mainProgram("<SuppressedNode><Assignment><variable name=\"x\"><initializeExpression>"
+                        "<ExpressionRiddle/></initializeExpression></variable></Assignment>"
+                        "</SuppressedNode>" +
+                        set(1)));
+        row("suppressed part", mainProgram(set(1)) + "<SuppressedNode><Event/></SuppressedNode>");
+        row("suppressed between if and else",
+            mainProgram(branch("If", "False", set(0)) + "<SuppressedNode>" +
+                        branch("ElseIf", "True", set(2)) + "</SuppressedNode>" + branch("Else", {}, set(1))));
+        row("SubProgram called", mainProgram(call) + sub);
+        row("SubProgram not called",
+            mainProgram(set(1)) + withChildren("SubProgram name=\"s\"", set(0) + "<Palletizing/>"));
+        row("SubProgram told where it is called",
+            mainProgram("<CallSubProgram>" + withChildren("subprogram name=\"s\"", set(1)) +
+                        "</CallSubProgram>") +
+                "<SubProgram reference=\"../MainProgram/children/CallSubProgram/subprogram\"/>");
+        row("two of one name",
+            mainProgram(call + "<CallSubProgram><subprogram reference=\"../../../../SubProgram[2]\"/>"
+                               "</CallSubProgram>") +
+                sub + withChildren("SubProgram name=\"Sub_1\"", set(2)),
+            0b110);
+        row("one calls another",
+            mainProgram("<CallSubProgram><subprogram reference=\"../../../../SubProgram[2]\"/>"
+                        "</CallSubProgram>") +
+                sub +
+                withChildren("SubProgram name=\"outer\"",
+                             "<CallSubProgram><subprogram reference=\"../../../../SubProgram\"/>"
+                             "</CallSubProgram>" +
+                                 set(2)),
+            0b110);
+        row("called from a thread and in a loop",
+            mainProgram(
+                withChildren("Loop type=\"Counting\" count=\"3\"",
+                             "<CallSubProgram><subprogram reference=\"../../../../../../SubProgram\"/>"
+                             "</CallSubProgram>") +
+                "<Wait type=\"Sleep\"><waitTime>0.02</waitTime></Wait>") +
+                withChildren("SubProgram name=\"s\"",
+                             line("n = n + 1") + branch("If", QStringLiteral("n\u225F4"), set(1))) +
+                withChildren("SpecialSequence type=\"BeforeStart\"", assign("name=\"n\"", "0")) +
+                withChildren("Thread name=\"t\" runOnlyOnce=\"true\"", call));
+        row("Script Line", mainProgram(set(1)));
+        row("Script File",
+            mainProgram("<Script type=\"File\"><cachedContents>set_digital_out(1, True)\n"
+                        "</cachedContents><file resolves-to=\"file\">gone.script</file></Script>"));
+        row("Assignment", mainProgram(assign("name=\"a\"", "1") + line("set_digital_out(a, True)")));
+        row("If", mainProgram(branch("If", "True", set(1))));
+        row("Else", mainProgram(branch("If", "False", set(0) + branch("Else", {}, set(1)))));
+        row("Loop While", mainProgram(assign("name=\"a\"", "0") +
+                                      withChildren("Loop type=\"While\"", line("a = a + 1") + line("sync()"),
+                                                   expression("a < 3")) +
+                                      branch("If", QStringLiteral("a\u225F3"), set(1))));
+        row("Loop Forever", mainProgram(withChildren("Loop type=\"Forever\"", set(1) + "<Halt/>")));
+        row("Popup",
+            mainProgram("<Popup message=\"a &quot;word&quot;&#10;more\" haltProgram=\"false\"/>" + set(1)));
+        row("Halt", mainProgram(set(1) + "<Halt/>" + set(0)));
+        row("Comment", mainProgram("<Comment comment=\"end\"/>" + set(1)));
+        row("Folder", mainProgram(withChildren("Folder name=\"f\"", set(1))));
+        row("Wait Sleep", mainProgram("<Wait type=\"Sleep\"><waitTime>0.01</waitTime></Wait>" + set(1)));
+        row("Timer", mainProgram("<Timer action=\"Start\"><variable name=\"t\"/></Timer>" +
+                                 branch("If", QStringLiteral("t\u225F0"), set(1))));
+        row("Thread", mainProgram("<Wait type=\"Sleep\"><waitTime>0.02</waitTime></Wait>") +
+                          withChildren("Thread name=\"Thread_1\" runOnlyOnce=\"true\"", set(1)));
+        row("ExpressionToken", mainProgram("<If type=\"If\"><expression><ExpressionToken token=\"not\"/>"
+                                           "<ExpressionToken token=\"False\"/></expression><children>" +
+                                           set(1) + "</children></If>"));
+        row("ExpressionVariable", mainProgram(assign("name=\"a\"", "1") +
+                                              branch("If", "@../../../../Assignment/variable@ < 2", set(1))));
+        const QString io = "<ExpressionIO><pin class=\"com.ur.Pin\" referencedName=\"%1\"/></ExpressionIO>";
+        row("ExpressionIO",
+            mainProgram("<If type=\"If\"><expression><ExpressionToken token=\" not \"/>" +
+                        io.arg("digital_in[7]") + "</expression><children>" + set(1) + "</children></If>"));
+        row("ExpressionIO of outputs",
+            mainProgram(set(1) + "<If type=\"If\"><expression>" + io.arg("digital_out[1]") +
+                        "</expression><children>" + set(2) + "</children></If>"),
+            0b110);
+        row("ExpressionIO told elsewhere",
+            mainProgram(
+                "<Assignment><variable name=\"a\"/><expression>" + io.arg("config_in[0]") +
+                "</expression></Assignment><If type=\"If\"><expression><ExpressionToken token=\"not\"/>"
+                "<ExpressionIO><pin reference=\"../../../../Assignment/expression/ExpressionIO/pin\"/>"
+                "</ExpressionIO></expression><children>" +
+                set(1) + "</children></If>"));
+        QString every;
+        for (const char* pin :
+             {"digital_in[0]", "digital_out[7]", "config_in[7]", "config_out[0]", "tool_in[1]", "tool_out[1]",
+              "analog_in[1]", "analog_out[1]", "tool_analog_in[1]", "GP_bool_in[127]", "GP_int_in[47]",
+              "GP_float_in[0]", "GP_bool_out[64]", "GP_int_out[24]", "GP_float_out[24]"}) {
+            every +=
+                "<Assignment><variable name=\"v\"/><expression>" + io.arg(pin) + "</expression></Assignment>";
+        }
+        every.replace("name=\"v\"", "name=\"v%1\"");
+        for (int i = 0; every.contains("%1"); ++i) {
+            every.replace(every.indexOf("%1"), 2, QString::number(i));
+        }
+        row("ExpressionIO of every kind", mainProgram(every + set(1)));
     }
-    void whatCannotBeToldIsRefusedAsAWhole() {
+    void theNodesOfThePendantRun() {
         QFETCH(QString, parts);
+        QFETCH(quint64, outputs);
         Loaded cell(program(parts));
-        QCOMPARE(cell.reply, QByteArray("Error while loading program: p.urp\n"));
+        RawPrimary primary = cell.robot.primary();
+        QCOMPARE(cell.reply, QByteArray("Loading program: p.urp\n"));
+        QVERIFY(cell.play());
+        QVERIFY(cell.ends());
+        const Heard heard(primary);
+        QVERIFY2(heard.exceptions.empty(), heard.exceptions.empty() ? "" : heard.exceptions[0].mid(8));
+        QCOMPARE(cell.outputs(), outputs);
+    }
+
+    void movesEndWhereTheirWaypointsAre_data() {
+        QTest::addColumn<QString>("node");
+        QTest::addColumn<double>("base");
+        const QString position =
+            "<position><JointAngles angles=\"%1, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310\"/>"
+            "<TCPOffset pose=\"0,0,0,0,0,0\"/><Kinematics status=\"NOT_INITIALIZED\" validChecksum=\"false\">"
+            "<deltaTheta value=\"0,0,0,0,0,0\"/></Kinematics></position>"
+            "<BaseToFeature pose=\"0,0,0,0,0,0\"/>";
+        const QString fixed =
+            "<Waypoint type=\"Fixed\" name=\"w\" kinematicsFlags=\"4\">%2" + position + "</Waypoint>";
+        const auto move = [](const char* type, const QString& waypoints) {
+            return withChildren(QStringLiteral("Move motionType=\"%1\" speed=\"0.5\" acceleration=\"1.2\" "
+                                               "useActiveTCP=\"false\"")
+                                    .arg(QLatin1String(type)),
+                                waypoints);
+        };
+        QTest::newRow("MoveJ") << move("MoveJ", fixed.arg("-1.5", "<motionParameters/>")) << -1.5;
+        QTest::newRow("MoveL") << move("MoveL", fixed.arg("-1.55", "<motionParameters/>")) << -1.55;
+        QTest::newRow("parameters of its own")
+            << move("MoveJ", fixed.arg("-1.3",
+                                       "<motionParameters jointSpeed=\"1.05\" "
+                                       "jointAcceleration=\"1.4\" blendRadius=\"0.01\"/>") +
+                                 fixed.arg("-1.4", "<motionParameters/>"))
+            << -1.4;
+        QTest::newRow("suppressed waypoint")
+            << move("MoveJ", fixed.arg("-1.5", "") + "<SuppressedNode>" + fixed.arg("1.0", "") +
+                                 "</SuppressedNode><Comment comment=\"c\"/>")
+            << -1.5;
+        QTest::newRow("SafeHome") << "<SafeHome/>" << 0.0;
+        QTest::newRow("SafeHome with its position")
+            << "<SafeHome speed=\"0.8\" acceleration=\"1\">" + position.arg("-1.2") + "</SafeHome>" << -1.2;
+        QTest::newRow("SafeHome in a move")
+            << move("MoveJ", "<SafeHome>" + position.arg("-1.25") + "</SafeHome>") << -1.25;
+    }
+    void movesEndWhereTheirWaypointsAre() {
+        QFETCH(QString, node);
+        QFETCH(double, base);
+        Loaded cell(program(mainProgram(node)));
+        QCOMPARE(cell.reply, QByteArray("Loading program: p.urp\n"));
+        QVERIFY(cell.play());
+        QVERIFY(cell.ends());
+        QVERIFY2(std::abs(cell.robot.controller.truth().q[0] - base) < 1e-3,
+                 qPrintable(QString::number(cell.robot.controller.truth().q[0])));
+    }
+
+    // Scripts and sub programs that are files of their own come from the programs folder.
+    void whatAProgramRefersToIsReadFromTheFolder_data() {
+        QTest::addColumn<QString>("node");
+        const auto script = [](const char* file) {
+            return QStringLiteral("<Script type=\"File\"><file resolves-to=\"file\">%1</file></Script>")
+                .arg(QLatin1String(file));
+        };
+        const auto sub = [](const char* file) {
+            return QStringLiteral(
+                       "<CallSubProgram><subprogram name=\"s\"><file resolves-to=\"file\">%1</file>"
+                       "</subprogram></CallSubProgram>")
+                .arg(QLatin1String(file));
+        };
+        QTest::newRow("script") << script("one.script");
+        QTest::newRow("script by the robot's path") << script("/programs/one.script");
+        QTest::newRow("script by the vendor's path") << script("/ursim/programs/one.script");
+        QTest::newRow("sub program") << sub("one.urp");
+        QTest::newRow("sub program by the robot's path") << sub("/programs/one.urp");
+        QTest::newRow("sub program that calls itself") << sub("round.urp");
+        QTest::newRow("twice") << sub("one.urp") + sub("/programs/one.urp");
+    }
+    void whatAProgramRefersToIsReadFromTheFolder() {
+        QFETCH(QString, node);
+        const QString one =
+            mainProgram("<Assignment><variable name=\"out\"><initializeExpression>" + signs("1") +
+                        "</initializeExpression></variable>" + expression("out") + "</Assignment>" +
+                        line("set_digital_out(out, True)"));
+        const QString round = mainProgram(
+            branch("If", "not get_digital_out(1)",
+                   line("set_digital_out(1, True)") +
+                       "<CallSubProgram><subprogram name=\"r\"><file>round.urp</file></subprogram>"
+                       "</CallSubProgram>"));
+        Loaded cell(program(mainProgram(node)), {{"one.script", "set_digital_out(1, True)\n"},
+                                                 {"one.urp", program(one)},
+                                                 {"round.urp", program(round)}});
+        QCOMPARE(cell.reply, QByteArray("Loading program: p.urp\n"));
+        QVERIFY(cell.play());
+        QVERIFY(cell.ends());
+        QCOMPARE(cell.outputs(), quint64(0b10));
+    }
+
+    void whatCannotBeToldIsRefusedAsAWholeAndSaysWhy_data() {
+        QTest::addColumn<QString>("xml");
+        QTest::addColumn<QString>("why");
+        const QString good = line("sync()");
+        const auto row = [](const char* name, const QString& parts, const char* why) {
+            QTest::newRow(name) << program(parts) << QString::fromLatin1(why);
+        };
+        row("no main program", "<InitVariablesNode/>", "no MainProgram");
+        row("unknown node", mainProgram(good + "\n\n<Palletizing name=\"tray\"/>"),
+            "line 3, Palletizing 'tray': this node is not simulated");
+        row("node of a URCap", mainProgram("<Contributed strategyURCapName=\"Welding\"/>"), "Welding");
+        row("unknown part", mainProgram(good) + "<Event/>", "Event");
+        row("variable from nowhere",
+            mainProgram(assign("reference=\"../../../../../../nothing/variable\"", "1")), "no variable");
+        row("if without condition", mainProgram(branch("If", {}, good)), "no condition");
+        row("loop over nothing", mainProgram(withChildren("Loop type=\"While\"", good)), "Loop");
+        row("variable waypoint in another frame",
+            mainProgram(withChildren("Move motionType=\"MoveL\" speed=\"1\" acceleration=\"1\"",
+                                     "<Waypoint type=\"Variable\" name=\"w1\"><variable "
+                                     "name=\"w\"/></Waypoint>",
+                                     "<feature referencedName=\"table\"/>")),
+            "Waypoint 'w1'");
+        row("speed that is none",
+            mainProgram(withChildren("Move motionType=\"MoveJ\" speed=\"fast\"",
+                                     "<Waypoint type=\"Variable\"><variable "
+                                     "name=\"w\"/></Waypoint>")),
+            "speed is no number");
+        row("circular move", mainProgram("<Move motionType=\"MoveC\"/>"), "MoveC");
+        row("pin with a name of an installation",
+            mainProgram("<Assignment><variable name=\"a\"/><expression><ExpressionIO><pin "
+                        "referencedName=\"part present\"/></ExpressionIO></expression></Assignment>"),
+            "pin 'part present'");
+        row("pin there is none of",
+            mainProgram("<Assignment><variable name=\"a\"/><expression><ExpressionIO><pin "
+                        "referencedName=\"digital_in[8]\"/></ExpressionIO></expression></Assignment>"),
+            "digital_in[8]");
+        row("no pin at all",
+            mainProgram("<Assignment><variable name=\"a\"/><expression><ExpressionIO/>"
+                        "</expression></Assignment>"),
+            "names no pin");
+        row("wait for an input", mainProgram("<Wait type=\"DigitalInput\"/>"), "Wait");
+        row("sub program from nowhere",
+            mainProgram("<CallSubProgram><subprogram reference=\"../nowhere\"/></CallSubProgram>"),
+            "no sub program");
+        row("sub program that cannot be told",
+            mainProgram("<CallSubProgram>" + withChildren("subprogram name=\"s\"", "<Palletizing/>") +
+                        "</CallSubProgram>"),
+            "Palletizing");
+        row("script outside", mainProgram("<Script type=\"File\"><file>../one.script</file></Script>"),
+            "'../one.script'");
+        row("script elsewhere", mainProgram("<Script type=\"File\"><file>/etc/hostname</file></Script>"),
+            "'/etc/hostname'");
+        row("sub program outside",
+            mainProgram(
+                "<CallSubProgram><subprogram name=\"s\"><file>/programs/../one.urp</file></subprogram>"
+                "</CallSubProgram>"),
+            "'/programs/../one.urp'");
+        row("sub program that is none",
+            mainProgram("<CallSubProgram><subprogram name=\"s\"><file>other.xml</file></subprogram>"
+                        "</CallSubProgram>"),
+            "'other.xml' is not a program");
+        QTest::newRow("no XML") << "<URProgram><children>"
+                                << "line 1: ";
+        QTest::newRow("too deep") << "<URProgram>" + QString("<a>").repeated(500) << "too deep";
+    }
+    void whatCannotBeToldIsRefusedAsAWholeAndSaysWhy() {
+        QFETCH(QString, xml);
+        QFETCH(QString, why);
+        Loaded cell(program(mainProgram({})), {{"other.xml", "<Installation/>"}});
+        QTest::ignoreMessage(QtWarningMsg, QRegularExpression("^Error while loading program: p\\.urp: .*" +
+                                                              QRegularExpression::escape(why)));
+        RawPrimary primary = cell.robot.primary();
+        cell.robot.controller.drainSockets();
+        cell.robot.controller.step();
+        primary.takeAll();
+        cell.write("p.urp", xml);
+        QCOMPARE(cell.dashboard.ask("load p.urp"), QByteArray("Error while loading program: p.urp\n"));
+        cell.robot.controller.step();
+        const Heard heard(primary);
+        QCOMPARE(heard.texts.size(), qsizetype(1));
+        QVERIFY2(heard.texts[0].contains(why.toUtf8()), heard.texts[0]);
+        QVERIFY2(heard.texts[0].startsWith("Error while loading program: p.urp: "), heard.texts[0]);
+    }
+
+    // A program may break between load and play.
+    void playSaysWhyTheProgramIsNoMore() {
+        Loaded cell(program(mainProgram(line("sync()"))));
+        RawPrimary primary = cell.robot.primary();
+        cell.write("p.urp", program(mainProgram("<Palletizing/>")));
+        QTest::ignoreMessage(QtWarningMsg, QRegularExpression("Palletizing"));
+        QVERIFY(!cell.play());
+        cell.robot.controller.step();
+        const Heard heard(primary);
+        QCOMPARE(heard.texts.size(), qsizetype(1));
+        QVERIFY2(heard.texts[0].contains("Palletizing"), heard.texts[0]);
     }
 };
 

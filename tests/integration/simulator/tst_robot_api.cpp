@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 
+#include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -92,6 +93,29 @@ private Q_SLOTS:
         VirtualRobot twelve(polyScopeX(12));
         QVERIFY(!Web(twelve).ask("PUT", "/program/v1/load", "{}").body.contains("programName"));
         QCOMPARE(VirtualRobot(polyScopeX(10)).controller.ports().robotApi, quint16(0));
+    }
+
+    // Neither read nor written through.
+    void aLinkOutOfTheProgramsFolderIsNoProgram() {
+        QTemporaryDir place;
+        const QDir outside(place.path());
+        QVERIFY(outside.mkpath("programs"));
+        QFile secret(outside.filePath("wait.urpx"));
+        QVERIFY(secret.open(QIODevice::WriteOnly));
+        secret.write(kProgram);
+        secret.close();
+        QVERIFY(QFile::link(secret.fileName(), outside.filePath("programs/wait.urpx")));
+        auto options = polyScopeX();
+        options.programsFolder = outside.filePath("programs");
+        VirtualRobot robot(options);
+        Web web(robot);
+        QCOMPARE(web.ask("PUT", "/program/v1/loaded", R"({"name":"wait"})").status, 404);
+        QCOMPARE(web.ask("GET", "/programs/v1/wait").status, 404);
+        QCOMPARE(web.ask("GET", "/programs/v1/").json()["programs"].toArray().size(), 0);
+        QVERIFY(web.upload("PUT", R"({"name":"wait","script":"overwritten"})").status != 200);
+        QVERIFY(web.upload("POST", R"({"name":"wait","script":"overwritten"})").status != 200);
+        QVERIFY(secret.open(QIODevice::ReadOnly));
+        QCOMPARE(secret.readAll(), kProgram);
     }
 
     void aProgramIsUploadedLoadedPlayedPausedAndStopped() {
