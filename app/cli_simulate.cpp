@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <QCommandLineParser>
+#include <QFileInfo>
 #include <QHostAddress>
 
 #include "app/cli_command.h"
 #include "app/termination.h"
 #include "robot/simulator/controller.h"
+#include "robot/simulator/faults.h"
 #include "robot/simulator/personality.h"
 
 namespace tiller::app {
@@ -29,7 +31,8 @@ const QString kSimulateHelp = QStringLiteral(
     "  --programs FOLDER    where programs are loaded from: .urp as the pendant saves them, .urpx, or\n"
     "                       URScript text\n"
     "  --fault WORDS        something to go wrong from the start; repeat for more. See\n"
-    "                       'tiller-cli fault --help': the same words work while it runs\n"
+    "                       'tiller-cli fault --help': the same words work while it runs;\n"
+    "                       '--fault help' lists them\n"
     "  --boot-time SECONDS  take so long to start, as a real controller does (default: none)\n"
     "  --seed N             of measurement noise and of everything else that is random (default 1)\n"
     "  --priority N         run at SCHED_FIFO priority N, 1 to 99, if the system permits\n"
@@ -132,6 +135,13 @@ int simulate(const QStringList& arguments) {
         out() << kSimulateHelp;
         return kSuccess;
     }
+    const QStringList faults = parser.values(fault);
+    for (const QString& words : faults) {
+        if (words.trimmed() == QLatin1String("help")) {
+            out() << QStringLiteral("--fault takes one of\n") << simulator::faultHelp();
+            return kSuccess;
+        }
+    }
     if (!parser.positionalArguments().isEmpty()) {
         return wrongArguments(QStringLiteral("'%1' is too much").arg(parser.positionalArguments().first()));
     }
@@ -184,10 +194,14 @@ int simulate(const QStringList& arguments) {
         options.priority = static_cast<int>(*wished);
     }
     options.programsFolder = parser.value(programs);
+    if (parser.isSet(programs) && !QFileInfo(options.programsFolder).isDir()) {
+        return wrongArguments(
+            QStringLiteral("--programs: '%1' is not a folder that can be read").arg(options.programsFolder));
+    }
     options.poweredOn = parser.isSet(headless);
     options.remoteControl = !parser.isSet(local);
     options.gateLocalControl = options.gateLoopbackClients = parser.isSet(local);
-    return runController(options, parser.values(fault));
+    return runController(options, faults);
 }
 
 }  // namespace tiller::app

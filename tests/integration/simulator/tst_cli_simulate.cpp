@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include <QProcess>
+#include <QSet>
 #include <QTest>
 #include <csignal>
 
@@ -84,6 +85,63 @@ private Q_SLOTS:
         QVERIFY(dashboard.ask("PolyscopeVersion").startsWith("URSoftware 5.20."));
     }
 
+    // What a robot of that series does; the fault "remote off" alone refuses nothing, as the vendor's
+    // simulator.
+    void localRefusesWhatARobotRefuses_data() {
+        QTest::addColumn<bool>("local");
+        QTest::newRow("--local") << true;
+        QTest::newRow("--fault \"remote off\"") << false;
+    }
+    void localRefusesWhatARobotRefuses() {
+        QFETCH(bool, local);
+        QStringList arguments{"simulate", "--listen", ownAddress()};
+        arguments << (local ? QStringList{"--local"} : QStringList{"--headless", "--fault", "remote off"});
+        Cli cli(arguments);
+        QVERIFY(cli.readyLine().startsWith("ready"));
+        const auto isObeyed = [&](const QString& address) {
+            RawDashboard dashboard(address, 29999);
+            const bool mayPower = dashboard.ask("power on") == "Powering on\n";
+            RawPrimary listener(address, 30001);
+            QSet<int> refused;
+            int told = 0;
+            for (const int port : {30001, 30002, 30003}) {
+                RawClient sender(address, static_cast<quint16>(port));
+                sender.send("sec p():\n  textmsg(\"ran " + QByteArray::number(port) + "\")\nend\n");
+                QByteArray heard;
+                const auto isTold = [&] {
+                    for (const QByteArray& package : listener.packages()) {
+                        heard += package[4] == 20 && (package[14] == 0 || package[14] == 6) ? package
+                                                                                            : QByteArray();
+                    }
+                    return heard.contains("ran " + QByteArray::number(port)) || heard.contains("read-only");
+                };
+                QElapsedTimer patience;
+                patience.start();
+                while (!isTold() && patience.elapsed() < kPatienceMs) {
+                }
+                told += heard.contains("ran") || heard.contains("read-only") ? 1 : 0;
+                if (!heard.contains("ran")) {
+                    refused << port;
+                }
+            }
+            return told == 3 && mayPower == refused.isEmpty() && (refused.isEmpty() || refused.size() == 3)
+                       ? std::optional(mayPower)
+                       : std::nullopt;
+        };
+        RawDashboard dashboard(ownAddress(), 29999);
+        QCOMPARE(dashboard.ask("is in remote control"), QByteArray("false\n"));
+        QCOMPARE(isObeyed(ownAddress()), std::optional(!local));
+        // And the switch of the pendant, there and back.
+        const auto turn = [&](const char* where) {
+            Cli fault({"fault", ownAddress(), "remote", where});
+            return fault.exitCode() == 0;
+        };
+        QVERIFY(turn("on"));
+        QCOMPARE(isObeyed(ownAddress()), std::optional(true));
+        QVERIFY(turn("off"));
+        QCOMPARE(isObeyed(ownAddress()), std::optional(!local));
+    }
+
     void polyScopeXHasNoDashboardButARobotApi() {
         Cli cli({"simulate", "--listen", ownAddress(), "--software", "10.12"});
         const QByteArray ready = cli.readyLine();
@@ -141,10 +199,15 @@ private Q_SLOTS:
         row("fault", {"simulate", "--listen", ownAddress(), "--fault", "explode"}, "explode");
         row("fault without its words", {"simulate", "--listen", ownAddress(), "--fault", "link"},
             "lost|back");
+        row("programs nowhere", {"simulate", "--listen", ownAddress(), "--programs", "/nope"}, "/nope");
+        row("programs in a file", {"simulate", "--listen", ownAddress(), "--programs", TILLER_CLI}, "folder");
+        row("programs without a name", {"simulate", "--listen", ownAddress(), "--programs", ""},
+            "--programs");
+        row("fault without words", {"simulate", "--listen", ownAddress(), "--fault", ""}, "help");
         row("boot time", {"simulate", "--boot-time", "long"}, "3600");
         row("headless and local", {"simulate", "--headless", "--local"}, "--local");
         row("fault without address", {"fault"}, "127.0.0.1");
-        row("fault without words", {"fault", "127.0.0.1"}, "protective-stop");
+        row("fault command without words", {"fault", "127.0.0.1"}, "protective-stop");
         row("fault at no port", {"fault", "127.0.0.1:x", "fault"}, "127.0.0.1:x");
         row("missing value", {"simulate", "--listen"}, "listen");
     }
@@ -164,6 +227,11 @@ private Q_SLOTS:
         QTest::newRow("help") << QStringList{"--help"} << QByteArray("simulate");
         QTest::newRow("simulate help") << QStringList{"simulate", "--help"} << QByteArray("--port-offset");
         QTest::newRow("fault help") << QStringList{"fault", "--help"} << QByteArray("hold-registers");
+        QTest::newRow("help on faults")
+            << QStringList{"simulate", "--fault", "help"} << QByteArray("hold-registers");
+        QTest::newRow("help among faults")
+            << QStringList{"simulate", "--headless", "--fault", "safeguard on", "--fault", " help "}
+            << QByteArray("hold-registers");
         QTest::newRow("version") << QStringList{"--version"} << QByteArray("tiller-cli ");
     }
     void helpAndVersionAreAnsweredWithSuccess() {
@@ -171,7 +239,9 @@ private Q_SLOTS:
         QFETCH(QByteArray, contains);
         Cli cli(arguments);
         QCOMPARE(cli.exitCode(), 0);
-        QVERIFY(cli.process.readAllStandardOutput().contains(contains));
+        const QByteArray words = cli.process.readAllStandardOutput();
+        QVERIFY2(words.contains(contains), words);
+        QVERIFY2(!words.startsWith("ready "), words);
     }
 };
 
