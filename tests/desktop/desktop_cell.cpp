@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/desktop/desktop_cell.h"
+
+#include <signal.h>
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QStandardPaths>
+#include <QTcpSocket>
+#include <QTest>
+
+namespace tiller::test {
+namespace {
+
+constexpr int kStartMs = 60'000;
+constexpr int kAddresses = 40;
+
+QProcessEnvironment environmentWith(const QString& home, const QString& display) {
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("DISPLAY", display);
+    environment.insert("HOME", home);
+    for (const char* folder : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_RUNTIME_DIR"}) {
+        const QString path = home + '/' + QString::fromLatin1(folder).toLower();
+        QDir().mkpath(path);
+        QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+        environment.insert(folder, path);
+    }
+    environment.insert("LC_ALL", "C.UTF-8");
+    environment.insert("QT_QPA_PLATFORM", "xcb");
+    environment.remove("WAYLAND_DISPLAY");
+    // No desktop's own ideas of how programs look and behave, and no bus of the person who runs the tests.
+    environment.insert("QT_QPA_PLATFORMTHEME", "none");
+    environment.insert("DBUS_SESSION_BUS_ADDRESS", "disabled:");
+    return environment;
+}
+
+}  // namespace
+
+// ---- Child
+
+Child::~Child() {
+    if (process_.state() == QProcess::NotRunning) {
+        return;
+    }
+    signal(SIGCONT);
+    process_.terminate();
+    if (!process_.waitForFinished(5000)) {
+        process_.kill();
+        process_.waitForFinished(5000);
+    }
+}
+
+bool Child::start(const QString& program, const QStringList& arguments,
+                  const QProcessEnvironment& environment) {
+    output_.clear();
+    process_.setProcessEnvironment(environment);
+    process_.setProcessChannelMode(QProcess::MergedChannels);
+    process_.start(program, arguments);
+    return process_.waitForStarted(kStartMs);
+}
+
+QString Child::output() {
+    output_ += process_.readAll();
+    return QString::fromUtf8(output_);
+}
+
+QString Child::waitForLine(const QString& beginning) {
+    QElapsedTimer time;
+    time.start();
+    while (time.elapsed() < kStartMs) {
+        QStringList lines = output().split('\n');
+        lines.removeLast();  // not whole yet
+        for (const QString& line : std::as_const(lines)) {
+            if (line.startsWith(beginning)) {
+                return line;
+            }
+        }
+        if (!isRunning()) {
+            break;
+        }
+        process_.waitForReadyRead(50);
+    }
+    return {};
+}
+
+void Child::signal(int number) {
+    if (process_.processId() > 0) {
+        ::kill(pid_t(process_.processId()), number);
+    }
+}
+
+// ---- DesktopCell
+
+QString DesktopCell::obstacle() {
+    for (const char* tool : {"Xvfb", "openbox", "setxkbmap", "xkbcomp"}) {
+        if (QStandardPaths::findExecutable(tool).isEmpty()) {
+            return QStringLiteral("%1 is not installed; packaging/dependencies lists what the tests need")
+                .arg(QLatin1String(tool));
+        }
+    }
+    return {};
+}
+
+DesktopCell::DesktopCell(QSize screen) : screen_(screen) {}
+
+DesktopCell::~DesktopCell() {
+    if (hand_) {
+        display_.signal(SIGCONT);
+        hand_->letGoOfAll();
+    }
+    arm_.reset();
+    places_.reset();
+    // The window before its display, or it would complain of having lost it.
+    program_.signal(SIGCONT);
+}
+
+QProcessEnvironment DesktopCell::environment() const {
+    return environmentWith(folder_.path(), displayName_);
+}
+
+bool DesktopCell::fail(const QString& what) {
+    what_ = what;
+    for (const auto& [name, child] :
+         {std::pair{"display", &display_}, {"controller", &controller_}, {"program", &program_}}) {
+        if (const QString said = child->output().trimmed(); !said.isEmpty()) {
+            what_ += QStringLiteral("\n%1 said: %2").arg(QLatin1String(name), said.right(2000));
+        }
+    }
+    return false;
+}
+
+bool DesktopCell::startDisplay() {
+    // It chooses a free number itself and prints it.
+    const QString size = QStringLiteral("%1x%2x24").arg(screen_.width()).arg(screen_.height());
+    if (!display_.start("Xvfb", {"-displayfd", "1", "-screen", "0", size, "-nolisten", "tcp", "-noreset"},
+                        QProcessEnvironment::systemEnvironment())) {
+        return fail("Xvfb could not be started");
+    }
+    QString number;
+    until(
+        [&] {
+            static const QRegularExpression digits("(?:^|\n)(\\d+)\n");
+            number = digits.match(display_.output()).captured(1);
+            return !number.isEmpty() || !display_.isRunning();
+        },
+        kStartMs);
+    if (number.isEmpty()) {
+        return fail("Xvfb did not say its display");
+    }
+    displayName_ = ':' + number;
+    hand_ = std::make_unique<XHand>(displayName_);
+    if (!hand_->canDrive()) {
+        return fail("the display cannot be driven: XTEST or XKEYBOARD is missing");
+    }
+    if (!windowManager_.start("openbox", {"--config-file", TILLER_OPENBOX_CONFIG}, environment())) {
+        return fail("openbox could not be started");
+    }
+    // It has taken over when it names the desktop that is shown; there are several of them.
+    if (!until([&] { return hand_->desktopCount() > 1; })) {
+        return fail("openbox does not manage the display");
+    }
+    return setLayout("us");
+}
+
+bool DesktopCell::startController() {
+    for (int last = 1; last <= kAddresses; ++last) {
+        host_ = QStringLiteral("127.0.7.%1").arg(last);
+        if (!controller_.start(TILLER_CLI, {"simulate", "--headless", "--listen", host_},
+                               QProcessEnvironment::systemEnvironment())) {
+            return fail("tiller-cli could not be started");
+        }
+        if (!controller_.waitForLine("ready").isEmpty()) {
+            arm_ = std::make_unique<ArmWatch>(host_);
+            return arm_->isConnected() || fail("the simulated controller sends nothing");
+        }
+        controller_.waitForEnd(kStartMs);  // another one listens there
+    }
+    return fail("no simulated controller could be started");
+}
+
+bool DesktopCell::startProgram() {
+    const QString socket = folder_.filePath("places");
+    QProcessEnvironment surroundings = environment();
+    surroundings.insert("QT_PLUGIN_PATH", TILLER_TEST_PLUGINS);
+    surroundings.insert("QT_QPA_GENERIC_PLUGINS", "window_places:" + socket);
+    if (!program_.start(TILLER_PROGRAM, {"--robot", host_, "--session", folder_.filePath("test.tiller")},
+                        surroundings)) {
+        return fail("tiller could not be started");
+    }
+    places_ = std::make_unique<QLocalSocket>();
+    const bool answers = until([&] {
+        if (places_->state() != QLocalSocket::ConnectedState) {
+            places_->connectToServer(socket);
+            places_->waitForConnected(100);
+        }
+        return places_->state() == QLocalSocket::ConnectedState || !program_.isRunning();
+    });
+    if (!answers || !program_.isRunning()) {
+        return fail("tiller does not tell where its window is");
+    }
+    if (!until([&] { return place("mainWindow").active; })) {
+        return fail("the window did not become active");
+    }
+    // The one step that is next: first none, while it connects, then "Take control".
+    const bool inControl = until([&] {
+        const Place step = place("nextStepButton");
+        if (step.visible && step.enabled && step.text == "Take control") {
+            click("nextStepButton");
+        }
+        return until([&] { return place("jog.X+").enabled; }, 1000);
+    });
+    return inControl || fail("the window did not take control");
+}
+
+bool DesktopCell::bringUp() {
+    return startDisplay() && startController() && startProgram();
+}
+
+bool DesktopCell::setLayout(const QString& layout) {
+    QProcess setter;
+    setter.start("setxkbmap", {"-display", displayName_, "-rules", "evdev", "-model", "pc105", "-layout",
+                               layout, "-option", ""});
+    return setter.waitForFinished(kStartMs) && setter.exitCode() == 0;
+}
+
+Place DesktopCell::place(const QString& name) {
+    Place place;
+    if (!places_ || places_->state() != QLocalSocket::ConnectedState) {
+        return place;
+    }
+    places_->readAll();
+    places_->write(QStringLiteral("widget %1\n").arg(name).toUtf8());
+    while (!places_->canReadLine()) {
+        if (!places_->waitForReadyRead(kPatienceMs)) {
+            return place;
+        }
+    }
+    const QJsonObject told = QJsonDocument::fromJson(places_->readLine()).object();
+    place.found = !told.isEmpty();
+    place.visible = told["visible"].toBool();
+    place.enabled = told["enabled"].toBool();
+    place.active = told["active"].toBool();
+    place.focus = told["focus"].toBool();
+    place.text = told["text"].toString();
+    place.area = {told["x"].toInt(), told["y"].toInt(), told["width"].toInt(), told["height"].toInt()};
+    place.window = XHand::WindowId(told["window"].toInteger());
+    return place;
+}
+
+bool DesktopCell::until(const std::function<bool()>& condition, int ms) {
+    QElapsedTimer time;
+    time.start();
+    while (!condition()) {
+        if (time.elapsed() > ms) {
+            return false;
+        }
+        QTest::qWait(5);
+    }
+    return true;
+}
+
+bool DesktopCell::click(const QString& name) {
+    const Place there = place(name);
+    if (!there.visible) {
+        return false;
+    }
+    hand_->moveTo(there.middle());
+    hand_->button(1, true);
+    hand_->button(1, false);
+    return true;
+}
+
+bool DesktopCell::toTheFront() {
+    const Place window = place("mainWindow");
+    if (window.active) {
+        return true;
+    }
+    hand_->activate(window.window);
+    return until([&] { return place("mainWindow").active; });
+}
+
+bool DesktopCell::armKeyboard() {
+    if (place("armedFrame").visible) {
+        return true;
+    }
+    if (!toTheFront()) {
+        return false;
+    }
+    hand_->press(kControl);
+    hand_->tap(kLetterJ);
+    hand_->release(kControl);
+    return untilShown("armedFrame");
+}
+
+bool DesktopCell::fault(const QString& words) {
+    QTcpSocket socket;
+    socket.connectToHost(host_, 29990);
+    if (!socket.waitForConnected(kStartMs)) {
+        return false;
+    }
+    socket.write(words.toUtf8() + '\n');
+    while (!socket.canReadLine() && socket.waitForReadyRead(kStartMs)) {
+    }
+    return socket.readAll().startsWith("ok");
+}
+
+}  // namespace tiller::test

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What else happens on a desktop while a key is held: other windows, other desktops, locked screens, frozen
+// and dying programs. Whatever it is, the arm stands.
+
+#include <signal.h>
+
+#include <QStandardPaths>
+
+#include "tests/desktop/desktop_test.h"
+
+namespace tiller::test {
+
+class TestInterruptions : public DesktopTest {
+    Q_OBJECT
+
+    /// Holds "right" until the arm is under way.
+    void hold() {
+        hand().press(kRight);
+        QVERIFY2(arm().untilMoving(kGetsGoing), "the key did not move the arm: this proves nothing");
+    }
+    /// The arm stands although the key is still down, and goes on standing when the window is back and the
+    /// key is let go: a stopped jog needs a new press.
+    void verifyEndedForGood() {
+        verifyStands();
+        QVERIFY(cell().toTheFront());
+        QVERIFY2(arm().stays(0.3), "it moved again when the window came back");
+        hand().release(kRight);
+        QVERIFY2(arm().stays(0.3), "it moved again when the key was let go");
+    }
+
+private Q_SLOTS:
+    void theKeyIsLetGo() {
+        hold();
+        hand().release(kRight);
+        verifyStands();
+    }
+
+    // The server repeats a key that is held; each repetition is a release and a press on the wire.
+    void autoRepeatIsNeitherAReleaseNorAPress() {
+        hold();
+        QTest::qWait(1500);
+        QVERIFY2(arm().moves(), "the repetition ended the motion");
+        hand().release(kRight);
+        verifyStands();
+    }
+
+    void anotherWindowOpens() {
+        hold();
+        hand().openWindow({40, 40});
+        verifyEndedForGood();
+    }
+
+    void anotherWindowTakesTheFocusWithoutAsking() {
+        const XHand::WindowId other = hand().openWindow({40, 40});
+        QVERIFY(cell().until([&] { return !cell().place("mainWindow").active; }));
+        QVERIFY(cell().armKeyboard());
+        hold();
+        hand().setFocus(other);
+        verifyEndedForGood();
+    }
+
+    void theDesktopIsSwitched() {
+        hold();
+        hand().switchDesktop(1);
+        verifyStands();
+        QCOMPARE(hand().desktop(), 1);
+        hand().switchDesktop(0);
+        verifyEndedForGood();
+    }
+
+    void theWindowIsMinimised() {
+        hold();
+        hand().iconify(cell().place("mainWindow").window);
+        verifyEndedForGood();
+    }
+
+    // A screen lock takes keyboard and pointer for itself.
+    void theScreenIsLocked() {
+        hold();
+        XHand lock(cell().displayName());
+        QVERIFY(lock.grabKeyboard());
+        lock.grabPointer();
+        verifyStands();
+        hand().release(kRight);
+        QVERIFY(arm().stays(0.3));
+        lock.ungrab();
+        QVERIFY2(arm().stays(0.3), "it moved again when the screen was unlocked");
+    }
+
+    void theScreenIsLockedByXtrlock() {
+        const QString program = QStandardPaths::findExecutable("xtrlock");
+        if (program.isEmpty()) {
+            QSKIP("xtrlock is not installed");
+        }
+        hold();
+        Child lock;
+        QVERIFY(lock.start(program, {}, cell().environment()));
+        // It wants a password to ask for; an account without one, as in most containers, has none.
+        if (lock.waitForEnd(1000)) {
+            hand().release(kRight);
+            QSKIP(qPrintable("xtrlock does not lock here: " + lock.output().trimmed()));
+        }
+        verifyStands();
+    }
+
+    void theProgramIsFrozen() {
+        hold();
+        cell().program().signal(SIGSTOP);
+        verifyStands();
+        hand().release(kRight);
+        cell().program().signal(SIGCONT);
+        QVERIFY2(arm().stays(1), "it moved again when the program went on");
+    }
+
+    void theProgramIsKilled() {
+        hold();
+        useUp();
+        cell().program().signal(SIGKILL);
+        verifyStands();
+    }
+
+    void theDisplayServerIsKilled() {
+        hold();
+        useUp();
+        cell().display().signal(SIGKILL);
+        verifyStands();
+    }
+};
+
+}  // namespace tiller::test
+
+TILLER_DESKTOP_MAIN(tiller::test::TestInterruptions)
+#include "tst_interruptions.moc"
