@@ -60,6 +60,8 @@ enum class StopCause : std::uint8_t {
     Contact,       ///< contact detection found what it was started for
     Unreachable,   ///< a target for which the robot finds no joint positions
     TargetTooFar,  ///< a servo target further off than the arm could get since the one before
+    HoldUnproven,  ///< nothing proved any more that the key, button or finger was still down
+    HeldTooLong,   ///< held for the longest time a motion may be held
 };
 
 /// A servo stream leads the arm in small steps: no target may lie further from the one before than the arm

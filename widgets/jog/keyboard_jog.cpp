@@ -8,6 +8,9 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QTextEdit>
+#include <algorithm>
+#include <array>
+#include <utility>
 
 #include "widgets/common/theme.h"
 
@@ -22,9 +25,55 @@ bool takesText(const QWidget* widget) {
            qobject_cast<const QAbstractSpinBox*>(widget) != nullptr;
 }
 
-/// The signs without the shift key too, which some layouts need for them.
-int plain(int key) {
-    return key == Qt::Key_Equal ? Qt::Key_Plus : key == Qt::Key_Underscore ? Qt::Key_Minus : key;
+/// Set in the meaning of an arrow that turns.
+constexpr int kTurns = 0x4000'0000;
+
+constexpr Qt::KeyboardModifiers kMeaningful = Qt::ShiftModifier | Qt::ControlModifier | Qt::AltModifier;
+
+bool isModifier(int key) {
+    switch (key) {
+        case Qt::Key_Shift:
+        case Qt::Key_Control:
+        case Qt::Key_Alt:
+        case Qt::Key_Meta:  // what Alt is called under Shift
+        case Qt::Key_AltGr:
+            return true;
+        default:
+            return false;
+    }
+}
+
+/// The arrows of X, Y and Z: plus, then minus.
+constexpr std::array<std::pair<int, int>, 3> kOpposites = {
+    {{Qt::Key_Right, Qt::Key_Left}, {Qt::Key_Up, Qt::Key_Down}, {Qt::Key_PageUp, Qt::Key_PageDown}}};
+
+bool isArrow(int meaning) {
+    switch (meaning & ~kTurns) {
+        case Qt::Key_Left:
+        case Qt::Key_Right:
+        case Qt::Key_Up:
+        case Qt::Key_Down:
+        case Qt::Key_PageUp:
+        case Qt::Key_PageDown:
+            return true;
+        default:
+            return false;
+    }
+}
+
+bool isJointKey(int meaning) {
+    return (meaning >= Qt::Key_1 && meaning <= Qt::Key_6) || meaning == Qt::Key_Plus ||
+           meaning == Qt::Key_Minus;
+}
+
+/// What a key stands for, by what it writes at its press. "+" and "-" are the key that has the sign, with
+/// and without Shift, and no other key on which a layout puts "=" or "_".
+int meaningOf(const QKeyEvent& event) {
+    const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
+    if (event.key() == Qt::Key_Equal && !shift) {
+        return Qt::Key_Plus;
+    }
+    return event.key() == Qt::Key_Underscore && shift ? static_cast<int>(Qt::Key_Minus) : event.key();
 }
 
 }  // namespace
@@ -39,34 +88,42 @@ KeyboardJog::~KeyboardJog() {
     setArmed(false);
 }
 
-bool KeyboardJog::isJogKey(int key) const {
-    switch (key) {
-        case Qt::Key_Left:
-        case Qt::Key_Right:
-        case Qt::Key_Up:
-        case Qt::Key_Down:
-        case Qt::Key_PageUp:
-        case Qt::Key_PageDown:
-        case Qt::Key_Alt:
-        case Qt::Key_Plus:
-        case Qt::Key_Minus:
-            return true;
-        default:
-            return (key >= Qt::Key_1 && key <= Qt::Key_6) || holdKeys_.contains(key);
-    }
+bool KeyboardJog::isJogKey(int meaning) const {
+    return isArrow(meaning) || isJointKey(meaning) || holdKeys_.contains(meaning);
 }
 
 void KeyboardJog::addHoldKey(Qt::Key key, HoldGuard& guard) {
     holdKeys_[key] = &guard;
 }
 
-void KeyboardJog::letGo(control::StopCause cause) {
-    // Releases that happen elsewhere are never seen: nothing counts as held any more.
-    down_.clear();
+/// True while keys belong to somebody else: a text field, a menu, a dialog, another window.
+bool KeyboardJog::belongsElsewhere() const {
+    return !window_.isActiveWindow() || takesText(QApplication::focusWidget()) ||
+           QApplication::activePopupWidget() != nullptr || QApplication::activeModalWidget() != nullptr;
+}
+
+/// True while one of these keys holds a motion.
+bool KeyboardJog::isMoving() const {
+    if (keys_.isEmpty()) {
+        return false;
+    }
+    return jog_.isActive() || std::any_of(holdKeys_.begin(), holdKeys_.end(),
+                                          [](const HoldGuard* guard) { return guard->active(); });
+}
+
+/// The keys stay known as held, so that their releases fit; they move nothing more before all are up.
+void KeyboardJog::stopAll(control::StopCause cause) {
     for (HoldGuard* guard : std::as_const(holdKeys_)) {
         guard->stop(cause);
     }
     jog_.stop(cause);
+    jog_.requireNeutral();
+}
+
+/// Releases that happen elsewhere are never seen: nothing counts as held any more.
+void KeyboardJog::forget(control::StopCause cause) {
+    stopAll(cause);
+    keys_.clear();
     jog_.setInput({});
 }
 
@@ -75,7 +132,7 @@ void KeyboardJog::setArmed(bool armed) {
         return;
     }
     armed_ = armed;
-    down_.clear();
+    keys_.clear();
     if (armed) {
         lastKeyNs_ = clock_->nowNs();
         qApp->installEventFilter(this);
@@ -93,7 +150,7 @@ void KeyboardJog::setArmed(bool armed) {
     } else {
         qApp->removeEventFilter(this);
         idle_.stop();
-        letGo(control::StopCause::SelectionChanged);
+        forget(control::StopCause::SelectionChanged);
         delete frame_;
     }
     Q_EMIT armedChanged(armed);
@@ -106,7 +163,7 @@ void KeyboardJog::followWindow() {
 }
 
 void KeyboardJog::checkIdle() {
-    if (armed_ && down_.isEmpty() && clock_->nowNs() - lastKeyNs_ > kIdleSeconds * kNsPerSecond) {
+    if (armed_ && keys_.isEmpty() && clock_->nowNs() - lastKeyNs_ > kIdleSeconds * kNsPerSecond) {
         setArmed(false);
     }
 }
@@ -115,11 +172,12 @@ bool KeyboardJog::eventFilter(QObject* watched, QEvent* event) {
     switch (event->type()) {
         case QEvent::KeyPress:
         case QEvent::KeyRelease:
-            return watched->isWidgetType() && keyEvent(event);
+            return watched->isWidgetType() && keyEvent(*static_cast<QKeyEvent*>(event));
         case QEvent::ShortcutOverride: {
             // An armed key is no shortcut.
-            const auto* key = static_cast<QKeyEvent*>(event);
-            if (isJogKey(plain(key->key())) && !takesText(QApplication::focusWidget())) {
+            const auto& key = *static_cast<QKeyEvent*>(event);
+            if ((isJogKey(meaningOf(key)) || keys_.isDown(PhysicalKeys::codeOf(key))) &&
+                !belongsElsewhere()) {
                 event->accept();
                 return true;
             }
@@ -127,8 +185,8 @@ bool KeyboardJog::eventFilter(QObject* watched, QEvent* event) {
         }
         case QEvent::FocusIn:
             // From here on the keys write: what they held is let go.
-            if (!down_.isEmpty() && takesText(qobject_cast<QWidget*>(watched))) {
-                letGo(control::StopCause::FocusLost);
+            if (!keys_.isEmpty() && takesText(qobject_cast<QWidget*>(watched))) {
+                stopAll(control::StopCause::FocusLost);
             }
             return false;
         case QEvent::Resize:
@@ -139,7 +197,7 @@ bool KeyboardJog::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::WindowDeactivate:
             if (watched == &window_) {
                 // What is armed stays armed only while the operator looks at it.
-                letGo(control::StopCause::WindowDeactivated);
+                forget(control::StopCause::WindowDeactivated);
                 setArmed(false);
             }
             return false;
@@ -148,71 +206,123 @@ bool KeyboardJog::eventFilter(QObject* watched, QEvent* event) {
     }
 }
 
-bool KeyboardJog::keyEvent(QEvent* event) {
-    const auto* key = static_cast<QKeyEvent*>(event);
-    const int code = plain(key->key());
-    const bool press = event->type() == QEvent::KeyPress;
-    const bool known = down_.contains(code);
+bool KeyboardJog::keyEvent(const QKeyEvent& event) {
+    if (isModifier(event.key())) {
+        if (!event.isAutoRepeat()) {
+            modifierChanged();
+        }
+        // Alt means a turn here, not the menu.
+        return event.key() == Qt::Key_Alt && !belongsElsewhere();
+    }
+    const KeyCode code = PhysicalKeys::codeOf(event);
+    const bool known = keys_.isDown(code);
+    const bool press = event.type() == QEvent::KeyPress;
+    int meaning = known ? keys_.meaningOf(code) : meaningOf(event);
     // A key that was pressed here is let go here, wherever the focus is by then.
-    const bool elsewhere = !window_.isActiveWindow() || takesText(QApplication::focusWidget());
-    if (!isJogKey(code) || (elsewhere && !(known && !press))) {
+    if (!known && !press) {
+        // Let go without having been pressed. Where keys have no number it may be one of those that move.
+        if (!event.isAutoRepeat() && isMoving() && (isJogKey(meaning) || !PhysicalKeys::hasNumber(code))) {
+            stopAll(control::StopCause::HoldUnproven);
+        }
         return false;
     }
-    if (key->isAutoRepeat()) {
-        return true;
+    if (press && (belongsElsewhere() || (!known && !isJogKey(meaning)))) {
+        return false;
+    }
+    if (isArrow(meaning) && !known && event.modifiers().testFlag(Qt::AltModifier)) {
+        meaning |= kTurns;
     }
     lastKeyNs_ = clock_->nowNs();
-    if (press) {
-        down_.insert(code);
-    } else {
-        down_.remove(code);
-    }
-    if (HoldGuard* guard = holdKeys_.value(code)) {
-        if (known != press) {
-            holdEvent(*guard, press);
-        }
-        return true;
-    }
-    // Some systems send one event to several widgets: the second of the same kind changes nothing.
-    if (known != press || !press) {
-        // Shift may only be how "+" is written.
-        const bool sign = down_.contains(Qt::Key_Plus) || down_.contains(Qt::Key_Minus);
-        jog_.setInput(deflection(),
-                      modifierFactor(sign ? key->modifiers() & ~Qt::ShiftModifier : key->modifiers()));
+    switch (keys_.take(event, meaning)) {
+        case PhysicalKeys::Change::Down:
+            if (HoldGuard* guard = holdKeys_.value(meaning)) {
+                holdKeyPressed(*guard);
+            } else {
+                jogKeyPressed(event);
+            }
+            break;
+        case PhysicalKeys::Change::Up:
+            keyReleased(meaning);
+            break;
+        case PhysicalKeys::Change::DownAgain:
+            stopAll(control::StopCause::HoldUnproven);
+            break;
+        case PhysicalKeys::Change::Repeat:
+        case PhysicalKeys::Change::Unknown:
+            break;
     }
     return true;
 }
 
-void KeyboardJog::holdEvent(HoldGuard& guard, bool press) {
-    if (!press) {
-        guard.release();
-        return;
+void KeyboardJog::jogKeyPressed(const QKeyEvent& event) {
+    const Qt::KeyboardModifiers modifiers = event.modifiers() & kMeaningful;
+    const bool held = std::any_of(holdKeys_.begin(), holdKeys_.end(),
+                                  [](const HoldGuard* guard) { return guard->active(); });
+    if (held) {
+        stopAll(control::StopCause::SecondButton);  // one motion at a time
+    } else if (jog_.isActive() && modifiers != modifiers_) {
+        stopAll(control::StopCause::SelectionChanged);
+    } else {
+        modifiers_ = modifiers;
+        follow();
     }
+}
+
+void KeyboardJog::holdKeyPressed(HoldGuard& guard) {
     // One motion at a time: the second key stops the first and begins nothing.
-    bool another = jog_.isActive();
-    for (const HoldGuard* other : std::as_const(holdKeys_)) {
-        another = another || other->active();
-    }
-    if (another) {
-        letGo(control::StopCause::SecondButton);
+    if (isMoving()) {
+        stopAll(control::StopCause::SecondButton);
     } else {
         guard.press();
     }
 }
 
+void KeyboardJog::keyReleased(int meaning) {
+    if (HoldGuard* guard = holdKeys_.value(meaning)) {
+        guard->release();
+    }
+    follow();
+}
+
+void KeyboardJog::modifierChanged() {
+    if (isMoving()) {
+        stopAll(control::StopCause::SelectionChanged);
+    }
+}
+
+/// Tells what the keys that are down ask for.
+void KeyboardJog::follow() {
+    const auto both = [this](int one, int other) { return keys_.means(one) && keys_.means(other); };
+    bool opposite = both(Qt::Key_Plus, Qt::Key_Minus);
+    for (const auto& [one, other] : kOpposites) {
+        opposite = opposite || both(one, other) || both(one | kTurns, other | kTurns);
+    }
+    const Deflection wish = deflection();
+    // A contradiction is no wish, and a joint is not turned while the TCP is led. Taking one of the two keys
+    // away again is no new press.
+    if (opposite || (!wish.axes.isZero() && !wish.joints.isZero())) {
+        stopAll(control::StopCause::SecondButton);
+        return;
+    }
+    // Shift is how some layouts write the digits and signs, and no speed then.
+    const bool joints = wish.axes.isZero();
+    jog_.setInput(wish, modifierFactor(joints ? modifiers_ & ~Qt::ShiftModifier : modifiers_));
+}
+
 Deflection KeyboardJog::deflection() const {
     const auto pair = [this](int plus, int minus) {
-        return (down_.contains(plus) ? 1.0 : 0.0) - (down_.contains(minus) ? 1.0 : 0.0);
+        return (keys_.means(plus) ? 1.0 : 0.0) - (keys_.means(minus) ? 1.0 : 0.0);
     };
     Deflection wish;
     wish.deadMan = true;  // the key itself, while it is held
-    const int first = down_.contains(Qt::Key_Alt) ? 3 : 0;
-    wish.axes[first] = pair(Qt::Key_Right, Qt::Key_Left);
-    wish.axes[first + 1] = pair(Qt::Key_Up, Qt::Key_Down);
-    wish.axes[first + 2] = pair(Qt::Key_PageUp, Qt::Key_PageDown);
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto& [plus, minus] = kOpposites.at(static_cast<std::size_t>(axis));
+        wish.axes[axis] = pair(plus, minus);
+        wish.axes[axis + 3] = pair(plus | kTurns, minus | kTurns);
+    }
     const double direction = pair(Qt::Key_Plus, Qt::Key_Minus);
     for (int joint = 0; joint < kJointCount; ++joint) {
-        wish.joints[joint] = down_.contains(Qt::Key_1 + joint) ? direction : 0.0;
+        wish.joints[joint] = keys_.means(Qt::Key_1 + joint) ? direction : 0.0;
     }
     return wish;
 }

@@ -2,18 +2,22 @@
 #pragma once
 
 // Jogging by keyboard, only while it is armed: a frame stands around the window then, and half a minute
-// without a key takes it down again.
+// without a key takes it down again. Keys are followed as PhysicalKeys does: what a key moves is settled by
+// its press, and a release or a press that does not fit what is known ends the motion. So does a modifier
+// that goes down or up meanwhile, because it stands for another speed or direction, and a key that says the
+// opposite of another one.
 
 #include <QMap>
 #include <QObject>
 #include <QPointer>
-#include <QSet>
 #include <QTimer>
 
 #include "widgets/common/hold_guard.h"
+#include "widgets/common/physical_keys.h"
 #include "widgets/jog/axis_jog.h"
 
 class QFrame;
+class QKeyEvent;
 
 namespace tiller {
 
@@ -42,10 +46,17 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    bool keyEvent(QEvent* event);
-    void holdEvent(HoldGuard& guard, bool press);
-    void letGo(control::StopCause cause);
-    bool isJogKey(int key) const;
+    bool keyEvent(const QKeyEvent& event);
+    void jogKeyPressed(const QKeyEvent& event);
+    void holdKeyPressed(HoldGuard& guard);
+    void keyReleased(int meaning);
+    void follow();
+    void modifierChanged();
+    void stopAll(control::StopCause cause);
+    void forget(control::StopCause cause);
+    bool isJogKey(int meaning) const;
+    bool isMoving() const;
+    bool belongsElsewhere() const;
     Deflection deflection() const;
     void followWindow();
 
@@ -54,7 +65,8 @@ private:
     const Clock* clock_ = &SteadyClock::shared();
     QTimer idle_;
     QMap<int, HoldGuard*> holdKeys_;
-    QSet<int> down_;  ///< keys that are held, by Qt::Key
+    PhysicalKeys keys_;                  ///< those that jog or hold; their meaning is a Qt::Key, or a turn
+    Qt::KeyboardModifiers modifiers_{};  ///< with which the motion was begun
     std::int64_t lastKeyNs_ = 0;
     bool armed_ = false;
     QPointer<QFrame> frame_;

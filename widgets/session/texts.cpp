@@ -209,6 +209,10 @@ QString stopCauseText(control::StopCause cause) {
             return tr("target cannot be reached");
         case StopCause::TargetTooFar:
             return tr("target too far away for one step");
+        case StopCause::HoldUnproven:
+            return tr("no sign that it was still held");
+        case StopCause::HeldTooLong:
+            return tr("held for the longest time; press again");
         default:
             return tr("ended");
     }

@@ -318,38 +318,38 @@ bool WaypointsTab::typingSomewhere() const {
            qobject_cast<const QPlainTextEdit*>(focus) != nullptr || box != nullptr;
 }
 
-bool WaypointsTab::goToKey(QEvent* event) {
-    const auto* key = static_cast<QKeyEvent*>(event);
-    if (goToScanCode_ != 0 && !key->isAutoRepeat()) {
-        // The key that holds is up again, whatever modifier or layout it now comes with; or another key went
-        // down, and two hands on the keyboard are no hold.
-        const bool sameKey = key->nativeScanCode() == goToScanCode_ || key->key() == Qt::Key_G;
-        if (sameKey == (event->type() == QEvent::KeyRelease)) {
-            goToScanCode_ = 0;
-            if (sameKey) {
+bool WaypointsTab::goToKey(const QKeyEvent& key) {
+    const KeyCode code = PhysicalKeys::codeOf(key);
+    const bool press = key.type() == QEvent::KeyPress;
+    if (!goToKey_.isEmpty() && !goToKey_.isDown(code)) {
+        // Another key than the one that holds: two hands on the keyboard are no hold, and a release nobody
+        // can place may have been that of the key itself.
+        if (!key.isAutoRepeat()) {
+            goTo_->guard().stop(press ? control::StopCause::SecondButton : control::StopCause::HoldUnproven);
+        }
+        return false;
+    }
+    if (goToKey_.isDown(code)) {
+        // The key that holds, whatever modifier or layout it now comes with.
+        switch (goToKey_.take(key, Qt::Key_G)) {
+            case PhysicalKeys::Change::Up:
                 goTo_->guard().release();
-            } else {
-                goTo_->guard().stop(control::StopCause::SecondButton);
-            }
-            return sameKey;
+                break;
+            case PhysicalKeys::Change::DownAgain:
+                goTo_->guard().stop(control::StopCause::HoldUnproven);
+                break;
+            default:
+                break;
         }
+        return true;
     }
-    if (key->key() != Qt::Key_G || key->modifiers() != Qt::NoModifier || !window()->isActiveWindow() ||
-        QApplication::activeModalWidget() != nullptr || QApplication::activePopupWidget() != nullptr) {
+    if (!press || key.key() != Qt::Key_G || key.modifiers() != Qt::NoModifier ||
+        !window()->isActiveWindow() || QApplication::activeModalWidget() != nullptr ||
+        QApplication::activePopupWidget() != nullptr || typingSomewhere()) {
         return false;
     }
-    if (event->type() == QEvent::KeyRelease) {
-        if (!key->isAutoRepeat()) {
-            goTo_->guard().release();
-        }
-        return goTo_->isHolding();
-    }
-    if (typingSomewhere()) {
-        return false;
-    }
-    if (!key->isAutoRepeat() && !goTo_->isHolding()) {
-        // 0 where the platform tells no scan codes; any other number then stands for "held by the keyboard".
-        goToScanCode_ = goTo_->guard().press() ? std::max<quint32>(key->nativeScanCode(), 1) : 0;
+    if (goToKey_.take(key, Qt::Key_G) == PhysicalKeys::Change::Down) {
+        goTo_->guard().press();
     }
     return true;
 }
@@ -357,8 +357,11 @@ bool WaypointsTab::goToKey(QEvent* event) {
 bool WaypointsTab::eventFilter(QObject* watched, QEvent* event) {
     const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease;
     // A key passes the native window first and the widget then: once is enough.
-    if (isKey && watched->isWidgetType() && goToKey(event)) {
+    if (isKey && watched->isWidgetType() && goToKey(*static_cast<QKeyEvent*>(event))) {
         return true;
+    }
+    if (event->type() == QEvent::WindowDeactivate && watched == window()) {
+        goToKey_.clear();  // its release will not be seen
     }
     return QWidget::eventFilter(watched, event);
 }
@@ -370,6 +373,7 @@ void WaypointsTab::showEvent(QShowEvent* event) {
 
 void WaypointsTab::hideEvent(QHideEvent* event) {
     qApp->removeEventFilter(this);
+    goToKey_.clear();
     QWidget::hideEvent(event);
 }
 

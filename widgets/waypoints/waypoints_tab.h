@@ -13,9 +13,11 @@
 #include <vector>
 
 #include "robot/project/waypoint_list.h"
+#include "widgets/common/physical_keys.h"
 #include "widgets/session/robot_session.h"
 
 class QAction;
+class QKeyEvent;
 class QLabel;
 class QPushButton;
 class QStackedWidget;
@@ -128,7 +130,7 @@ private:
     QAction* addCommand(const QString& name, const QString& text, const QKeySequence& shortcut,
                         std::function<void()> run);
     bool typingSomewhere() const;
-    bool goToKey(QEvent* event);
+    bool goToKey(const QKeyEvent& key);
 
     RobotSession& session_;
     WaypointPort port_;
@@ -138,7 +140,7 @@ private:
     QList<QAction*> actions_;
     QTimer detailsTimer_;
     QUuid lastSelected_;
-    quint32 goToScanCode_ = 0;  ///< of the key that holds "Go to"; 0: none does
+    PhysicalKeys goToKey_;  ///< the key that holds "Go to", while it is down
 
     QPushButton* teach_ = nullptr;
     QPushButton* touchUp_ = nullptr;

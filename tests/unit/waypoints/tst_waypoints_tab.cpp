@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "robot/core/clock.h"
+#include "tests/support/key_events.h"
 #include "tests/support/live_state.h"
 #include "widgets/common/hold_button.h"
 #include "widgets/common/theme.h"
@@ -260,6 +261,59 @@ private Q_SLOTS:
         QTest::keyRelease(QApplication::focusWidget(), Qt::Key_G);
         QCOMPARE(arm_.ends, std::vector<StopCause>{StopCause::Released});
         QVERIFY(!goTo()->isHolding());
+    }
+
+    void theLetterGIsAKeyFromPressToRelease_data() {
+        QTest::addColumn<int>("how");
+        QTest::addColumn<StopCause>("cause");
+        QTest::newRow("under another layout") << 0 << StopCause::Released;
+        QTest::newRow("another key goes down") << 1 << StopCause::SecondButton;
+        QTest::newRow("a release nobody can place") << 2 << StopCause::HoldUnproven;
+        QTest::newRow("pressed though it is down") << 3 << StopCause::HoldUnproven;
+        QTest::newRow("no number, another name") << 4 << StopCause::HoldUnproven;
+    }
+    void theLetterGIsAKeyFromPressToRelease() {
+        QFETCH(int, how);
+        QFETCH(StopCause, cause);
+        teachThree();
+        feed(liveState(moved(0, 0.3)));
+        tab_->selectRow(1);
+        QWidget& to = *table();
+        const quint32 code = how == 4 ? 0 : scan::kG;
+        keyDown(to, code, Qt::Key_G);
+        QVERIFY(goTo()->isHolding());
+        switch (how) {
+            case 0:
+            case 4:
+                keyUp(to, code, 0x041f);  // what a Russian layout makes of it
+                break;
+            case 1:
+                keyDown(to, scan::kShift, Qt::Key_Shift, {Qt::ShiftModifier});
+                break;
+            case 2:
+                keyUp(to, scan::kLeft, Qt::Key_Left);
+                break;
+            default:
+                keyDown(to, code, Qt::Key_G);
+                break;
+        }
+        QCOMPARE(arm_.ends, std::vector<StopCause>{cause});
+        // Whatever the keyboard repeats now is no press.
+        keyDown(to, code, Qt::Key_G, {{}, true});
+        QCOMPARE(arm_.moves.size(), std::size_t(1));
+    }
+
+    void theLetterGOfAKeyboardThatRepeatsInPairsBeginsOnce() {
+        teachThree();
+        feed(liveState(moved(0, 0.3)));
+        tab_->selectRow(1);
+        QWidget& to = *table();
+        keyDown(to, scan::kG, Qt::Key_G, {{}, false, 1000});
+        keyUp(to, scan::kG, Qt::Key_G, {{}, false, 1400});
+        keyDown(to, scan::kG, Qt::Key_G, {{}, false, 1400});
+        QCOMPARE(arm_.moves.size(), std::size_t(1));
+        QCOMPARE(arm_.ends, std::vector<StopCause>{StopCause::Released});
+        keyUp(to, scan::kG, Qt::Key_G, {{}, false, 1430});
     }
 
     void anotherSelectionStopsTheArm() {

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The armed keyboard follows keys, not what they write: by scan code from press to release, whatever
+// modifier, lock key or layout comes in between; and what does not fit ends the motion.
+#include <QLineEdit>
+#include <QMenu>
+#include <QTest>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include "tests/support/key_events.h"
+#include "widgets/common/hold_button.h"
+#include "widgets/jog/keyboard_jog.h"
+
+using namespace tiller;
+using namespace tiller::test;
+using control::StopCause;
+
+namespace {
+
+/// The armed keyboard in front of a port that only writes down.
+struct Bench {
+    std::uint64_t running = 0;
+    std::uint64_t next = 0;
+    QList<control::JogTarget> targets;
+    QList<StopCause> ends;
+    JogPort port;
+    JogSelection selection;
+    VirtualClock clock;
+    QWidget window;
+    HoldButton home{QStringLiteral("Home"), &window};
+    QLineEdit text{&window};
+    AxisJog jog{port, selection, [] { return QString(); }, &window};
+    KeyboardJog keyboard{jog, window};
+
+    Bench() {
+        port.beginJog = [this](const control::JogTarget& t) -> Result<RobotSession::MotionId> {
+            targets << t;
+            return running = ++next;
+        };
+        port.hold = [this](RobotSession::MotionId id) { return id == running; };
+        port.holdWith = [this](RobotSession::MotionId id, const control::JogTarget& t) {
+            targets << t;
+            return id == running;
+        };
+        port.endMotion = [this](RobotSession::MotionId id, StopCause cause) {
+            running = id == running ? 0 : running;
+            ends << cause;
+        };
+        port.limits = [] { return control::MotionLimits(); };
+        home.setMotion({.begin = [this]() -> Result<HoldMotion::Id> { return running = ++next; },
+                        .hold = port.hold,
+                        .end = port.endMotion,
+                        .runsToEnd = {}});
+        auto* layout = new QVBoxLayout(&window);
+        layout->addWidget(&home);
+        layout->addWidget(&text);
+        jog.setClock(clock);
+        home.guard().setClock(clock);
+        keyboard.addHoldKey(Qt::Key_Home, home.guard());
+        window.show();
+        window.activateWindow();
+        if (!QTest::qWaitForWindowActive(&window)) {
+            qFatal("the window did not become active");
+        }
+        window.setFocus();
+        keyboard.setArmed(true);
+    }
+    bool moves() const { return running != 0; }
+    void down(quint32 code, int key, const KeyNews& news = {}) { keyDown(window, code, key, news); }
+    void up(quint32 code, int key, const KeyNews& news = {}) { keyUp(window, code, key, news); }
+};
+
+constexpr KeyNews kWithShift{Qt::ShiftModifier};
+constexpr KeyNews kWithAlt{Qt::AltModifier};
+
+}  // namespace
+
+class TestKeyboardJog : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void shiftUnderHeldJointKeysOfAGermanKeyboard() {
+        Bench b;
+        b.down(scan::k1, Qt::Key_1);
+        b.down(scan::kPlusDe, Qt::Key_Plus);
+        QVERIFY(b.moves());
+        b.down(scan::kShift, Qt::Key_Shift, kWithShift);
+        b.up(scan::k1, Qt::Key_Exclam, kWithShift);
+        b.up(scan::kPlusDe, Qt::Key_Asterisk, kWithShift);
+        b.up(scan::kShift, Qt::Key_Shift);
+        QVERIFY(!b.moves());
+        QCOMPARE(b.ends.size(), 1);
+        // And it is known to be up: the next press moves, the next release ends it.
+        b.down(scan::kPlusDe, Qt::Key_Plus);
+        QVERIFY2(!b.moves(), "the sign alone");
+        b.down(scan::k1, Qt::Key_1);
+        QVERIFY(b.moves());
+        b.up(scan::k1, Qt::Key_1);
+        QVERIFY(!b.moves());
+    }
+
+    void aReleaseIsKnownByItsKey_data() {
+        QTest::addColumn<quint32>("code");
+        QTest::addColumn<int>("pressed");
+        QTest::addColumn<int>("released");
+        QTest::newRow("keypad, NumLock pressed meanwhile")
+            << scan::kPad4 << int(Qt::Key_Left) << int(Qt::Key_4);
+        QTest::newRow("keypad, Shift meanwhile") << scan::kPad4 << int(Qt::Key_Left) << int(Qt::Key_unknown);
+        QTest::newRow("layout switched to one without the key")
+            << scan::kRight << int(Qt::Key_Right) << int(Qt::Key_unknown);
+        QTest::newRow("layout switched to the opposite")
+            << scan::kRight << int(Qt::Key_Right) << int(Qt::Key_Left);
+        QTest::newRow("armed hold key, written differently")
+            << scan::kHome << int(Qt::Key_Home) << int(Qt::Key_7);
+    }
+    void aReleaseIsKnownByItsKey() {
+        QFETCH(quint32, code);
+        QFETCH(int, pressed);
+        QFETCH(int, released);
+        Bench b;
+        b.down(code, pressed);
+        QVERIFY(b.moves());
+        b.up(code, released);
+        QVERIFY(!b.moves());
+        QCOMPARE(b.ends, QList<StopCause>{StopCause::Released});
+        b.down(code, pressed);
+        QVERIFY2(b.moves(), "nothing counts as held any more");
+        b.up(code, pressed);
+        QVERIFY(!b.moves());
+    }
+
+    void altReleasedUnderShiftIsCalledMeta() {
+        Bench b;
+        b.down(scan::kAlt, Qt::Key_Alt, kWithAlt);
+        b.down(scan::kRight, Qt::Key_Right, kWithAlt);
+        QVERIFY(b.moves());
+        QVERIFY2(b.targets.last().twist.angular.x() > 0, "Alt turns");
+        b.down(scan::kShift, Qt::Key_Shift, {Qt::AltModifier | Qt::ShiftModifier});
+        b.up(scan::kAlt, Qt::Key_Meta, kWithShift);
+        b.up(scan::kRight, Qt::Key_Right, kWithShift);
+        b.up(scan::kShift, Qt::Key_Shift);
+        QVERIFY(!b.moves());
+        // The next arrow does not turn.
+        b.down(scan::kRight, Qt::Key_Right);
+        QVERIFY(b.targets.last().twist.angular.isZero() && b.targets.last().twist.linear.x() > 0);
+        b.up(scan::kRight, Qt::Key_Right);
+        QVERIFY(!b.moves());
+    }
+
+    void underShiftAltStillTurns() {
+        Bench b;
+        b.down(scan::kShift, Qt::Key_Shift, kWithShift);
+        b.down(scan::kAlt, Qt::Key_Meta, {Qt::AltModifier | Qt::ShiftModifier});
+        b.down(scan::kUp, Qt::Key_Up, {Qt::AltModifier | Qt::ShiftModifier});
+        QVERIFY(b.moves());
+        QVERIFY(b.targets.last().twist.linear.isZero() && b.targets.last().twist.angular.y() > 0);
+        b.up(scan::kUp, Qt::Key_Up, {Qt::AltModifier | Qt::ShiftModifier});
+        QVERIFY(!b.moves());
+    }
+
+    void aModifierThatComesOrGoesEndsTheMotion_data() {
+        QTest::addColumn<quint32>("code");
+        QTest::addColumn<int>("key");
+        QTest::addColumn<bool>("before");
+        for (const auto& [name, code, key] : {std::tuple{"Shift", scan::kShift, Qt::Key_Shift},
+                                              {"Ctrl", scan::kControl, Qt::Key_Control},
+                                              {"Alt", scan::kAlt, Qt::Key_Alt},
+                                              {"AltGr", quint32(108), Qt::Key_AltGr}}) {
+            for (const bool before : {false, true}) {
+                QTest::addRow("%s %s", name, before ? "let go" : "pressed") << code << int(key) << before;
+            }
+        }
+    }
+    void aModifierThatComesOrGoesEndsTheMotion() {
+        QFETCH(quint32, code);
+        QFETCH(int, key);
+        QFETCH(bool, before);
+        Bench b;
+        if (before) {
+            b.down(code, key);
+        }
+        b.down(scan::kUp, Qt::Key_Up);
+        QVERIFY(b.moves());
+        if (before) {
+            b.up(code, key);
+        } else {
+            b.down(code, key);
+        }
+        QCOMPARE(b.ends, QList<StopCause>{StopCause::SelectionChanged});
+        // Another key while the first is still down is no new press of all.
+        b.down(scan::kRight, Qt::Key_Right);
+        QVERIFY(!b.moves());
+        b.up(scan::kRight, Qt::Key_Right);
+        QVERIFY(!b.moves());
+        b.up(scan::kUp, Qt::Key_Up);
+        b.down(scan::kUp, Qt::Key_Up);
+        QVERIFY(b.moves());
+        b.up(scan::kUp, Qt::Key_Up);
+        QVERIFY(!b.moves());
+    }
+
+    void aModifierWhosePressWasNotSeenEndsTheMotionToo() {
+        Bench b;
+        b.down(scan::kUp, Qt::Key_Up);
+        b.down(scan::kRight, Qt::Key_Right, {Qt::ControlModifier});
+        QCOMPARE(b.ends, QList<StopCause>{StopCause::SelectionChanged});
+    }
+
+    void theSignIsTheKeyThatHasIt_data() {
+        QTest::addColumn<int>("key");
+        QTest::addColumn<bool>("shift");
+        QTest::addColumn<int>("direction");
+        QTest::newRow("us, = without Shift") << int(Qt::Key_Equal) << false << 1;
+        QTest::newRow("us, + with Shift") << int(Qt::Key_Plus) << true << 1;
+        QTest::newRow("us, - with Shift") << int(Qt::Key_Underscore) << true << -1;
+        QTest::newRow("jp, - with Shift writes =") << int(Qt::Key_Equal) << true << 0;
+        QTest::newRow("fr, 8 without Shift writes _") << int(Qt::Key_Underscore) << false << 0;
+    }
+    void theSignIsTheKeyThatHasIt() {
+        QFETCH(int, key);
+        QFETCH(bool, shift);
+        QFETCH(int, direction);
+        Bench b;
+        b.down(scan::k1, Qt::Key_1);
+        b.down(scan::kEqualUs, key, {shift ? Qt::ShiftModifier : Qt::NoModifier});
+        QCOMPARE(b.moves(), direction != 0);
+        if (direction != 0) {
+            const double qd = b.targets.last().qd[0];
+            QCOMPARE(qd > 0, direction > 0);
+            QVERIFY2(std::abs(std::abs(qd) - 0.17453292519943) < 1e-9, "Shift only writes the sign");
+        }
+        b.up(scan::kEqualUs, key);
+        QVERIFY(!b.moves());
+    }
+
+    void aPressOfAKeyThatIsDownAlreadyEndsTheMotion() {
+        Bench b;
+        b.down(scan::kRight, Qt::Key_Right);
+        b.down(scan::kRight, Qt::Key_Right);
+        QCOMPARE(b.ends, QList<StopCause>{StopCause::HoldUnproven});
+        b.up(scan::kRight, Qt::Key_Right);
+        b.down(scan::kRight, Qt::Key_Right);
+        QVERIFY(b.moves());
+    }
+
+    void aReleaseOfAKeyThatWasNotDownEndsTheMotion() {
+        Bench b;
+        b.down(scan::kRight, Qt::Key_Right);
+        b.up(scan::kLeft, Qt::Key_Left);
+        QCOMPARE(b.ends, QList<StopCause>{StopCause::HoldUnproven});
+        QVERIFY(!b.moves());
+    }
+
+    void keysWithoutANumberEndByAnythingThatDoesNotFit() {
+        Bench b;
+        b.down(0, Qt::Key_1);
+        b.down(0, Qt::Key_Plus);
+        QVERIFY(b.moves());
+        b.up(0, Qt::Key_Asterisk, kWithShift);  // the plus key, by what it writes now
+        QVERIFY(!b.moves());
+        QCOMPARE(b.ends, QList<StopCause>{StopCause::HoldUnproven});
+    }
+
+    void autoRepeatChangesNothing() {
+        Bench b;
+        b.down(scan::kRight, Qt::Key_Right);
+        for (int i = 0; i < 5; ++i) {
+            b.up(scan::kRight, Qt::Key_Right, {{}, true});
+            b.down(scan::kRight, Qt::Key_Right, {{}, true});
+        }
+        QVERIFY(b.moves());
+        QCOMPARE(b.next, 1U);
+        b.up(scan::kRight, Qt::Key_Right);
+        QVERIFY(!b.moves());
+        b.down(scan::kUp, Qt::Key_Up, {{}, true});
+        QVERIFY2(!b.moves(), "a repeat is no press");
+    }
+
+    void autoRepeatInPairsBeginsNothing() {
+        // A display server that cannot tell repeats: a release and a press with one time stamp.
+        Bench b;
+        b.down(scan::kRight, Qt::Key_Right, {{}, false, 1000});
+        b.up(scan::kRight, Qt::Key_Right, {{}, false, 1500});
+        QVERIFY(!b.moves());
+        b.down(scan::kRight, Qt::Key_Right, {{}, false, 1500});
+        QVERIFY2(!b.moves(), "a stopped jog needs a new press");
+        b.up(scan::kRight, Qt::Key_Right, {{}, false, 1530});
+        b.down(scan::kRight, Qt::Key_Right, {{}, false, 1530});
+        b.up(scan::kRight, Qt::Key_Right, {{}, false, 1550});
+        QCOMPARE(b.next, 1U);
+        b.down(scan::kRight, Qt::Key_Right, {{}, false, 1700});
+        QVERIFY(b.moves());
+        b.up(scan::kRight, Qt::Key_Right, {{}, false, 1800});
+        QVERIFY(!b.moves());
+    }
+
+    void opposedKeysStopAndTakingOneAwayMovesNothing() {
+        Bench b;
+        b.down(scan::kRight, Qt::Key_Right);
+        b.down(scan::kLeft, Qt::Key_Left);
+        QCOMPARE(b.ends, QList<StopCause>{StopCause::SecondButton});
+        b.up(scan::kRight, Qt::Key_Right);
+        QVERIFY2(!b.moves(), "the left key was not pressed anew");
+        b.up(scan::kLeft, Qt::Key_Left);
+        b.down(scan::kLeft, Qt::Key_Left);
+        QVERIFY(b.moves());
+        QCOMPARE(b.next, 2U);
+    }
+
+    void anAxisAndAJointAtOnceStop() {
+        Bench b;
+        b.down(scan::kRight, Qt::Key_Right);
+        b.down(scan::k1, Qt::Key_1);
+        b.down(scan::kPlusDe, Qt::Key_Plus);
+        QCOMPARE(b.ends, QList<StopCause>{StopCause::SecondButton});
+        b.up(scan::kRight, Qt::Key_Right);
+        QVERIFY2(!b.moves(), "letting go begins nothing");
+    }
+
+    void aHoldKeyAndAnyOtherStop() {
+        Bench b;
+        b.down(scan::kHome, Qt::Key_Home);
+        QVERIFY(b.home.isHolding());
+        b.down(scan::kRight, Qt::Key_Right);
+        QVERIFY(!b.moves());
+        QCOMPARE(b.ends, QList<StopCause>{StopCause::SecondButton});
+        b.up(scan::kHome, Qt::Key_Home);
+        b.up(scan::kRight, Qt::Key_Right);
+        QCOMPARE(b.next, 1U);
+    }
+
+    void keysBelongToAnOpenMenu() {
+        Bench b;
+        QMenu menu(&b.window);
+        menu.addAction(QStringLiteral("one"));
+        menu.popup(b.window.mapToGlobal(QPoint(0, 0)));
+        QVERIFY(menu.isVisible());
+        keyDown(menu, scan::kUp, Qt::Key_Up);
+        QVERIFY2(!b.moves(), "the arrow is the menu's");
+        QVERIFY(menu.activeAction() != nullptr);
+        menu.close();
+    }
+};
+
+QTEST_MAIN(TestKeyboardJog)
+#include "tst_keyboard_jog.moc"
