@@ -31,6 +31,7 @@
 #include "widgets/jog/stop_keys.h"
 #include "widgets/log/log_tab.h"
 #include "widgets/plots/plot_dock.h"
+#include "widgets/project/project_store.h"
 #include "widgets/scene/scene_dock.h"
 #include "widgets/scene/scene_view.h"
 #include "widgets/session/stop_record.h"
@@ -38,7 +39,6 @@
 #include "widgets/status/header_bar.h"
 #include "widgets/status/preflight_page.h"
 #include "widgets/status/status_line.h"
-#include "widgets/waypoints/session_store.h"
 #include "widgets/waypoints/waypoint_model.h"
 #include "widgets/waypoints/waypoints_tab.h"
 

@@ -15,8 +15,8 @@
 #include "tests/ui/jog_fixture.h"
 #include "widgets/frames/frame_model.h"
 #include "widgets/frames/frames_tab.h"
+#include "widgets/project/project_store.h"
 #include "widgets/scene/scene_view.h"
-#include "widgets/waypoints/session_store.h"
 #include "widgets/waypoints/waypoint_model.h"
 #include "widgets/waypoints/waypoints_tab.h"
 

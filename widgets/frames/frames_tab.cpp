@@ -12,11 +12,11 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/common/notice_bar.h"
 #include "widgets/frames/frame_details.h"
 #include "widgets/frames/frame_model.h"
 #include "widgets/frames/frame_table.h"
 #include "widgets/frames/frame_teacher.h"
-#include "widgets/waypoints/notice_bar.h"
 #include "widgets/waypoints/waypoint_model.h"
 
 namespace tiller {

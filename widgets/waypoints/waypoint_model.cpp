@@ -7,7 +7,7 @@
 #include "widgets/common/format.h"
 #include "widgets/common/notation.h"
 #include "widgets/common/theme.h"
-#include "widgets/waypoints/waypoint_commands.h"
+#include "widgets/project/project_commands.h"
 
 namespace tiller {
 namespace {

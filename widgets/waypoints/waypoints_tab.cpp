@@ -20,9 +20,9 @@
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "widgets/common/hold_button.h"
+#include "widgets/common/notice_bar.h"
+#include "widgets/project/project_store.h"
 #include "widgets/session/texts.h"
-#include "widgets/waypoints/notice_bar.h"
-#include "widgets/waypoints/session_store.h"
 #include "widgets/waypoints/waypoint_details.h"
 #include "widgets/waypoints/waypoint_model.h"
 #include "widgets/waypoints/waypoint_motion.h"

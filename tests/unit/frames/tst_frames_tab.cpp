@@ -16,13 +16,13 @@
 
 #include "tests/support/live_state.h"
 #include "widgets/common/notation.h"
+#include "widgets/common/notice_bar.h"
 #include "widgets/common/theme.h"
 #include "widgets/frames/frame_details.h"
 #include "widgets/frames/frame_model.h"
 #include "widgets/frames/frame_table.h"
 #include "widgets/frames/frame_teacher.h"
 #include "widgets/frames/frames_tab.h"
-#include "widgets/waypoints/notice_bar.h"
 #include "widgets/waypoints/waypoint_model.h"
 
 using namespace tiller;

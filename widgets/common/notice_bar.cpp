@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/waypoints/notice_bar.h"
+#include "widgets/common/notice_bar.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>

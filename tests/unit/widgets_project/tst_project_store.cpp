@@ -7,7 +7,7 @@
 #include <QTest>
 #include <memory>
 
-#include "widgets/waypoints/session_store.h"
+#include "widgets/project/project_store.h"
 #include "widgets/waypoints/waypoint_model.h"
 
 using namespace tiller;
@@ -158,4 +158,4 @@ private:
 };
 
 QTEST_MAIN(TestProjectStore)
-#include "tst_session_store.moc"
+#include "tst_project_store.moc"

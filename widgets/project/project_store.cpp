@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/waypoints/session_store.h"
+#include "widgets/project/project_store.h"
 
 #include <QFileInfo>
 #include <mutex>

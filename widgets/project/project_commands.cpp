@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/waypoints/waypoint_commands.h"
+#include "widgets/project/project_commands.h"
 
 #include "widgets/waypoints/waypoint_model.h"
 
