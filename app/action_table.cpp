@@ -26,10 +26,15 @@ void showObstacle(QAction& action, const QString& obstacle) {
 }  // namespace
 
 QList<QPair<QString, QString>> actionMenus() {
-    return {
-        {"robot", tr("Robot")}, {"power", tr("Power and safety")}, {"control", tr("Control and programs")},
-        {"jog", tr("Jog")},     {"waypoint", tr("Waypoints")},     {"frame", tr("Frames")},
-        {"view", tr("View")},   {"app", tr("Program Tiller")}};
+    return {{"robot", tr("Robot")},
+            {"project", tr("Project")},
+            {"power", tr("Power and safety")},
+            {"control", tr("Control and programs")},
+            {"jog", tr("Jog")},
+            {"waypoint", tr("Waypoints")},
+            {"frame", tr("Frames")},
+            {"view", tr("View")},
+            {"app", tr("Program Tiller")}};
 }
 
 ActionTable::ActionTable(QWidget& owner) : QObject(&owner), owner_(owner) {}

@@ -19,9 +19,12 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
         "demo",
         tr("Run the scripted demonstration on the simulated robot, leave its files in this folder, exit."),
         "folder");
-    const QCommandLineOption session("session", tr("Open this session file (waypoints)."), "file");
+    const QCommandLineOption project("project", tr("Open this project file (.tiller)."), "file");
+    // As earlier versions called it.
+    QCommandLineOption session("session", project.description(), "file");
+    session.setFlags(QCommandLineOption::HiddenFromHelp);
     const QCommandLineOption theme("theme", tr("Colours: light or dark."), "name");
-    parser.addOptions({simulator, robot, demo, session, theme});
+    parser.addOptions({simulator, robot, demo, project, session, theme});
 
     const auto wrong = [&](const QString& what) {
         return Error{ErrorCode::InvalidArgument, what, tr("see tiller --help")};
@@ -38,7 +41,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     line.showVersion = parser.isSet(version);
     line.helpText = parser.helpText();
     line.demoDirectory = parser.value(demo);
-    line.projectFile = parser.value(session);
+    line.projectFile = parser.value(parser.isSet(project) ? project : session);
     line.theme = parser.value(theme).toLower();
     if (!line.theme.isEmpty() && line.theme != "light" && line.theme != "dark") {
         return wrong(tr("--theme takes light or dark, not \"%1\"").arg(line.theme));

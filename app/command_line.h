@@ -15,7 +15,7 @@ struct CommandLine {
     Start start = Start::Ask;  ///< Ask: the connect dialog
     QString robotHost;
     QString demoDirectory;  ///< not empty: run the scripted demonstration, leave its files there, exit
-    QString projectFile;    ///< waypoints to open
+    QString projectFile;    ///< to open; empty: the one worked in last
     QString theme;          ///< "light", "dark" or empty: as last time
     bool showHelp = false;
     bool showVersion = false;

@@ -3,10 +3,8 @@
 // tiller: the desktop application.
 
 #include <QApplication>
-#include <QDir>
 #include <QFile>
 #include <QLocale>
-#include <QStandardPaths>
 #include <QTextStream>
 #include <QTimer>
 #include <QTranslator>
@@ -15,6 +13,7 @@
 #include "app/command_line.h"
 #include "app/demonstration.h"
 #include "app/main_window.h"
+#include "app/start_project.h"
 #include "resources/resources.h"
 #include "tiller_version.h"
 #include "widgets/session/texts.h"
@@ -35,22 +34,14 @@ void print(FILE* to, const QString& text) {
 }
 
 /// What was asked for, or what was open last, or a file of one's own to begin with.
-QString projectFile(const app::CommandLine& line, const app::Settings& settings) {
+app::StartProject projectOf(const app::CommandLine& line, const app::Settings& settings) {
     if (!line.demoDirectory.isEmpty()) {
         // The demonstration's own product, as the recording is: it begins anew every time.
         const QString file = line.demoDirectory + QStringLiteral("/demo.tiller");
         QFile::remove(file);
-        return file;
+        return {file, {}};
     }
-    if (!line.projectFile.isEmpty()) {
-        return line.projectFile;
-    }
-    if (!settings.projectFile().isEmpty()) {
-        return settings.projectFile();
-    }
-    const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
-    QDir().mkpath(folder);
-    return folder + QStringLiteral("/cell.tiller");
+    return line.projectFile.isEmpty() ? app::startProject(settings) : app::StartProject{line.projectFile, {}};
 }
 
 /// True when there is nowhere to show a window. Qt's own answer to that is to abort, even for `--help`.
@@ -110,7 +101,9 @@ int main(int argc, char* argv[]) {
     }
 
     QTranslator translator;
-    if (translator.load(QLocale(), QStringLiteral("tiller"), QStringLiteral("_"), QStringLiteral(":/i18n"))) {
+    // The English texts say the plurals, where no other language is there.
+    if (translator.load(QLocale(), QStringLiteral("tiller"), QStringLiteral("_"), QStringLiteral(":/i18n")) ||
+        translator.load(QStringLiteral(":/i18n/tiller_en"))) {
         QApplication::installTranslator(&translator);
     }
     initResources();
@@ -123,7 +116,14 @@ int main(int argc, char* argv[]) {
     window.setTheme(theme.isEmpty() ? QStringLiteral("light") : theme);
     window.show();
 
-    window.openProject(projectFile(*line, settings));
+    const app::StartProject project = projectOf(*line, settings);
+    window.openProject(project.path);
+    if (!project.missing.isEmpty()) {
+        Q_EMIT window.session().message(
+            Severity::Warning, QCoreApplication::translate(
+                                   "StartProject", "The project worked in last is not there any more: %1")
+                                   .arg(project.missing));
+    }
     if (demonstration) {
         // It connects by itself, so that it hears of what goes wrong on the way.
         return runDemonstration(application, window, line->demoDirectory);

@@ -31,7 +31,8 @@
 #include "widgets/jog/stop_keys.h"
 #include "widgets/log/log_tab.h"
 #include "widgets/plots/plot_dock.h"
-#include "widgets/project/project_store.h"
+#include "widgets/project/project_document.h"
+#include "widgets/project/project_files.h"
 #include "widgets/scene/scene_dock.h"
 #include "widgets/scene/scene_view.h"
 #include "widgets/session/stop_record.h"
@@ -39,7 +40,6 @@
 #include "widgets/status/header_bar.h"
 #include "widgets/status/preflight_page.h"
 #include "widgets/status/status_line.h"
-#include "widgets/waypoints/waypoint_model.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
 namespace tiller::app {
@@ -83,7 +83,9 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     : QMainWindow(parent)
     , settings_(settings)
     , preferences_(settings_.preferences())
-    , session_(std::make_unique<RobotSession>(clock)) {
+    , session_(std::make_unique<RobotSession>(clock))
+    , document_(std::make_unique<ProjectDocument>())
+    , files_(std::make_unique<ProjectFiles>(*document_)) {
     setObjectName("mainWindow");
     setWindowTitle(tr("Tiller"));
     setWindowIcon(applicationIcon());
@@ -96,8 +98,8 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     jog_ = new JogColumn(*session_, this);
     scene_ = new SceneDock(*session_, this);
     plots_ = new PlotDock(*session_, this);
-    waypoints_ = new WaypointsTab(*session_, this);
-    frames_ = new FramesTab(*session_, waypoints_->model(), this);
+    waypoints_ = new WaypointsTab(*session_, *document_, this);
+    frames_ = new FramesTab(*session_, *document_, this);
     io_ = new IoTab(*session_, this);
     log_ = new LogTab(*session_, this);
     status_ = new StatusLine(*session_, this);
@@ -137,7 +139,8 @@ MainWindow::~MainWindow() {
     delete keyboard_;
     delete devices_;
     // What is not saved yet is saved while the store goes: nothing of it is shown any more.
-    disconnect(&waypoints_->store(), nullptr, this, nullptr);
+    disconnect(&files_->store(), nullptr, this, nullptr);
+    disconnect(files_.get(), nullptr, this, nullptr);
     delete takeCentralWidget();
     const QList<QDockWidget*> docks = findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly);
     qDeleteAll(docks);
@@ -222,12 +225,7 @@ void MainWindow::connectParts() {
     connect(waypoints_, &WaypointsTab::ghostChanged, this, &MainWindow::updateScene);
     connect(waypoints_, &WaypointsTab::marksChanged, this, &MainWindow::updateScene);
     connectFrames();
-    const auto showFile = [this] {
-        const ProjectStore& store = waypoints_->store();
-        status_->setProjectFile(QFileInfo(store.path()).fileName(), !store.isModified());
-    };
-    connect(&waypoints_->store(), &ProjectStore::statusChanged, this, showFile);
-    showFile();
+    connectProject();
     io_->setNames(settings_.ioNames());
     connect(io_, &IoTab::namesChanged, this, [this] { settings_.setIoNames(io_->names()); });
     followJog();
@@ -249,6 +247,24 @@ void MainWindow::connectParts() {
     });
 }
 
+void MainWindow::connectProject() {
+    const auto showFile = [this] {
+        const ProjectStore& store = files_->store();
+        status_->setProjectFile(QFileInfo(store.path()).fileName(), !store.isModified());
+    };
+    connect(&files_->store(), &ProjectStore::statusChanged, this, showFile);
+    showFile();
+    connect(&files_->store(), &ProjectStore::pathChanged, this, [this](const QString& path) {
+        settings_.rememberProject(path);
+        listProjects();
+    });
+    connect(files_.get(), &ProjectFiles::message, this,
+            [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
+    connect(files_.get(), &ProjectFiles::noticeWanted, waypoints_, [this](const ProjectNotice& notice) {
+        waypoints_->showNotice(notice.title, notice.text, notice.accept, notice.accepted);
+    });
+}
+
 void MainWindow::connectFrames() {
     connect(frames_, &FramesTab::message, this,
             [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
@@ -265,12 +281,12 @@ void MainWindow::connectFrames() {
     connect(frames_, &FramesTab::jogRequested, jog_, &JogColumn::chooseTaughtFrame);
     const auto followFrames = [this] {
         QVector<TaughtFrame> frames;
-        for (const project::Frame& frame : waypoints_->model().frames()) {
+        for (const project::Frame& frame : document_->frames()) {
             frames.append({frame.name, frame.T_base_frame, frame.id});
         }
         jog_->setTaughtFrames(frames);
     };
-    connect(&waypoints_->model(), &WaypointModel::framesChanged, this, followFrames);
+    connect(document_.get(), &ProjectDocument::framesChanged, this, followFrames);
     followFrames();
 }
 
@@ -382,7 +398,7 @@ void MainWindow::askForRobot() {
                 showPreflight(dialog->address());
                 break;
             case ConnectDialog::Choice::Project:
-                actions_->find("waypoint.action.open")->trigger();
+                actions_->find("project.open")->trigger();
                 break;
         }
     });
@@ -416,16 +432,37 @@ void MainWindow::listRobots() {
     menu->insertActions(before, robotActions_);
 }
 
+void MainWindow::listProjects() {
+    const QList<QAction*> before = recentProjects_->actions();
+    for (QAction* action : before) {
+        recentProjects_->removeAction(action);
+        action->deleteLater();
+    }
+    for (const QString& path : settings_.recentProjects()) {
+        if (path == files_->store().path() || !QFileInfo::exists(path)) {
+            continue;
+        }
+        QAction* action = recentProjects_->addAction(
+            tr("%1 · %2").arg(QFileInfo(path).fileName(), QFileInfo(path).absolutePath()));
+        action->setObjectName("project.recent." + path);
+        connect(action, &QAction::triggered, this, [this, path] {
+            stopMotion(control::StopCause::DialogOpened);
+            files_->open(path);
+        });
+    }
+    recentProjects_->setEnabled(!recentProjects_->isEmpty());
+}
+
 void MainWindow::setTheme(const QString& theme) {
     applyTheme(*qApp, theme == QLatin1String("dark") ? Theme::dark() : Theme::light());
 }
 
 void MainWindow::openProject(const QString& path) {
-    waypoints_->openFile(path);
+    files_->open(path);
 }
 
 int MainWindow::waypointCount() const {
-    return waypoints_->model().rowCount();
+    return document_->waypoints().size();
 }
 
 void MainWindow::selectWaypoint(int row) {

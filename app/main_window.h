@@ -27,6 +27,8 @@ class JogColumn;
 class KeyboardJog;
 class LogTab;
 class Panel;
+class ProjectDocument;
+class ProjectFiles;
 class PlotDock;
 class SceneDock;
 class StatusLine;
@@ -49,6 +51,8 @@ public:
 
     RobotSession& session() { return *session_; }
     JogColumn& jogColumn() { return *jog_; }
+    ProjectDocument& document() { return *document_; }
+    ProjectFiles& files() { return *files_; }
     WaypointsTab& waypoints() { return *waypoints_; }
     FramesTab& frames() { return *frames_; }
     DeviceJog& devices() { return *devices_; }
@@ -58,7 +62,7 @@ public:
     /// Starts the simulated robot in this process, unless it runs, and connects to it.
     void connectSimulator();
     void connectRobot(const RobotAddress& address);
-    /// Asks what to begin with: simulator, robot or session.
+    /// Asks what to begin with: simulator, robot or project.
     void askForRobot();
     /// Looks at everything between here and the robot, then connects if the operator wants to.
     void showPreflight(const RobotAddress& robot);
@@ -87,6 +91,7 @@ private:
     // main_window_actions.cpp
     void buildActions();
     void addRobotActions();
+    void addProjectActions();
     void addControlActions();
     void addJogActions();   // main_window_jog.cpp
     void nameJogActions();  // main_window_jog.cpp: in the operator's units
@@ -97,12 +102,14 @@ private:
     void showSettings();
     void proportion();
     void connectParts();
+    void connectProject();
     void followJog();
     void connectFrames();
     void connectDevices(const Clock& clock);
     /// over  the window it stands in front of
     void showTrainer(QWidget* over);
     void listRobots();
+    void listProjects();
     void updateScene();
     void stopMotion(control::StopCause cause);
 
@@ -110,6 +117,8 @@ private:
     Preferences preferences_;  ///< as they hold now
     LocalSimulator simulator_;
     std::unique_ptr<RobotSession> session_;
+    std::unique_ptr<ProjectDocument> document_;
+    std::unique_ptr<ProjectFiles> files_;  ///< saves on its way out what the document holds
 
     HeaderBar* header_ = nullptr;
     JogColumn* jog_ = nullptr;
@@ -126,6 +135,7 @@ private:
     StopRecorder* stops_ = nullptr;
     ActionTable* actions_ = nullptr;
     QMap<QString, QMenu*> menus_;
+    QMenu* recentProjects_ = nullptr;
     QList<QAction*> robotActions_;  ///< the remembered robots, in the robot menu
     QDockWidget* plotsDock_ = nullptr;
     QDockWidget* tabsDock_ = nullptr;

@@ -18,6 +18,7 @@
 #include "widgets/frames/frames_tab.h"
 #include "widgets/jog/device_jog.h"
 #include "widgets/jog/jog_column.h"
+#include "widgets/project/project_files.h"
 #include "widgets/session/stop_record.h"
 #include "widgets/session/texts.h"
 #include "widgets/status/header_bar.h"
@@ -64,6 +65,7 @@ QString needsForeignProgram(const SessionState& state, RobotCommand command, boo
 void MainWindow::buildActions() {
     actions_ = new ActionTable(*this);
     addRobotActions();
+    addProjectActions();
     addControlActions();
     addJogActions();
     addViewActions();
@@ -97,6 +99,12 @@ void MainWindow::buildActions() {
             main->addMenu(menus_[id]);
         }
     }
+    recentProjects_ = new QMenu(tr("Open recent project"), this);
+    recentProjects_->setObjectName("menu.project.recent");
+    QMenu* project = menus_["project"];
+    project->insertMenu(actions_->find("project.saveAs"), recentProjects_);
+    waypoints_->addToMenu(project->actions());
+    listProjects();
     listRobots();
     connect(header_, &HeaderBar::connectRequested, this, &MainWindow::askForRobot);
     connect(header_, &HeaderBar::recoveryRequested, this, &MainWindow::showRecovery);
@@ -114,7 +122,7 @@ void MainWindow::addRobotActions() {
     const auto perform = [this](RobotCommand command) {
         return [this, command] { session_->perform(command); };
     };
-    actions_->add({"robot.connect", tr("Connect…"), tr("Choose the simulator, a robot or a session."),
+    actions_->add({"robot.connect", tr("Connect…"), tr("Choose the simulator, a robot or a project."),
                    QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C), [this] { askForRobot(); }});
     actions_->add({"robot.simulator",
                    tr("Simulated robot"),
@@ -204,6 +212,20 @@ void MainWindow::addRobotActions() {
                    {},
                    perform(RobotCommand::ClosePopups),
                    [](const SessionState& s) { return needsService(s, RobotCommand::ClosePopups); }});
+}
+
+void MainWindow::addProjectActions() {
+    actions_->add({"project.open", tr("Open project…"), tr("Opens waypoints and frames from a file."),
+                   QKeySequence(QKeySequence::Open), [this] {
+                       stopMotion(control::StopCause::DialogOpened);
+                       files_->askToOpen(this);
+                   }});
+    actions_->add({"project.saveAs", tr("Save project as…"),
+                   tr("Saves to this file now, and every change from now on."),
+                   QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] {
+                       stopMotion(control::StopCause::DialogOpened);
+                       files_->askToSave(this);
+                   }});
 }
 
 void MainWindow::addControlActions() {

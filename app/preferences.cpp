@@ -26,6 +26,13 @@ constexpr const char* kDensities[] = {"compact", "mouse", "touch"};
 constexpr const char* kLengths[] = {"mm", "inch"};
 constexpr const char* kRotations[] = {"rpy", "vector"};
 
+/// Commands that had another name in earlier versions keep the key chosen for them.
+QString currentName(const QString& id) {
+    return id == QLatin1String("waypoint.action.open")     ? QStringLiteral("project.open")
+           : id == QLatin1String("waypoint.action.saveAs") ? QStringLiteral("project.saveAs")
+                                                           : id;
+}
+
 }  // namespace
 
 Preferences readPreferences(const QString& file) {
@@ -55,7 +62,7 @@ Preferences readPreferences(const QString& file) {
     settings.beginGroup("shortcuts");
     const QStringList ids = settings.childKeys();
     for (const QString& id : ids) {
-        preferences.shortcuts[id] =
+        preferences.shortcuts[currentName(id)] =
             QKeySequence::fromString(settings.value(id).toString(), QKeySequence::PortableText);
     }
     return preferences;

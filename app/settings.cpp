@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/settings.h"
 
+#include <QFileInfo>
 #include <QSettings>
 #include <algorithm>
 
@@ -8,6 +9,7 @@ namespace tiller::app {
 namespace {
 
 constexpr int kRobotsRemembered = 8;
+constexpr int kProjectsRemembered = 8;
 /// Raised when the docks change so much that an old layout would not fit.
 constexpr int kLayoutVersion = 1;
 
@@ -102,12 +104,22 @@ void Settings::setIoNames(const QMap<QString, QString>& names) {
     }
 }
 
-QString Settings::projectFile() const {
-    return openSettings(file_).value("session/file").toString();
+QStringList Settings::recentProjects() const {
+    const QSettings settings = openSettings(file_);
+    QStringList projects = settings.value("projects/recent").toStringList();
+    // As earlier versions wrote it.
+    projects.append(settings.value("session/file").toString());
+    projects.removeAll(QString());
+    projects.removeDuplicates();
+    return projects.mid(0, kProjectsRemembered);
 }
 
-void Settings::setProjectFile(const QString& path) {
-    openSettings(file_).setValue("session/file", path);
+void Settings::rememberProject(const QString& path) {
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    QStringList projects = recentProjects();
+    projects.removeAll(absolute);
+    projects.prepend(absolute);
+    openSettings(file_).setValue("projects/recent", projects.mid(0, kProjectsRemembered));
 }
 
 }  // namespace tiller::app

@@ -34,8 +34,9 @@ public:
     /// The operator's names of inputs and outputs, by terminal: "DI 0".
     QMap<QString, QString> ioNames() const;
     void setIoNames(const QMap<QString, QString>& names);
-    QString projectFile() const;
-    void setProjectFile(const QString& path);
+    /// Absolute paths, the one worked in last first. The files may be gone.
+    QStringList recentProjects() const;
+    void rememberProject(const QString& path);
 
     /// What the settings page offers.
     Preferences preferences() const { return readPreferences(file_); }

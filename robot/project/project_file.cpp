@@ -12,7 +12,9 @@
 namespace tiller::project {
 namespace {
 
-constexpr char kFormat[] = "tiller-session";
+constexpr char kFormat[] = "tiller-project";
+/// As earlier versions called it; the fields are the same.
+constexpr char kFormerFormat[] = "tiller-session";
 
 QJsonArray arrayOf(const std::array<double, 6>& values) {
     QJsonArray result;
@@ -74,7 +76,7 @@ Result<QByteArray> readFile(const QString& path) {
     if (file.size() > kMaxProjectFileBytes) {
         return inFile(
             corrupt(
-                QStringLiteral("has %1 MB, more than a session can have").arg(file.size() / (1024 * 1024))),
+                QStringLiteral("has %1 MB, more than a project can have").arg(file.size() / (1024 * 1024))),
             path);
     }
     QByteArray bytes = file.readAll();
@@ -122,9 +124,9 @@ QJsonArray arrayIn(const QJsonObject& root, const char* key, bool required, Proj
 }
 
 Result<RecoveredProject> readRoot(const QJsonObject& root) {
-    const QJsonValue format = root.value(QLatin1String("format"));
-    if (format.toString() != QLatin1String(kFormat)) {
-        return corrupt(QStringLiteral("is not a Tiller session (field \"format\")"));
+    const QString format = root.value(QLatin1String("format")).toString();
+    if (format != QLatin1String(kFormat) && format != QLatin1String(kFormerFormat)) {
+        return corrupt(QStringLiteral("is not a Tiller project (field \"format\")"));
     }
     ProjectReader reader;
     const QJsonValue version = root.value(QLatin1String("version"));
@@ -150,7 +152,7 @@ Result<RecoveredProject> readRoot(const QJsonObject& root) {
 
 Result<RecoveredProject> salvage(const QByteArray& bytes, const QJsonParseError& error) {
     const FileProblem problem{placeOf(bytes, error.offset), error.errorString()};
-    if (!bytes.contains(kFormat)) {
+    if (!bytes.contains(kFormat) && !bytes.contains(kFormerFormat)) {
         return corrupt(problem.toString());
     }
     const SalvagedEntries entries = salvageEntries(bytes);
@@ -176,7 +178,7 @@ Result<RecoveredProject> recoverFromBytes(const QByteArray& bytes) {
         return salvage(bytes, error);
     }
     if (!json.isObject()) {
-        return corrupt(QStringLiteral("is not a Tiller session (not an object)"));
+        return corrupt(QStringLiteral("is not a Tiller project (not an object)"));
     }
     return readRoot(json.object());
 }

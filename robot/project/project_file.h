@@ -4,12 +4,13 @@
 // What an operator keeps between two days: the waypoints and frames of a cell, in one JSON file
 // ("cell-7.tiller"). Lengths in metres, angles in radians, orientations as rotation vectors:
 //
-//   { "format": "tiller-session", "version": 1, "robot": "UR5e",
+//   { "format": "tiller-project", "version": 1, "robot": "UR5e",
 //     "frames":    [ { "id", "name", "pose": [x, y, z, rx, ry, rz] } ],
 //     "waypoints": [ { "id", "name", "move": "J"|"L", "rules": "joints"|"pose", "frame": null|id,
 //                      "tcpOffset": [6], "joints": [6], "pose": [6],
 //                      "jointSpeed", "toolSpeed", "blend" } ] }
 //
+// "format" was "tiller-session" before: such files are read alike, and get the new name when they are saved.
 // A file is never half written, and one that cannot be read completely is never written over: saving on top
 // of it first puts it aside. Fields this version does not know are kept and saved again.
 
@@ -26,7 +27,7 @@
 namespace tiller::project {
 
 inline constexpr int kProjectFileVersion = 1;
-/// Larger files are not read: a session of a thousand waypoints takes half a megabyte.
+/// Larger files are not read: a project of a thousand waypoints takes half a megabyte.
 inline constexpr qint64 kMaxProjectFileBytes = 64LL * 1024 * 1024;
 
 struct Project {
@@ -60,7 +61,7 @@ Result<Project> parseProject(const QByteArray& bytes);
 
 /// As much of the file as makes sense: every waypoint that is whole, also from a file cut off in the middle.
 /// Never touches the file.
-/// Errors   FileNotReadable; FileCorrupt when it is not a session at all; VersionUnsupported
+/// Errors   FileNotReadable; FileCorrupt when it is not a project at all; VersionUnsupported
 Result<RecoveredProject> recoverProject(const QString& path);
 Result<RecoveredProject> recoverFromBytes(const QByteArray& bytes);
 
@@ -70,10 +71,12 @@ struct SaveReport {
 };
 
 /// Writes a new file beside the old one and puts it in its place in one step: a crash, a full disk or a
-/// pulled plug leaves the old one as it was. Errors   InvalidArgument for values no file may hold (not
-/// finite, no name); FileNotWritable, DiskFull
+/// pulled plug leaves the old one as it was.
+/// Errors   InvalidArgument for values no file may hold (not finite, no name); FileNotWritable, DiskFull
+/// Threads  any. Blocks: for the file system. Real-time: no
 Result<SaveReport> saveProject(const QString& path, const Project& document);
 /// Errors   InvalidArgument
+/// Threads  any. Blocks: never. Real-time: no
 Result<QByteArray> serializeProject(const Project& document);
 
 }  // namespace tiller::project

@@ -136,7 +136,7 @@ std::optional<Waypoint> ProjectReader::waypoint(const QString& where, const QJso
     if (object.value(QLatin1String("frame")).type() != QJsonValue::Null) {
         point.frame = id(where, object, "frame");
         if (!point.frame.isNull() && result_.document.frames.find(point.frame) == nullptr) {
-            addProblem(at(where, "frame"), QStringLiteral("no frame of this session has that id"));
+            addProblem(at(where, "frame"), QStringLiteral("no frame of this project has that id"));
         }
     }
     point.tcpOffset = Pose::fromArray(pose(where, object, "tcpOffset"));

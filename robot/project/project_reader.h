@@ -11,7 +11,7 @@
 
 namespace tiller::project {
 
-/// Reads the entries of a session into a RecoveredProject. An entry with a problem is left out and counted.
+/// Reads the entries of a project into a RecoveredProject. An entry with a problem is left out and counted.
 class ProjectReader {
 public:
     void readRobot(const QJsonValue& value);

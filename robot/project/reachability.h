@@ -15,7 +15,7 @@ struct Reach {
         None,
         OutOfReach,    ///< no joint positions give that pose
         JointLimit,    ///< a joint would have to leave its range
-        FrameMissing,  ///< its frame is not in the session
+        FrameMissing,  ///< its frame is not in the project
         OnTheWay,      ///< start and end can be reached, the straight line between them cannot
     };
     Obstacle obstacle = Obstacle::OutOfReach;

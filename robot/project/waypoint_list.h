@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The waypoints of a session in the operator's order, and the frames they are given in. Plain data: undo,
+// The waypoints of a project in the operator's order, and the frames they are given in. Plain data: undo,
 // tables and files are built around it.
 
 #include <optional>

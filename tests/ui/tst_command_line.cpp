@@ -32,6 +32,15 @@ private Q_SLOTS:
         QCOMPARE(line->demoDirectory, QString("/tmp/x"));
     }
 
+    void aProjectIsOpenedByItsNameOrByTheFormerOne() {
+        QCOMPARE(parseCommandLine({"tiller", "--project", "a.tiller"})->projectFile, QString("a.tiller"));
+        QCOMPARE(parseCommandLine({"tiller", "--session", "b.tiller"})->projectFile, QString("b.tiller"));
+        QCOMPARE(parseCommandLine({"tiller", "--session", "b.tiller", "--project", "a.tiller"})->projectFile,
+                 QString("a.tiller"));
+        const QString help = parseCommandLine({"tiller", "--help"})->helpText;
+        QVERIFY2(help.contains("--project") && !help.contains("--session"), qPrintable(help));
+    }
+
     void wrongArgumentsAreNamed_data() {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QString>("named");

@@ -1,27 +1,64 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The first minute: try the simulator, connect a robot, or open a session; and every later start, with the
+// The first minute: try the simulator, connect a robot, or open a project; and every later start, with the
 // robots there were before.
 
+#include <QDir>
+#include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
 #include <QSettings>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "app/action_table.h"
 #include "app/connect_dialog.h"
 #include "app/main_window.h"
+#include "app/start_project.h"
 #include "resources/resources.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/theme.h"
+#include "widgets/project/project_document.h"
+#include "widgets/project/project_files.h"
 #include "widgets/status/preflight_page.h"
 
 using namespace tiller;
 using namespace tiller::test;
 using app::ConnectDialog;
+
+namespace {
+
+/// The user's folders inside `folder`, as long as it lives.
+class Home {
+public:
+    explicit Home(const QString& folder) {
+        for (const auto& [name, place] :
+             {std::pair{"HOME", folder}, {"XDG_DATA_HOME", folder + "/data"}, {"XDG_CONFIG_HOME", folder}}) {
+            before_.append({name, qgetenv(name)});
+            qputenv(name, place.toLocal8Bit());
+        }
+    }
+    ~Home() {
+        for (const auto& [name, value] : before_) {
+            if (value.isNull()) {
+                qunsetenv(name);
+            } else {
+                qputenv(name, value);
+            }
+        }
+    }
+    Home(const Home&) = delete;
+    Home& operator=(const Home&) = delete;
+
+private:
+    QList<std::pair<const char*, QByteArray>> before_;
+};
+
+}  // namespace
 
 class TestFirstRun : public QObject {
     Q_OBJECT
@@ -139,6 +176,69 @@ private Q_SLOTS:
             }
         }
         QCOMPARE(window.session().state().robotName, QStringLiteral("Arm 10"));
+    }
+
+    void theProjectWorkedInLastIsOpenedAgain() {
+        const QString folder = folder_.path();
+        const Home home(folder);
+        const app::Settings settings(file());
+        // Nothing yet: a file where the operator finds it, in the documents.
+        const QString first = app::startProject(settings).path;
+        QCOMPARE(first, folder + "/Documents/Tiller/cell.tiller");
+        QVERIFY(QFileInfo(first).absoluteDir().exists());
+        const QString mine = folder_.filePath("mine.tiller");
+        {
+            VirtualClock clock;
+            app::MainWindow window(settings, clock);
+            window.openProject(first);
+            window.files().saveAs(mine);
+        }
+        QCOMPARE(app::startProject(settings).path, mine);
+        QVERIFY(app::startProject(settings).missing.isEmpty());
+        // It is gone: the file before it, or a new one, and the operator is told.
+        QVERIFY(QFile::rename(mine, mine + ".away"));
+        QCOMPARE(app::startProject(settings).path, first);
+        QCOMPARE(app::startProject(settings).missing, mine);
+    }
+
+    void aProjectInTheFolderOfEarlierVersionsIsFound() {
+        const Home home(folder_.path());
+        const QDir data(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation));
+        QVERIFY2(data.path().startsWith(folder_.path()), qPrintable(data.path()));
+        QVERIFY(QDir().mkpath(data.path()));
+        QFile hidden(data.filePath("cell.tiller"));
+        QVERIFY(hidden.open(QIODevice::WriteOnly));
+        hidden.close();
+        QCOMPARE(app::startProject(app::Settings(file())).path, hidden.fileName());
+        QVERIFY(hidden.remove());
+    }
+
+    void recentProjectsStandInTheProjectMenu() {
+        VirtualClock clock;
+        app::MainWindow window(app::Settings(file()), clock);
+        QStringList paths;
+        for (int i = 0; i < 3; ++i) {
+            paths << folder_.filePath(QStringLiteral("cell-%1.tiller").arg(i));
+            window.files().saveAs(paths.last());
+        }
+        auto* menu = window.findChild<QMenu*>("menu.project.recent");
+        QVERIFY(menu != nullptr && menu->isEnabled());
+        QCOMPARE(menu->actions().size(), 2);  // the one that is open is not offered
+        QVERIFY(menu->actions().first()->text().contains("cell-1.tiller"));
+        menu->actions().first()->trigger();
+        QCOMPARE(window.files().store().path(), paths[1]);
+        QVERIFY(menu->actions().first()->text().contains("cell-2.tiller"));
+        QCOMPARE(app::Settings(file()).recentProjects().first(), paths[1]);
+    }
+
+    void aKeyChosenForOpenBeforeItMovedStaysChosen() {
+        {
+            QSettings settings(file(), QSettings::IniFormat);
+            settings.setValue("shortcuts/waypoint.action.open", "Ctrl+Alt+O");
+        }
+        VirtualClock clock;
+        const app::MainWindow window(app::Settings(file()), clock);
+        QCOMPARE(window.actions().find("project.open")->shortcut(), QKeySequence("Ctrl+Alt+O"));
     }
 
     void aDamagedListOfRobotsLosesNothingElse() {

@@ -15,7 +15,8 @@
 #include "tests/ui/jog_fixture.h"
 #include "widgets/frames/frame_model.h"
 #include "widgets/frames/frames_tab.h"
-#include "widgets/project/project_store.h"
+#include "widgets/project/project_document.h"
+#include "widgets/project/project_files.h"
 #include "widgets/scene/scene_view.h"
 #include "widgets/waypoints/waypoint_model.h"
 #include "widgets/waypoints/waypoints_tab.h"
@@ -31,7 +32,7 @@ private:
 
     VirtualCell& cell() { return bench_->cell; }
     app::MainWindow& window() { return bench_->window; }
-    const project::FrameList& frames() { return window().waypoints().model().frames(); }
+    const project::FrameList& frames() { return window().document().frames(); }
     QAction& command(const char* id) { return *window().actions().find(QLatin1String(id)); }
     template <class Widget>
     Widget& find(const char* name) {
@@ -124,7 +125,7 @@ private Q_SLOTS:
         WaypointModel& model = window().waypoints().model();
         QVERIFY(model.setData(model.index(0, WaypointModel::Frame), frames().at(0).name, Qt::EditRole));
         const QString path = bench_->folder.filePath("cell.tiller");
-        window().waypoints().saveFileAs(path);
+        window().files().saveAs(path);
 
         command("waypoint.action.undo").trigger();
         command("waypoint.action.undo").trigger();
@@ -137,14 +138,14 @@ private Q_SLOTS:
         command("waypoint.action.redo").trigger();
         command("waypoint.action.redo").trigger();
         const project::Frame kept = frames().at(0);
-        QVERIFY(window().waypoints().store().saveNow());
+        QVERIFY(window().files().store().saveNow());
 
         VirtualClock clock;
         app::MainWindow again(app::Settings(bench_->folder.filePath("again.ini")), clock);
         again.openProject(path);
-        QCOMPARE(again.waypoints().model().frames().size(), std::size_t(1));
-        QVERIFY(again.waypoints().model().frames().at(0) == kept);
-        QCOMPARE(again.waypoints().model().waypoints().at(0).frame, kept.id);
+        QCOMPARE(again.document().frames().size(), std::size_t(1));
+        QVERIFY(again.document().frames().at(0) == kept);
+        QCOMPARE(again.document().waypoints().at(0).frame, kept.id);
         QCOMPARE(again.frames().model().rowCount(), 1);
         QVERIFY(again.findChild<QAbstractButton*>("jogFrame.3")->isEnabled());
     }
@@ -158,7 +159,7 @@ private Q_SLOTS:
         QVERIFY(tcpSpeed(cell()) > 0.095);
         project::Frame turned = frames().at(0);
         turned.T_base_frame.rotation.z() += 0.3;
-        window().frames().model().change(0, turned, "x");
+        window().document().changeFrame(0, turned, "x");
         QVERIFY(cell().advanceUntil([&] { return standsStill(cell()); }, 300));
         cell().advanceMs(100);
         QCOMPARE(window().session().state().lastStop.cause, control::StopCause::SelectionChanged);

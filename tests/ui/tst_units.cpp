@@ -31,6 +31,7 @@
 #include "widgets/jog/limiter_line.h"
 #include "widgets/jog/pose_view.h"
 #include "widgets/plots/plot_dock.h"
+#include "widgets/project/project_document.h"
 #include "widgets/status/preflight_page.h"
 #include "widgets/status/recovery_page.h"
 #include "widgets/waypoints/waypoint_model.h"
@@ -204,17 +205,17 @@ private Q_SLOTS:
         QVERIFY(model.setData(model.index(0, WaypointModel::Move), "L", Qt::EditRole));
         bench.choose("settings.lengths", Qt::Key_Down);
         QVERIFY(model.setData(model.index(0, WaypointModel::Speed), "10", Qt::EditRole));
-        QVERIFY(std::abs(model.waypoints().at(0).toolSpeed - 0.254) < 1e-12);
+        QVERIFY(std::abs(bench.window.document().waypoints().at(0).toolSpeed - 0.254) < 1e-12);
         QVERIFY(model.setData(model.index(0, WaypointModel::Blend), "0.5 in", Qt::EditRole));
-        QVERIFY(std::abs(model.waypoints().at(0).blend - 0.0127) < 1e-12);
+        QVERIFY(std::abs(bench.window.document().waypoints().at(0).blend - 0.0127) < 1e-12);
         QSignalSpy refused(&model, &WaypointModel::editRefused);
         QVERIFY(!model.setData(model.index(0, WaypointModel::Speed), "50", Qt::EditRole));
         QVERIFY2(refused[0][0].toString().contains("39.37 in/s"), qPrintable(refused[0][0].toString()));
         // What was not typed keeps its digits: opening the editor and closing it is no edit.
-        const int steps = model.undoStack().count();
+        const int steps = bench.window.document().undoStack().count();
         const QString shown = model.index(0, WaypointModel::Speed).data(Qt::EditRole).toString();
         QVERIFY(model.setData(model.index(0, WaypointModel::Speed), shown, Qt::EditRole));
-        QCOMPARE(model.undoStack().count(), steps);
+        QCOMPARE(bench.window.document().undoStack().count(), steps);
     }
 
     void pagesFollowToo() {

@@ -6,16 +6,15 @@
 #include "robot/project/reachability.h"
 #include "widgets/common/notation.h"
 #include "widgets/common/theme.h"
-#include "widgets/frames/frame_commands.h"
-#include "widgets/waypoints/waypoint_model.h"
+#include "widgets/project/project_document.h"
 
 namespace tiller {
 
-FrameModel::FrameModel(WaypointModel& document, QObject* parent)
+FrameModel::FrameModel(ProjectDocument& document, QObject* parent)
     : QAbstractTableModel(parent), document_(document) {
-    connect(&document_, &WaypointModel::framesChanged, this, &FrameModel::follow);
+    connect(&document_, &ProjectDocument::framesChanged, this, &FrameModel::follow);
     // Another waypoint may be given in a frame now.
-    connect(&document_, &WaypointModel::documentChanged, this, [this] {
+    connect(&document_, &ProjectDocument::documentChanged, this, [this] {
         if (rowCount() > 0) {
             Q_EMIT dataChanged(index(0, Waypoints), index(rowCount() - 1, Waypoints));
         }
@@ -76,38 +75,6 @@ void FrameModel::setTcp(const std::optional<Pose>& T_base_tcp) {
 
 // ---- edits by hand ---------------------------------------------------------------------------------
 
-void FrameModel::insert(int row, const project::Frame& frame, const QString& text) {
-    project::FrameList after = frames();
-    after.insert(static_cast<std::size_t>(std::clamp(row, 0, rowCount())), frame);
-    document_.undoStack().push(new EditFrames(document_, after, text));
-}
-
-void FrameModel::change(int row, const project::Frame& frame, const QString& text) {
-    project::FrameList after = frames();
-    after.replace(static_cast<std::size_t>(row), frame);
-    if (!(after == frames())) {
-        document_.undoStack().push(new EditFrames(document_, after, text));
-    }
-}
-
-void FrameModel::remove(int row) {
-    const project::Frame frame = frames().at(static_cast<std::size_t>(row));
-    project::FrameList after = frames();
-    after.remove(static_cast<std::size_t>(row));
-    const QString text = tr("Delete “%1”").arg(frame.name);
-    QUndoStack& history = document_.undoStack();
-    history.beginMacro(text);
-    // Also those whose joints rule: the pose they remember must not lose its frame.
-    for (int i = 0; i < document_.rowCount(); ++i) {
-        const project::Waypoint point = document_.waypoints().at(i);
-        if (point.frame == frame.id) {
-            document_.change(i, project::givenIn(point, QUuid(), frames()).value_or(point), text);
-        }
-    }
-    history.push(new EditFrames(document_, after, text));
-    history.endMacro();
-}
-
 QString FrameModel::nameProblem(const QString& name, const QUuid& own) const {
     if (name.trimmed().isEmpty()) {
         return tr("A frame needs a name.");
@@ -145,7 +112,7 @@ bool FrameModel::setData(const QModelIndex& index, const QVariant& value, int ro
     }
     const QString text = tr("Rename “%1” to “%2”").arg(frame.name, name);
     frame.name = name;
-    change(index.row(), frame, text);
+    document_.changeFrame(index.row(), frame, text);
     return true;
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The frames of the session as a table. The document is the waypoints' model, and so is the history: every
-// edit here is one step of it.
+// The frames of the project as a table. What is typed in it becomes an edit of the document.
 
 #include <QAbstractTableModel>
 #include <optional>
@@ -11,7 +10,7 @@
 
 namespace tiller {
 
-class WaypointModel;
+class ProjectDocument;
 
 /// What a frame's other place would do to the waypoints that move with it.
 struct FrameUse {
@@ -25,7 +24,8 @@ class FrameModel : public QAbstractTableModel {
 public:
     enum Column { Name, Origin, Rotation, Waypoints, Distance, ColumnCount };
 
-    explicit FrameModel(WaypointModel& document, QObject* parent = nullptr);
+    /// document  must outlive the model
+    explicit FrameModel(ProjectDocument& document, QObject* parent = nullptr);
 
     const project::FrameList& frames() const;
     /// -1 when there is none.
@@ -37,12 +37,6 @@ public:
     /// For the column of distances; nothing while there are no data.
     void setTcp(const std::optional<Pose>& T_base_tcp);
 
-    // Edits by hand: one undo step each.
-    void insert(int row, const project::Frame& frame, const QString& text);
-    /// Does nothing when `frame` is as it was.
-    void change(int row, const project::Frame& frame, const QString& text);
-    /// Waypoints that were given in it stay where they are, given in Base.
-    void remove(int row);
     /// Why a frame cannot have that name, as a sentence; empty when it can.
     QString nameProblem(const QString& name, const QUuid& own = {}) const;
 
@@ -61,7 +55,7 @@ private:
     void follow();
     QString display(const project::Frame& frame, int column) const;
 
-    WaypointModel& document_;
+    ProjectDocument& document_;
     QVector<QUuid> ids_;  ///< as the views know them
     std::optional<Pose> tcp_;
 };

@@ -17,7 +17,7 @@
 #include "widgets/frames/frame_model.h"
 #include "widgets/frames/frame_table.h"
 #include "widgets/frames/frame_teacher.h"
-#include "widgets/waypoints/waypoint_model.h"
+#include "widgets/project/project_document.h"
 
 namespace tiller {
 namespace {
@@ -29,7 +29,7 @@ constexpr int kLowBelow = 420;
 
 }  // namespace
 
-FramesTab::FramesTab(RobotSession& session, WaypointModel& document, QWidget* parent)
+FramesTab::FramesTab(RobotSession& session, ProjectDocument& document, QWidget* parent)
     : QWidget(parent), state_(session.state()), document_(document), model_(new FrameModel(document, this)) {
     setObjectName(QStringLiteral("frames"));
     setAccessibleName(tr("Frames"));
@@ -43,9 +43,9 @@ FramesTab::FramesTab(RobotSession& session, WaypointModel& document, QWidget* pa
     connect(&session, &RobotSession::stateChanged, this, &FramesTab::onState);
     connect(table_, &FrameTable::currentRowChanged, this, &FramesTab::onSelection);
     connect(model_, &FrameModel::editRefused, this, &FramesTab::showProblem);
-    connect(&document_, &WaypointModel::framesChanged, this, &FramesTab::onFrames);
+    connect(&document_, &ProjectDocument::framesChanged, this, &FramesTab::onFrames);
     // How many waypoints move with the selected one.
-    connect(&document_, &WaypointModel::documentChanged, this, &FramesTab::onSelection);
+    connect(&document_, &ProjectDocument::documentChanged, this, &FramesTab::onSelection);
     onFrames();
     showLive();
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 // The tab "Frames": teach a frame from the TCP or from three points, name it, set it in figures, touch it up.
-// It edits the document of the waypoints, on their history. Nothing in it moves the robot.
+// It edits the open project. Nothing in it moves the robot.
 
 #include <QTimer>
 #include <QUuid>
@@ -26,7 +26,7 @@ class FrameModel;
 class FrameTable;
 class FrameTeacher;
 class NoticeBar;
-class WaypointModel;
+class ProjectDocument;
 
 /// Where a frame stands, for the 3D view.
 struct FrameMark {
@@ -40,7 +40,7 @@ class FramesTab : public QWidget {
 
 public:
     /// document  must outlive the tab
-    FramesTab(RobotSession& session, WaypointModel& document, QWidget* parent = nullptr);
+    FramesTab(RobotSession& session, ProjectDocument& document, QWidget* parent = nullptr);
     ~FramesTab() override;
 
     FrameModel& model() { return *model_; }
@@ -99,7 +99,7 @@ private:
     void showProblem(const QString& text);
 
     SessionState state_;
-    WaypointModel& document_;
+    ProjectDocument& document_;
     FrameModel* model_;
     QList<QAction*> actions_;
     QTimer liveTimer_;

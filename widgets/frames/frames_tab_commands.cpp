@@ -13,7 +13,7 @@
 #include "widgets/frames/frame_table.h"
 #include "widgets/frames/frame_teacher.h"
 #include "widgets/frames/frames_tab.h"
-#include "widgets/waypoints/waypoint_model.h"
+#include "widgets/project/project_document.h"
 
 namespace tiller {
 namespace {
@@ -181,7 +181,7 @@ void FramesTab::insertFrame(const Pose& T_base_frame) {
     frame.id = QUuid::createUuid();
     frame.name = model_->frames().nextName(tr("frame"));
     frame.T_base_frame = T_base_frame;
-    model_->insert(model_->rowCount(), frame, tr("Teach “%1”").arg(frame.name));
+    document_.insertFrame(model_->rowCount(), frame, tr("Teach “%1”").arg(frame.name));
     table_->setFocus();
 }
 
@@ -219,7 +219,7 @@ QString FramesTab::moveFrame(const QUuid& id, const Pose& T_base_frame, const QS
     }
     project::Frame frame = model_->frames().at(static_cast<std::size_t>(row));
     frame.T_base_frame = T_base_frame;
-    model_->change(row, frame, step);
+    document_.changeFrame(row, frame, step);
     const FrameUse use = model_->use(frame);
     QString text = movedText(use.waypoints);
     if (use.outOfReach > 0) {
@@ -238,7 +238,7 @@ void FramesTab::duplicateSelected() {
     const QString text = tr("Duplicate “%1”").arg(frame->name);
     frame->id = QUuid::createUuid();
     frame->name = model_->frames().uniqueName(frame->name);
-    model_->insert(currentRow() + 1, *frame, text);
+    document_.insertFrame(currentRow() + 1, *frame, text);
 }
 
 void FramesTab::deleteSelected() {
@@ -248,7 +248,7 @@ void FramesTab::deleteSelected() {
     }
     const int waypoints = model_->use(*frame).waypoints;
     if (waypoints == 0) {
-        model_->remove(currentRow());
+        document_.removeFrame(currentRow());
         return;
     }
     notice_->show(
@@ -258,7 +258,7 @@ void FramesTab::deleteSelected() {
             : tr("%1 waypoints are given in it. They stay where they are, given in Base.").arg(waypoints),
         tr("Delete frame"), [this, id = frame->id] {
             if (const int row = model_->rowOf(id); row >= 0) {
-                model_->remove(row);
+                document_.removeFrame(row);
             }
         });
 }

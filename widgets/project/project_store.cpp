@@ -4,7 +4,7 @@
 #include <QFileInfo>
 #include <mutex>
 
-#include "widgets/waypoints/waypoint_model.h"
+#include "widgets/project/project_document.h"
 
 namespace tiller {
 
@@ -14,12 +14,12 @@ struct ProjectStore::Written {
     QString path;
 };
 
-ProjectStore::ProjectStore(WaypointModel& model, QObject* parent)
-    : QObject(parent), model_(model), written_(std::make_shared<Written>()) {
+ProjectStore::ProjectStore(ProjectDocument& document, QObject* parent)
+    : QObject(parent), document_(document), written_(std::make_shared<Written>()) {
     autosave_.setSingleShot(true);
     autosave_.setInterval(kAutosaveMs);
     connect(&autosave_, &QTimer::timeout, this, &ProjectStore::autosave);
-    connect(&model_, &WaypointModel::documentChanged, this, &ProjectStore::onChange);
+    connect(&document_, &ProjectDocument::documentChanged, this, &ProjectStore::onChange);
 }
 
 ProjectStore::~ProjectStore() {
@@ -30,7 +30,7 @@ ProjectStore::~ProjectStore() {
 
 QString ProjectStore::statusText() const {
     if (path_.isEmpty()) {
-        return modified_ ? tr("waypoints not saved to a file") : QString();
+        return modified_ ? tr("project not saved to a file") : QString();
     }
     const QString name = QFileInfo(path_).fileName();
     if (lastError_.code != ErrorCode::None) {
@@ -54,28 +54,29 @@ void ProjectStore::onChange() {
     Q_EMIT statusChanged(statusText());
 }
 
-void ProjectStore::show(const project::Project& document, const QString& path) {
+void ProjectStore::show(const project::Project& project, const QString& path) {
     autosave_.stop();
     loading_ = true;
-    model_.setDocument(document);
+    document_.setProject(project);
     loading_ = false;
     path_ = path;
     modified_ = false;
     lastError_ = {};
     Q_EMIT statusChanged(statusText());
+    Q_EMIT pathChanged(path_);
 }
 
 Result<void> ProjectStore::open(const QString& path) {
-    const Result<project::Project> document = project::loadProject(path);
-    if (!document) {
-        return document.error();
+    const Result<project::Project> loaded = project::loadProject(path);
+    if (!loaded) {
+        return loaded.error();
     }
     if (modified_ && !path_.isEmpty()) {
         if (const Result<void> saved = saveNow(); !saved) {
             return saved;
         }
     }
-    show(*document, path);
+    show(*loaded, path);
     return {};
 }
 
@@ -102,6 +103,8 @@ Result<void> ProjectStore::saveAs(const QString& path) {
     if (!saved) {
         path_ = before;
         Q_EMIT statusChanged(statusText());
+    } else if (path_ != before) {
+        Q_EMIT pathChanged(path_);
     }
     return saved;
 }
@@ -114,23 +117,23 @@ Result<void> ProjectStore::openOrStart(const QString& path) {
     return {};
 }
 
-project::Project ProjectStore::document() const {
-    project::Project document = model_.document();
-    if (!document.robot) {
-        document.robot = model_.robot().id;
+project::Project ProjectStore::snapshot() const {
+    project::Project project = document_.project();
+    if (!project.robot) {
+        project.robot = document_.robot().id;
     }
-    return document;
+    return project;
 }
 
 void ProjectStore::autosave() {
     // The disk may take its time: not in the thread that paints, and that stops the arm.
-    worker_.post(this, [this, path = path_, revision = revision_, document = document(),
+    worker_.post(this, [this, path = path_, revision = revision_, project = snapshot(),
                         written = written_](const CancelToken&) {
         const std::lock_guard lock(written->mutex);
         if (written->path == path && written->revision >= revision) {
             return std::function<void()>();  // saved by hand meanwhile
         }
-        const Result<project::SaveReport> saved = project::saveProject(path, document);
+        const Result<project::SaveReport> saved = project::saveProject(path, project);
         if (saved) {
             written->path = path;
             written->revision = revision;
@@ -164,7 +167,7 @@ Result<void> ProjectStore::saveNow() {
         return Error{ErrorCode::FileNotWritable, tr("no file chosen"), {}};
     }
     const std::lock_guard lock(written_->mutex);
-    const Result<project::SaveReport> saved = project::saveProject(path_, document());
+    const Result<project::SaveReport> saved = project::saveProject(path_, snapshot());
     if (saved) {
         written_->path = path_;
         written_->revision = revision_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The file behind the waypoints: which one it is, whether everything is in it, and saving by itself a moment
-// after every change.
+// The file behind the open project: which one it is, whether everything is in it, and saving by itself a
+// moment after every change.
 
 #include <QObject>
 #include <QTimer>
@@ -13,13 +13,13 @@
 
 namespace tiller {
 
-class WaypointModel;
+class ProjectDocument;
 
 class ProjectStore : public QObject {
     Q_OBJECT
 
 public:
-    explicit ProjectStore(WaypointModel& model, QObject* parent = nullptr);
+    explicit ProjectStore(ProjectDocument& document, QObject* parent = nullptr);
     /// Saves what is not saved yet, if there is a file.
     ~ProjectStore() override;
 
@@ -28,14 +28,14 @@ public:
     /// For the status line: "cell-7.tiller — saved", "cell-7.tiller — not saved: disk full".
     QString statusText() const;
 
-    /// Shows the file's waypoints and saves to it from now on. On an error everything stays as it was.
+    /// Opens the file's project and saves to it from now on. On an error everything stays as it was.
     Result<void> open(const QString& path);
     /// What can be read of a damaged file is shown; the first save puts the damaged one aside.
     Result<project::RecoveredProject> openRecovered(const QString& path);
     /// Saves to this file now and from now on.
     Result<void> saveAs(const QString& path);
-    /// As open(); where there is no such file yet, an empty list that will be saved there. For the start of
-    /// the program.
+    /// As open(); where there is no such file yet, an empty project that will be saved there. For the start
+    /// of the program.
     Result<void> openOrStart(const QString& path);
     Result<void> saveNow();
 
@@ -44,6 +44,8 @@ public:
 
 Q_SIGNALS:
     void statusChanged(const QString& text);
+    /// Another file is behind the project.
+    void pathChanged(const QString& path);
     /// A damaged file was put aside as `copy`.
     void keptAside(const QString& copy);
     /// Saving by itself did not work.
@@ -52,11 +54,11 @@ Q_SIGNALS:
 private:
     void onChange();
     void autosave();
-    project::Project document() const;
+    project::Project snapshot() const;
     void settle(std::uint64_t revision, const Result<project::SaveReport>& saved);
-    void show(const project::Project& document, const QString& path);
+    void show(const project::Project& project, const QString& path);
 
-    WaypointModel& model_;
+    ProjectDocument& document_;
     QString path_;
     QTimer autosave_;
     Error lastError_;

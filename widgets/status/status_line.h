@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The line at the bottom: is it recording and into what, which session file, and the last message with its
+// The line at the bottom: is it recording and into what, which project file, and the last message with its
 // time.
 
 #include <QWidget>

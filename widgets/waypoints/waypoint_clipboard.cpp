@@ -130,7 +130,7 @@ project::Waypoint waypointOf(Line& line, const project::FrameList& frames) {
         if (const project::Frame* found = frames.findByName(frame)) {
             point.frame = found->id;
         } else {
-            line.fail(Frame, tr("there is no frame “%1” in this session").arg(frame));
+            line.fail(Frame, tr("there is no frame “%1” in this project").arg(frame));
         }
     }
     const bool joint = point.move == project::MoveKind::Joint;

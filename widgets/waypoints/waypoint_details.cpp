@@ -24,8 +24,9 @@ constexpr int kMargin = 12;
 constexpr std::array kPoseSizes = {13, 12, 11};  // of letters [px]: the largest that fits
 }  // namespace
 
-WaypointDetails::WaypointDetails(WaypointModel& model, QWidget* parent)
+WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model, QWidget* parent)
     : QWidget(parent)
+    , document_(document)
     , model_(model)
     , name_(new QLabel)
     , facts_(new ElidedLabel)
@@ -100,16 +101,16 @@ void WaypointDetails::refresh() {
     facts_->setVisible(shown);
     pose_->setVisible(shown);
     frame_->setVisible(shown);
-    advice_->setVisible(shown && !model_.reach(row_).ok());
+    advice_->setVisible(shown && !document_.reach(row_).ok());
     if (!shown) {
         return;
     }
-    const project::Waypoint& point = model_.waypoints().at(row_);
+    const project::Waypoint& point = document_.waypoints().at(row_);
     const bool joints = point.ruling == project::Ruling::Joints;
     // Where the joints rule, the place is where they bring this arm, whatever pose was remembered.
     const std::optional<Pose> place =
-        joints ? std::optional(kinematics::forwardTcp(model_.robot().dh, point.joints, point.tcpOffset))
-               : project::poseInBase(point, model_.frames());
+        joints ? std::optional(kinematics::forwardTcp(document_.robot().dh, point.joints, point.tcpOffset))
+               : project::poseInBase(point, document_.frames());
     QStringList facts;
     if (usedIn_) {
         facts << (*usedIn_ == 1 ? tr("used in 1 step") : tr("used in %1 steps").arg(*usedIn_));
@@ -124,9 +125,9 @@ void WaypointDetails::refresh() {
     showFrame();
     facts_->setFullText(facts.join(QStringLiteral(" · ")));
     pose_->setFullText(format::pose(joints && place ? *place : point.pose));
-    advice_->setFullText(model_.reach(row_).ok()
+    advice_->setFullText(document_.reach(row_).ok()
                              ? QString()
-                             : QStringLiteral("✕ ") + WaypointModel::reachAdvice(model_.reach(row_)));
+                             : QStringLiteral("✕ ") + WaypointModel::reachAdvice(document_.reach(row_)));
     setAccessibleDescription(headline() + QStringLiteral(", ") + poseLine());
     fitPose();
 }

@@ -16,13 +16,14 @@ namespace tiller {
 
 class ChoiceBox;
 class ElidedLabel;
+class ProjectDocument;
 class WaypointModel;
 
 class WaypointDetails : public QWidget {
     Q_OBJECT
 
 public:
-    explicit WaypointDetails(WaypointModel& model, QWidget* parent = nullptr);
+    WaypointDetails(ProjectDocument& document, WaypointModel& model, QWidget* parent = nullptr);
 
     /// row  -1 for none
     void setWaypoint(int row);
@@ -43,6 +44,7 @@ private:
     void fitPose();
     void showFrame();
 
+    ProjectDocument& document_;
     WaypointModel& model_;
     int row_ = -1;
     std::optional<int> usedIn_;

@@ -7,7 +7,6 @@
 #include "widgets/common/format.h"
 #include "widgets/common/notation.h"
 #include "widgets/common/theme.h"
-#include "widgets/project/project_commands.h"
 
 namespace tiller {
 namespace {
@@ -16,35 +15,40 @@ constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 }  // namespace
 
-WaypointModel::WaypointModel(QObject* parent)
-    : QAbstractTableModel(parent), robot_(&robotModel(RobotModelId::UR5e)) {}
-
-void WaypointModel::setRobot(RobotModelId robot) {
-    if (robot_->id == robot) {
-        return;
-    }
-    robot_ = &robotModel(robot);
-    refreshReach();
-    if (rowCount() > 0) {
-        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
-    }
+WaypointModel::WaypointModel(ProjectDocument& document, QObject* parent)
+    : QAbstractTableModel(parent), document_(document) {
+    followDocument();
 }
 
-void WaypointModel::setDocument(project::Project document) {
-    beginResetModel();
-    document_ = std::move(document);
-    refreshReach();
-    endResetModel();
-    undo_.clear();
-    Q_EMIT framesChanged();
-    Q_EMIT documentChanged();
-}
-
-void WaypointModel::refreshReach() {
-    reach_.clear();
-    for (const project::Waypoint& point : document_.waypoints) {
-        reach_.push_back(project::reach(*robot_, point, document_.frames));
-    }
+void WaypointModel::followDocument() {
+    const ProjectDocument* document = &document_;
+    connect(document, &ProjectDocument::projectAboutToBeReplaced, this, [this] { beginResetModel(); });
+    connect(document, &ProjectDocument::projectReplaced, this, [this] { endResetModel(); });
+    connect(document, &ProjectDocument::waypointAboutToBeInserted, this,
+            [this](int row) { beginInsertRows({}, row, row); });
+    connect(document, &ProjectDocument::waypointInserted, this, [this] { endInsertRows(); });
+    connect(document, &ProjectDocument::waypointAboutToBeRemoved, this,
+            [this](int row) { beginRemoveRows({}, row, row); });
+    connect(document, &ProjectDocument::waypointRemoved, this, [this] { endRemoveRows(); });
+    connect(document, &ProjectDocument::waypointsChanged, this, [this](int first, int last) {
+        Q_EMIT dataChanged(index(first, 0), index(last, ColumnCount - 1));
+    });
+    connect(document, &ProjectDocument::orderAboutToChange, this, [this] {
+        Q_EMIT layoutAboutToBeChanged({}, VerticalSortHint);
+        orderBefore_.clear();
+        for (const QModelIndex& old : persistentIndexList()) {
+            orderBefore_.append(waypointAt(old.row()).id);
+        }
+    });
+    connect(document, &ProjectDocument::orderChanged, this, [this] {
+        const QModelIndexList before = persistentIndexList();
+        QModelIndexList after;
+        for (qsizetype i = 0; i < before.size(); ++i) {
+            after.append(index(document_.waypoints().indexOf(orderBefore_[i]), before[i].column()));
+        }
+        changePersistentIndexList(before, after);
+        Q_EMIT layoutChanged({}, VerticalSortHint);
+    });
 }
 
 QString WaypointModel::reachText(const project::Reach& reach) {
@@ -70,7 +74,7 @@ QString WaypointModel::reachAdvice(const project::Reach& reach) {
         case project::Reach::Obstacle::JointLimit:
             return tr("A joint would leave its range. Touch the waypoint up from another arm posture.");
         case project::Reach::Obstacle::FrameMissing:
-            return tr("Its frame is not in this session. Choose another frame.");
+            return tr("Its frame is not in this project. Choose another frame.");
         case project::Reach::Obstacle::OnTheWay:
             return tr("The straight line from here leaves the arm's reach. Use MoveJ, or start elsewhere.");
         case project::Reach::Obstacle::OutOfReach:
@@ -79,114 +83,10 @@ QString WaypointModel::reachAdvice(const project::Reach& reach) {
     return tr("Out of reach. Touch it up nearer to the base.");
 }
 
-// ---- edits by hand ---------------------------------------------------------------------------------
-
-void WaypointModel::insert(int row, const std::vector<project::Waypoint>& waypoints, const QString& text) {
-    if (!waypoints.empty()) {
-        undo_.push(new InsertWaypoints(*this, std::clamp(row, 0, rowCount()), waypoints, text));
-    }
-}
-
-void WaypointModel::remove(QList<int> rows) {
-    std::sort(rows.begin(), rows.end());
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-    rows.removeIf([this](int row) { return row < 0 || row >= rowCount(); });
-    if (rows.isEmpty()) {
-        return;
-    }
-    const QString text = rows.size() == 1 ? tr("Delete “%1”").arg(document_.waypoints.at(rows.first()).name)
-                                          : tr("Delete %1 waypoints").arg(rows.size());
-    undo_.push(new RemoveWaypoints(*this, rows, text));
-}
-
-void WaypointModel::change(int row, const project::Waypoint& waypoint, const QString& text) {
-    if (!(document_.waypoints.at(row) == waypoint)) {
-        undo_.push(new ChangeWaypoint(*this, row, waypoint, text));
-    }
-}
-
-void WaypointModel::reorder(const QVector<QUuid>& order) {
-    undo_.push(new ReorderWaypoints(*this, order, tr("Change the order")));
-}
-
-void WaypointModel::moveRowsBefore(const QList<int>& rows, int before) {
-    QVector<QUuid> front;
-    QVector<QUuid> moved;
-    QVector<QUuid> back;
-    QVector<QUuid> old;
-    for (int row = 0; row < rowCount(); ++row) {
-        const QUuid id = document_.waypoints.at(row).id;
-        old.append(id);
-        (rows.contains(row) ? moved : row < before ? front : back).append(id);
-    }
-    const QVector<QUuid> order = front + moved + back;
-    if (order != old) {
-        reorder(order);
-    }
-}
-
-// ---- for commands ----------------------------------------------------------------------------------
-
-void WaypointModel::insertRaw(int row, const project::Waypoint& waypoint) {
-    beginInsertRows({}, row, row);
-    document_.waypoints.insert(row, waypoint);
-    reach_.insert(reach_.begin() + row, project::reach(*robot_, waypoint, document_.frames));
-    endInsertRows();
-    Q_EMIT documentChanged();
-}
-
-project::Waypoint WaypointModel::takeRaw(int row) {
-    beginRemoveRows({}, row, row);
-    project::Waypoint taken = document_.waypoints.take(row);
-    reach_.erase(reach_.begin() + row);
-    endRemoveRows();
-    Q_EMIT documentChanged();
-    return taken;
-}
-
-void WaypointModel::replaceRaw(int row, const project::Waypoint& waypoint) {
-    document_.waypoints.replace(row, waypoint);
-    reach_.at(static_cast<std::size_t>(row)) = project::reach(*robot_, waypoint, document_.frames);
-    Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
-    Q_EMIT documentChanged();
-}
-
-void WaypointModel::reorderRaw(const QVector<QUuid>& order) {
-    Q_EMIT layoutAboutToBeChanged({}, VerticalSortHint);
-    const QModelIndexList before = persistentIndexList();
-    QVector<QUuid> ids;
-    for (const QModelIndex& old : before) {
-        ids.append(document_.waypoints.at(old.row()).id);
-    }
-    project::WaypointList sorted;
-    for (const QUuid& id : order) {
-        sorted.append(document_.waypoints.at(document_.waypoints.indexOf(id)));
-    }
-    document_.waypoints = sorted;
-    refreshReach();
-    QModelIndexList after;
-    for (qsizetype i = 0; i < before.size(); ++i) {
-        after.append(index(document_.waypoints.indexOf(ids[i]), before[i].column()));
-    }
-    changePersistentIndexList(before, after);
-    Q_EMIT layoutChanged({}, VerticalSortHint);
-    Q_EMIT documentChanged();
-}
-
-void WaypointModel::setFramesRaw(const project::FrameList& frames) {
-    document_.frames = frames;
-    refreshReach();
-    if (rowCount() > 0) {
-        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
-    }
-    Q_EMIT framesChanged();
-    Q_EMIT documentChanged();
-}
-
 // ---- the table's face ------------------------------------------------------------------------------
 
 int WaypointModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : document_.waypoints.size();
+    return parent.isValid() ? 0 : document_.waypoints().size();
 }
 
 int WaypointModel::columnCount(const QModelIndex& parent) const {
@@ -205,7 +105,7 @@ QString WaypointModel::display(const project::Waypoint& point, int row, int colu
             if (point.ruling == project::Ruling::Joints) {
                 return QStringLiteral("—");
             }
-            const project::Frame* frame = document_.frames.find(point.frame);
+            const project::Frame* frame = document_.frames().find(point.frame);
             return point.frame.isNull() ? tr("Base") : frame != nullptr ? frame->name : tr("missing");
         }
         case Speed:
@@ -214,7 +114,7 @@ QString WaypointModel::display(const project::Waypoint& point, int row, int colu
         case Blend:
             return QString::number(point.blend / format::metresPerUnit(), 'g', 6);
         case ReachColumn:
-            return reachText(reach(row));
+            return reachText(document_.reach(row));
         default:
             return {};
     }
@@ -232,7 +132,7 @@ QString WaypointModel::toolTip(const project::Waypoint& point, int row, int colu
                        ? tr("The joints rule: the arm comes back in the same posture")
                        : tr("The pose rules: it moves with its frame");
         case ReachColumn:
-            return reach(row).ok() ? tr("Can be reached") : reachAdvice(reach(row));
+            return document_.reach(row).ok() ? tr("Can be reached") : reachAdvice(document_.reach(row));
         default:
             return {};
     }
@@ -242,8 +142,8 @@ QVariant WaypointModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || index.row() >= rowCount()) {
         return {};
     }
-    const project::Waypoint& point = document_.waypoints.at(index.row());
-    const bool unreachable = index.column() == ReachColumn && !reach(index.row()).ok();
+    const project::Waypoint& point = waypointAt(index.row());
+    const bool unreachable = index.column() == ReachColumn && !document_.reach(index.row()).ok();
     switch (role) {
         case Qt::DisplayRole:
             // A number would be other data after every insertion above it: the view writes it.

@@ -60,7 +60,7 @@ bool WaypointModel::setData(const QModelIndex& index, const QVariant& value, int
 }
 
 bool WaypointModel::setName(int row, const QString& text) {
-    project::Waypoint point = document_.waypoints.at(row);
+    project::Waypoint point = waypointAt(row);
     if (text == point.name) {
         return true;
     }
@@ -68,71 +68,71 @@ bool WaypointModel::setName(int row, const QString& text) {
         Q_EMIT editRefused(tr("A waypoint needs a name."));
         return false;
     }
-    if (document_.waypoints.indexOfName(text) >= 0) {
+    if (document_.waypoints().indexOfName(text) >= 0) {
         Q_EMIT editRefused(tr("“%1” is taken by waypoint %2. Choose another name.")
                                .arg(text)
-                               .arg(document_.waypoints.indexOfName(text) + 1));
+                               .arg(document_.waypoints().indexOfName(text) + 1));
         return false;
     }
     const QString before = point.name;
     point.name = text;
-    change(row, point, tr("Rename “%1” to “%2”").arg(before, text));
+    document_.changeWaypoint(row, point, tr("Rename “%1” to “%2”").arg(before, text));
     return true;
 }
 
 bool WaypointModel::setMove(int row, const QString& text) {
-    project::Waypoint point = document_.waypoints.at(row);
+    project::Waypoint point = waypointAt(row);
     if (text != QLatin1String("J") && text != QLatin1String("L")) {
         return false;
     }
     point.move = text == QLatin1String("J") ? project::MoveKind::Joint : project::MoveKind::Linear;
-    change(row, point, tr("Make “%1” a Move%2").arg(point.name, text));
+    document_.changeWaypoint(row, point, tr("Make “%1” a Move%2").arg(point.name, text));
     return true;
 }
 
 QStringList WaypointModel::frameChoices() const {
     QStringList result = {QStringLiteral("—"), tr("Base")};
-    for (const project::Frame& frame : document_.frames) {
+    for (const project::Frame& frame : document_.frames()) {
         result << frame.name;
     }
     return result;
 }
 
 bool WaypointModel::setFrame(int row, const QString& text) {
-    project::Waypoint point = document_.waypoints.at(row);
+    project::Waypoint point = waypointAt(row);
     if (text == display(point, row, Frame)) {
         return true;
     }
     if (text == QStringLiteral("—")) {
         // The joints take over where the pose would have brought the arm.
-        if (reach(row).ok()) {
-            point.joints = reach(row).q;
+        if (document_.reach(row).ok()) {
+            point.joints = document_.reach(row).q;
         }
         point.ruling = project::Ruling::Joints;
-        change(row, point, tr("Let the joints of “%1” rule").arg(point.name));
+        document_.changeWaypoint(row, point, tr("Use joint positions for “%1”").arg(point.name));
         return true;
     }
-    const project::Frame* frame = document_.frames.findByName(text);
+    const project::Frame* frame = document_.frames().findByName(text);
     if (frame == nullptr && text != tr("Base")) {
-        Q_EMIT editRefused(tr("There is no frame “%1” in this session.").arg(text));
+        Q_EMIT editRefused(tr("There is no frame “%1” in this project.").arg(text));
         return false;
     }
     // The place stays where it is: only the axes it is given in change.
     const std::optional<Pose> place =
         point.ruling == project::Ruling::Joints
-            ? std::optional(kinematics::forwardTcp(robot_->dh, point.joints, point.tcpOffset))
-            : project::poseInBase(point, document_.frames);
+            ? std::optional(kinematics::forwardTcp(document_.robot().dh, point.joints, point.tcpOffset))
+            : project::poseInBase(point, document_.frames());
     point.ruling = project::Ruling::Pose;
     point.frame = frame == nullptr ? QUuid() : frame->id;
     if (place) {
-        point = *project::taughtAt(point, point.joints, *place, point.tcpOffset, document_.frames);
+        point = *project::taughtAt(point, point.joints, *place, point.tcpOffset, document_.frames());
     }
-    change(row, point, tr("Give “%1” in %2").arg(point.name, text));
+    document_.changeWaypoint(row, point, tr("Give “%1” in %2").arg(point.name, text));
     return true;
 }
 
 bool WaypointModel::setFigure(int row, int column, const QString& text) {
-    project::Waypoint point = document_.waypoints.at(row);
+    project::Waypoint point = waypointAt(row);
     if (text == data(index(row, column), Qt::EditRole).toString()) {
         return true;  // the digits that are not shown stay
     }
@@ -146,9 +146,9 @@ bool WaypointModel::setFigure(int row, int column, const QString& text) {
     const double value = *figure * unit;
     const double least = column == Blend ? 0 : turns ? 1 / kDegPerRad : kLeastToolSpeed;
     const double most = column == Blend ? kMostBlend
-                        : turns
-                            ? *std::min_element(robot_->maxJointSpeed.begin(), robot_->maxJointSpeed.end())
-                            : kMostToolSpeed;
+                        : turns         ? *std::min_element(document_.robot().maxJointSpeed.begin(),
+                                                            document_.robot().maxJointSpeed.end())
+                                        : kMostToolSpeed;
     if (value < least * (1 - 1e-9) || value > most * (1 + 1e-9)) {
         const auto shown = [&](double bound) {
             return turns             ? format::degreesPerSecond(bound)
@@ -160,10 +160,10 @@ bool WaypointModel::setFigure(int row, int column, const QString& text) {
     }
     if (column == Blend) {
         point.blend = value;
-        change(row, point, tr("Set the blend of “%1”").arg(point.name));
+        document_.changeWaypoint(row, point, tr("Set the blend of “%1”").arg(point.name));
     } else {
         (turns ? point.jointSpeed : point.toolSpeed) = value;
-        change(row, point, tr("Set the speed of “%1”").arg(point.name));
+        document_.changeWaypoint(row, point, tr("Set the speed of “%1”").arg(point.name));
     }
     return true;
 }
@@ -205,7 +205,7 @@ bool WaypointModel::dropMimeData(const QMimeData* data, Qt::DropAction action, i
     QList<int> rows;
     stream >> rows;
     const int before = row >= 0 ? row : parent.isValid() ? parent.row() : rowCount();
-    moveRowsBefore(rows, before);
+    document_.moveWaypointsBefore(rows, before);
     return true;
 }
 

@@ -21,7 +21,7 @@
 #include "robot/kinematics/arm_kinematics.h"
 #include "widgets/common/hold_button.h"
 #include "widgets/common/notice_bar.h"
-#include "widgets/project/project_store.h"
+#include "widgets/project/project_document.h"
 #include "widgets/session/texts.h"
 #include "widgets/waypoints/waypoint_details.h"
 #include "widgets/waypoints/waypoint_model.h"
@@ -40,16 +40,17 @@ WaypointPort waypointPort(RobotSession& session) {
     };
 }
 
-WaypointsTab::WaypointsTab(RobotSession& session, QWidget* parent)
-    : WaypointsTab(session, waypointPort(session), parent) {}
+WaypointsTab::WaypointsTab(RobotSession& session, ProjectDocument& document, QWidget* parent)
+    : WaypointsTab(session, document, waypointPort(session), parent) {}
 
-WaypointsTab::WaypointsTab(RobotSession& session, WaypointPort port, QWidget* parent)
+WaypointsTab::WaypointsTab(RobotSession& session, ProjectDocument& document, WaypointPort port,
+                           QWidget* parent)
     : QWidget(parent)
     , session_(session)
     , port_(std::move(port))
     , state_(session.state())
-    , model_(std::make_unique<WaypointModel>())
-    , store_(std::make_unique<ProjectStore>(*model_)) {
+    , document_(document)
+    , model_(std::make_unique<WaypointModel>(document)) {
     setObjectName(QStringLiteral("waypoints"));
     setAccessibleName(tr("Waypoints"));
     buildLayout();
@@ -63,23 +64,18 @@ WaypointsTab::WaypointsTab(RobotSession& session, WaypointPort port, QWidget* pa
 
     connect(&session_, &RobotSession::stateChanged, this, &WaypointsTab::onState);
     connect(table_, &WaypointTable::currentRowChanged, this, &WaypointsTab::onSelection);
-    connect(model_.get(), &WaypointModel::rowsAppeared, this, [this](int first, int) { selectRow(first); });
+    connect(&document_, &ProjectDocument::waypointsAppeared, this,
+            [this](int first, int) { selectRow(first); });
+    connect(&document_, &ProjectDocument::projectReplaced, this,
+            [this] { selectRow(model_->rowCount() > 0 ? 0 : -1); });
     connect(model_.get(), &WaypointModel::editRefused, this, &WaypointsTab::showProblem);
-    connect(model_.get(), &WaypointModel::documentChanged, this, [this] {
+    connect(&document_, &ProjectDocument::documentChanged, this, [this] {
         pages_->setCurrentIndex(model_->rowCount() == 0 ? 0 : 1);
         goTo_->guard().stop(control::StopCause::SelectionChanged);
         onSelection();
         updateAvailability();
         Q_EMIT marksChanged();
         Q_EMIT ghostChanged();
-    });
-    connect(store_.get(), &ProjectStore::keptAside, this, [this](const QString& copy) {
-        Q_EMIT message(Severity::Warning, tr("The damaged session file was kept as %1").arg(copy));
-    });
-    connect(store_.get(), &ProjectStore::saveFailed, this, [this](const Error& error) {
-        Q_EMIT message(Severity::Error, texts::errorText(error));
-        notice_->show(NoticeBar::Kind::Warning, tr("The waypoints could not be saved"),
-                      texts::errorText(error));
     });
     onState(state_);
     onSelection();
@@ -88,8 +84,6 @@ WaypointsTab::WaypointsTab(RobotSession& session, WaypointPort port, QWidget* pa
 WaypointsTab::~WaypointsTab() {
     qApp->removeEventFilter(this);
     goTo_->guard().stop(control::StopCause::WindowClosed);
-    // The store saves on its way out and still needs the model.
-    store_.reset();
 }
 
 void WaypointsTab::buildLayout() {
@@ -131,7 +125,7 @@ void WaypointsTab::buildLayout() {
     pages_ = new QStackedWidget;
     pages_->addWidget(empty);
     pages_->addWidget(table_);
-    details_ = new WaypointDetails(*model_);
+    details_ = new WaypointDetails(document_, *model_);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -147,8 +141,8 @@ void WaypointsTab::buildLayout() {
 
 void WaypointsTab::onState(const SessionState& state) {
     state_ = state;
-    if (model_->robot().id != state.model) {
-        model_->setRobot(state.model);
+    if (document_.robot().id != state.model) {
+        document_.setRobot(state.model);
         Q_EMIT ghostChanged();
     }
     if (!detailsTimer_.isActive()) {
@@ -160,7 +154,7 @@ void WaypointsTab::onState(const SessionState& state) {
 
 void WaypointsTab::onSelection() {
     const int row = currentRow();
-    const QUuid id = row < 0 ? QUuid() : model_->waypoints().at(row).id;
+    const QUuid id = row < 0 ? QUuid() : document_.waypoints().at(row).id;
     details_->setWaypoint(row);
     details_->setVisible(model_->rowCount() > 0);
     if (id == lastSelected_) {
@@ -181,7 +175,7 @@ int WaypointsTab::currentRow() const {
 }
 
 void WaypointsTab::selectWaypoint(const QUuid& id) {
-    selectRow(model_->waypoints().indexOf(id));
+    selectRow(document_.waypoints().indexOf(id));
 }
 
 void WaypointsTab::selectRow(int row) {
@@ -202,8 +196,8 @@ std::optional<WaypointGhost> WaypointsTab::ghost() const {
     if (row < 0) {
         return std::nullopt;
     }
-    const project::Waypoint& point = model_->waypoints().at(row);
-    const project::Reach& reach = model_->reach(row);
+    const project::Waypoint& point = document_.waypoints().at(row);
+    const project::Reach& reach = document_.reach(row);
     return WaypointGhost{point.name,
                          reach.ok() ? reach.q : point.joints,
                          point.move == project::MoveKind::Linear,
@@ -215,10 +209,10 @@ std::optional<WaypointGhost> WaypointsTab::ghost() const {
 std::vector<WaypointMark> WaypointsTab::marks() const {
     std::vector<WaypointMark> result;
     for (int row = 0; row < model_->rowCount(); ++row) {
-        const project::Waypoint& point = model_->waypoints().at(row);
-        std::optional<Pose> pose = project::poseInBase(point, model_->frames());
+        const project::Waypoint& point = document_.waypoints().at(row);
+        std::optional<Pose> pose = project::poseInBase(point, document_.frames());
         if (point.ruling == project::Ruling::Joints) {
-            pose = kinematics::forwardTcp(model_->robot().dh, point.joints, point.tcpOffset);
+            pose = kinematics::forwardTcp(document_.robot().dh, point.joints, point.tcpOffset);
         }
         if (pose) {
             result.push_back({point.name, pose->position, row == currentRow()});
@@ -241,8 +235,8 @@ QString WaypointsTab::goToObstacle() const {
     if (currentRow() < 0) {
         return tr("Select a waypoint to go to.");
     }
-    if (!model_->reach(currentRow()).ok()) {
-        return WaypointModel::reachAdvice(model_->reach(currentRow()));
+    if (!document_.reach(currentRow()).ok()) {
+        return WaypointModel::reachAdvice(document_.reach(currentRow()));
     }
     if (!state_.canMove()) {
         return state_.controlReason.isEmpty() ? tr("The arm is not under control. Take control first.")
@@ -301,8 +295,8 @@ Result<RobotSession::MotionId> WaypointsTab::beginGoTo() {
     }
     notice_->dismiss();
     const Result<MoveRequest> request =
-        moveRequestFor(model_->robot(), model_->waypoints().at(currentRow()), model_->frames(), state_.q,
-                       state_.tcpOffset, port_.limits());
+        moveRequestFor(document_.robot(), document_.waypoints().at(currentRow()), document_.frames(),
+                       state_.q, state_.tcpOffset, port_.limits());
     if (!request) {
         return request.error();
     }
@@ -375,6 +369,11 @@ void WaypointsTab::hideEvent(QHideEvent* event) {
     qApp->removeEventFilter(this);
     goToKey_.clear();
     QWidget::hideEvent(event);
+}
+
+void WaypointsTab::showNotice(const QString& title, const QString& text, const QString& accept,
+                              const std::function<void()>& accepted) {
+    notice_->show(NoticeBar::Kind::Warning, title, text, accept, accepted);
 }
 
 void WaypointsTab::showProblem(const QString& text) {

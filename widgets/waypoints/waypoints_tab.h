@@ -27,7 +27,7 @@ namespace tiller {
 
 class HoldButton;
 class NoticeBar;
-class ProjectStore;
+class ProjectDocument;
 class WaypointDetails;
 class WaypointModel;
 class WaypointTable;
@@ -63,17 +63,20 @@ class WaypointsTab : public QWidget {
     Q_OBJECT
 
 public:
-    explicit WaypointsTab(RobotSession& session, QWidget* parent = nullptr);
+    /// document  must outlive the tab
+    WaypointsTab(RobotSession& session, ProjectDocument& document, QWidget* parent = nullptr);
     /// For tests: moves go through `port`, states still come from the session.
-    WaypointsTab(RobotSession& session, WaypointPort port, QWidget* parent = nullptr);
+    WaypointsTab(RobotSession& session, ProjectDocument& document, WaypointPort port,
+                 QWidget* parent = nullptr);
     ~WaypointsTab() override;
 
-    /// The file behind the list: open, save as, autosave, and what the status line says about it.
-    ProjectStore& store() { return *store_; }
     WaypointModel& model() { return *model_; }
 
     /// Every action with its shortcut, for menus, the command palette and the help.
     QList<QAction*> commandActions() const { return actions_; }
+
+    /// Adds what concerns the whole project to the end of the tab's own menu.
+    void addToMenu(const QList<QAction*>& actions);
 
     std::optional<WaypointGhost> ghost() const;
     std::vector<WaypointMark> marks() const;
@@ -88,9 +91,9 @@ public Q_SLOTS:
     void touchUp();
     void selectWaypoint(const QUuid& id);
     void selectRow(int row);
-    /// A damaged file is named with its fault, and what can be read of it is offered.
-    void openFile(const QString& path);
-    void saveFileAs(const QString& path);
+    /// accept  label of the key that runs `accepted`; empty for a warning that only needs to be put away
+    void showNotice(const QString& title, const QString& text, const QString& accept = {},
+                    const std::function<void()>& accepted = {});
 
 Q_SIGNALS:
     /// Another waypoint, or none (null), is selected.
@@ -115,7 +118,6 @@ private:
     void onSelection();
     void refreshDetails();
     void updateAvailability();
-    void askForFile(bool save);
     QString goToObstacle() const;
     Result<RobotSession::MotionId> beginGoTo();
     void replaceByTouchUp(const QUuid& id, const project::Waypoint& taught);
@@ -125,7 +127,6 @@ private:
     void moveSelected(int by);
     void copySelected();
     void paste();
-    void offerRecovery(const QString& path, const Error& error);
     void showProblem(const QString& text);
     QAction* addCommand(const QString& name, const QString& text, const QKeySequence& shortcut,
                         std::function<void()> run);
@@ -135,8 +136,8 @@ private:
     RobotSession& session_;
     WaypointPort port_;
     SessionState state_;
+    ProjectDocument& document_;
     std::unique_ptr<WaypointModel> model_;
-    std::unique_ptr<ProjectStore> store_;
     QList<QAction*> actions_;
     QTimer detailsTimer_;
     QUuid lastSelected_;

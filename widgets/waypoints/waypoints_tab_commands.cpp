@@ -5,8 +5,6 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QMenu>
 #include <QToolButton>
 #include <algorithm>
@@ -15,7 +13,7 @@
 #include "widgets/common/format.h"
 #include "widgets/common/notation.h"
 #include "widgets/common/notice_bar.h"
-#include "widgets/project/project_store.h"
+#include "widgets/project/project_document.h"
 #include "widgets/session/texts.h"
 #include "widgets/waypoints/waypoint_clipboard.h"
 #include "widgets/waypoints/waypoint_details.h"
@@ -72,7 +70,7 @@ void WaypointsTab::buildActions() {
     add(addCommand("waypoint.action.paste", tr("Paste"), QKeySequence(QKeySequence::Paste),
                    [this] { paste(); }));
     menu->addSeparator();
-    QUndoStack& undo = model_->undoStack();
+    QUndoStack& undo = document_.undoStack();
     for (QAction* action :
          {undo.createUndoAction(this, tr("Undo")), undo.createRedoAction(this, tr("Redo"))}) {
         const bool isUndo = actions_.last()->objectName() != QLatin1String("waypoint.action.undo");
@@ -84,15 +82,15 @@ void WaypointsTab::buildActions() {
         actions_.append(action);
         add(action);
     }
-    menu->addSeparator();
-    add(addCommand("waypoint.action.open", tr("Open session…"), QKeySequence(QKeySequence::Open),
-                   [this] { askForFile(false); }));
-    add(addCommand("waypoint.action.saveAs", tr("Save session as…"),
-                   QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { askForFile(true); }));
     more_->setMenu(menu);
     table_->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(table_, &QWidget::customContextMenuRequested, this,
             [this, menu](const QPoint& position) { menu->popup(table_->viewport()->mapToGlobal(position)); });
+}
+
+void WaypointsTab::addToMenu(const QList<QAction*>& actions) {
+    more_->menu()->addSeparator();
+    more_->menu()->addActions(actions);
 }
 
 // ---- teaching --------------------------------------------------------------------------------------
@@ -106,18 +104,19 @@ void WaypointsTab::teach() {
     project::Waypoint point;
     if (row >= 0) {
         // A neighbour usually wants the same kind of move, frame and speed.
-        point = model_->waypoints().at(row);
+        point = document_.waypoints().at(row);
         point.extra = {};
     }
     point.id = QUuid::createUuid();
-    point.name = model_->waypoints().nextName(tr("waypoint"));
+    point.name = document_.waypoints().nextName(tr("waypoint"));
     std::optional<project::Waypoint> taught =
-        project::taughtAt(point, state_.q, state_.tcpPose, state_.tcpOffset, model_->frames());
+        project::taughtAt(point, state_.q, state_.tcpPose, state_.tcpOffset, document_.frames());
     if (!taught) {
         point.frame = QUuid();
-        taught = project::taughtAt(point, state_.q, state_.tcpPose, state_.tcpOffset, model_->frames());
+        taught = project::taughtAt(point, state_.q, state_.tcpPose, state_.tcpOffset, document_.frames());
     }
-    model_->insert(row < 0 ? model_->rowCount() : row + 1, {*taught}, tr("Teach “%1”").arg(point.name));
+    document_.insertWaypoints(row < 0 ? model_->rowCount() : row + 1, {*taught},
+                              tr("Teach “%1”").arg(point.name));
 }
 
 void WaypointsTab::touchUp() {
@@ -127,16 +126,17 @@ void WaypointsTab::touchUp() {
         showProblem(obstacle);
         return;
     }
-    const project::Waypoint before = model_->waypoints().at(row);
+    const project::Waypoint before = document_.waypoints().at(row);
     const std::optional<project::Waypoint> after =
-        project::taughtAt(before, state_.q, state_.tcpPose, state_.tcpOffset, model_->frames());
+        project::taughtAt(before, state_.q, state_.tcpPose, state_.tcpOffset, document_.frames());
     if (!after) {
         showProblem(
-            tr("The frame of “%1” is not in this session. Choose another frame first.").arg(before.name));
+            tr("The frame of “%1” is not in this project. Choose another frame first.").arg(before.name));
         return;
     }
     const Pose old = kinematics::forwardTcp(
-        model_->robot().dh, model_->reach(row).ok() ? model_->reach(row).q : before.joints, before.tcpOffset);
+        document_.robot().dh, document_.reach(row).ok() ? document_.reach(row).q : before.joints,
+        before.tcpOffset);
     const project::PoseDifference by = project::poseDifference(old, state_.tcpPose);
     const Vector6 turns = after->joints.values - before.joints.values;
     int joint = 0;
@@ -152,9 +152,9 @@ void WaypointsTab::touchUp() {
 
 void WaypointsTab::replaceByTouchUp(const QUuid& id, const project::Waypoint& taught) {
     // What was shown is what is kept, even if the arm has moved on since.
-    const int row = model_->waypoints().indexOf(id);
+    const int row = document_.waypoints().indexOf(id);
     if (row >= 0) {
-        model_->change(row, taught, tr("Touch up “%1”").arg(taught.name));
+        document_.changeWaypoint(row, taught, tr("Touch up “%1”").arg(taught.name));
     }
 }
 
@@ -165,18 +165,19 @@ void WaypointsTab::duplicateSelected() {
     if (rows.isEmpty()) {
         return;
     }
-    project::WaypointList names = model_->waypoints();
+    project::WaypointList names = document_.waypoints();
     std::vector<project::Waypoint> copies;
     for (const int row : rows) {
-        project::Waypoint copy = model_->waypoints().at(row);
+        project::Waypoint copy = document_.waypoints().at(row);
         copy.id = QUuid::createUuid();
         copy.name = names.uniqueName(copy.name);
         names.append(copy);
         copies.push_back(std::move(copy));
     }
-    const QString text = copies.size() == 1 ? tr("Duplicate “%1”").arg(model_->waypoints().at(rows[0]).name)
-                                            : tr("Duplicate %1 waypoints").arg(copies.size());
-    model_->insert(rows.last() + 1, copies, text);
+    const QString text = copies.size() == 1
+                             ? tr("Duplicate “%1”").arg(document_.waypoints().at(rows[0]).name)
+                             : tr("Duplicate %n waypoint(s)", nullptr, static_cast<int>(copies.size()));
+    document_.insertWaypoints(rows.last() + 1, copies, text);
 }
 
 void WaypointsTab::deleteSelected() {
@@ -184,7 +185,7 @@ void WaypointsTab::deleteSelected() {
     if (rows.isEmpty()) {
         return;
     }
-    model_->remove(rows);
+    document_.removeWaypoints(rows);
     selectRow(std::min(rows.first(), model_->rowCount() - 1));
 }
 
@@ -194,22 +195,22 @@ void WaypointsTab::moveSelected(int by) {
         (by > 0 && rows.last() == model_->rowCount() - 1)) {
         return;
     }
-    model_->moveRowsBefore(rows, by < 0 ? rows.first() - 1 : rows.last() + 2);
+    document_.moveWaypointsBefore(rows, by < 0 ? rows.first() - 1 : rows.last() + 2);
 }
 
 void WaypointsTab::copySelected() {
     std::vector<project::Waypoint> chosen;
     for (const int row : table_->selectedRows()) {
-        chosen.push_back(model_->waypoints().at(row));
+        chosen.push_back(document_.waypoints().at(row));
     }
     if (!chosen.empty()) {
-        QApplication::clipboard()->setText(waypoint_clipboard::toText(chosen, model_->frames()));
+        QApplication::clipboard()->setText(waypoint_clipboard::toText(chosen, document_.frames()));
     }
 }
 
 void WaypointsTab::paste() {
     Result<std::vector<project::Waypoint>> pasted =
-        waypoint_clipboard::fromText(QApplication::clipboard()->text(), model_->frames());
+        waypoint_clipboard::fromText(QApplication::clipboard()->text(), document_.frames());
     if (!pasted) {
         notice_->show(NoticeBar::Kind::Warning, tr("Nothing was pasted"), pasted.error().context);
         return;
@@ -218,77 +219,14 @@ void WaypointsTab::paste() {
         showProblem(tr("There are no waypoints on the clipboard."));
         return;
     }
-    project::WaypointList names = model_->waypoints();
+    project::WaypointList names = document_.waypoints();
     for (project::Waypoint& point : *pasted) {
         point.name = names.uniqueName(point.name);
         names.append(point);
     }
     const int row = currentRow();
-    model_->insert(row < 0 ? model_->rowCount() : row + 1, *pasted,
-                   tr("Paste %1 waypoints").arg(pasted->size()));
-}
-
-// ---- files -----------------------------------------------------------------------------------------
-
-void WaypointsTab::askForFile(bool save) {
-    const QString filter = tr("Tiller sessions (*.tiller)");
-    const QString path = save
-                             ? QFileDialog::getSaveFileName(this, tr("Save session"), store_->path(), filter)
-                             : QFileDialog::getOpenFileName(this, tr("Open session"), store_->path(), filter);
-    if (path.isEmpty()) {
-        return;
-    }
-    if (save) {
-        saveFileAs(path);
-    } else {
-        openFile(path);
-    }
-}
-
-void WaypointsTab::openFile(const QString& path) {
-    const Result<void> opened = store_->openOrStart(path);
-    if (opened) {
-        selectRow(model_->rowCount() > 0 ? 0 : -1);
-        return;
-    }
-    Q_EMIT message(Severity::Error, texts::errorText(opened.error()));
-    if (opened.error().code == ErrorCode::FileCorrupt) {
-        offerRecovery(path, opened.error());
-    } else {
-        notice_->show(NoticeBar::Kind::Warning, tr("The session could not be opened"),
-                      texts::errorText(opened.error()));
-    }
-}
-
-void WaypointsTab::offerRecovery(const QString& path, const Error& error) {
-    const QString name = QFileInfo(path).fileName();
-    const Result<project::RecoveredProject> found = project::recoverProject(path);
-    if (!found || found->document.waypoints.isEmpty()) {
-        notice_->show(NoticeBar::Kind::Warning, tr("%1 is damaged").arg(name), error.context);
-        return;
-    }
-    const int whole = found->document.waypoints.size();
-    notice_->show(NoticeBar::Kind::Warning, tr("%1 is damaged").arg(name),
-                  tr("%1. %2 of its waypoints can be read, %3 cannot. The damaged file is kept.")
-                      .arg(error.context)
-                      .arg(whole)
-                      .arg(found->lostWaypoints),
-                  tr("Open the %1 readable").arg(whole), [this, path] {
-                      if (const auto recovered = store_->openRecovered(path); !recovered) {
-                          showProblem(texts::errorText(recovered.error()));
-                      } else {
-                          selectRow(0);
-                      }
-                  });
-}
-
-void WaypointsTab::saveFileAs(const QString& path) {
-    const QString full = QFileInfo(path).suffix().isEmpty() ? path + QStringLiteral(".tiller") : path;
-    if (const Result<void> saved = store_->saveAs(full); !saved) {
-        Q_EMIT message(Severity::Error, texts::errorText(saved.error()));
-        notice_->show(NoticeBar::Kind::Warning, tr("The session could not be saved"),
-                      texts::errorText(saved.error()));
-    }
+    document_.insertWaypoints(row < 0 ? model_->rowCount() : row + 1, *pasted,
+                              tr("Paste %n waypoint(s)", nullptr, static_cast<int>(pasted->size())));
 }
 
 }  // namespace tiller

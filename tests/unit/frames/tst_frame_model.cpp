@@ -11,7 +11,7 @@
 #include "tests/support/live_state.h"
 #include "widgets/common/notation.h"
 #include "widgets/frames/frame_model.h"
-#include "widgets/waypoints/waypoint_model.h"
+#include "widgets/project/project_document.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -25,7 +25,7 @@ class TestFrameModel : public QObject {
 private Q_SLOTS:
     void init() {
         applyNotation(*qApp, {});
-        document_ = std::make_unique<WaypointModel>();
+        document_ = std::make_unique<ProjectDocument>();
         tray_ = {QUuid::createUuid(), "tray", Pose(-0.1, -0.4, 0.1, 0, 0, 0.5), {}};
         table_ = {QUuid::createUuid(), "table", Pose(0, -0.5, 0, 0, 0, 0), {}};
         project::Project cell;
@@ -42,7 +42,7 @@ private Q_SLOTS:
             cell.waypoints.append(*project::taughtAt(
                 point, q, kinematics::forwardTcp(robotModel(RobotModelId::UR5e).dh, q), {}, cell.frames));
         }
-        document_->setDocument(cell);
+        document_->setProject(cell);
         model_ = std::make_unique<FrameModel>(*document_);
         tester_ = std::make_unique<QAbstractItemModelTester>(
             model_.get(), QAbstractItemModelTester::FailureReportingMode::QtTest);
@@ -76,8 +76,8 @@ private Q_SLOTS:
         const Pose jointsBefore = placeOf(2);
         Frame moved = tray_;
         moved.T_base_frame.position.z() += 0.05;
-        QSignalSpy changed(document_.get(), &WaypointModel::framesChanged);
-        model_->change(0, moved, "x");
+        QSignalSpy changed(document_.get(), &ProjectDocument::framesChanged);
+        document_->changeFrame(0, moved, "x");
         QCOMPARE(changed.count(), 1);
         QVERIFY((placeOf(0).position - before.position - Eigen::Vector3d(0, 0, 0.05)).norm() < 1e-9);
         document_->undoStack().undo();
@@ -88,7 +88,7 @@ private Q_SLOTS:
     }
 
     void nothingIsAStepWhenNothingChanged() {
-        model_->change(0, tray_, "x");
+        document_->changeFrame(0, tray_, "x");
         QCOMPARE(document_->undoStack().count(), 0);
         QVERIFY(model_->setData(model_->index(0, FrameModel::Name), "tray", Qt::EditRole));
         QCOMPARE(document_->undoStack().count(), 0);
@@ -105,7 +105,7 @@ private Q_SLOTS:
 
     void deletingLeavesNoWaypointWithoutItsFrame() {
         const Pose first = placeOf(0);
-        model_->remove(0);
+        document_->removeFrame(0);
         QCOMPARE(model_->rowCount(), 1);
         for (const Waypoint& point : document_->waypoints()) {
             QVERIFY2(point.frame.isNull(), qPrintable(point.name));
@@ -113,7 +113,7 @@ private Q_SLOTS:
         QVERIFY(project::poseDifference(placeOf(0), first).distance < 1e-9);
         QVERIFY(document_->reach(0).ok());
         // And a file of it can be read again: no waypoint names a frame that is not there.
-        const auto bytes = project::serializeProject(document_->document());
+        const auto bytes = project::serializeProject(document_->project());
         QVERIFY(bytes && project::parseProject(*bytes));
         // One step back brings all of it.
         document_->undoStack().undo();
@@ -148,7 +148,7 @@ private Q_SLOTS:
     void aGoodNameIsTakenAndUndone() {
         QVERIFY(model_->setData(model_->index(0, FrameModel::Name), "  Tray A ", Qt::EditRole));
         QCOMPARE(cell(0, FrameModel::Name), QString("Tray A"));
-        QVERIFY(document_->frameChoices().contains("Tray A"));
+        QVERIFY(document_->frames().findByName("Tray A") != nullptr);
         document_->undoStack().undo();
         QCOMPARE(cell(0, FrameModel::Name), QString("tray"));
     }
@@ -168,7 +168,7 @@ private:
 
     Frame tray_;
     Frame table_;
-    std::unique_ptr<WaypointModel> document_;
+    std::unique_ptr<ProjectDocument> document_;
     std::unique_ptr<FrameModel> model_;
     std::unique_ptr<QAbstractItemModelTester> tester_;
 };

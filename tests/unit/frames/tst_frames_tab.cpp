@@ -23,7 +23,7 @@
 #include "widgets/frames/frame_table.h"
 #include "widgets/frames/frame_teacher.h"
 #include "widgets/frames/frames_tab.h"
-#include "widgets/waypoints/waypoint_model.h"
+#include "widgets/project/project_document.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -52,7 +52,7 @@ private Q_SLOTS:
         applyNotation(*qApp, {});
         session_ = std::make_unique<RobotSession>();
         session_->shutDown();  // no states but those of the test
-        document_ = std::make_unique<WaypointModel>();
+        document_ = std::make_unique<ProjectDocument>();
         tab_ = std::make_unique<FramesTab>(*session_, *document_);
         tab_->resize(560, 560);
         tab_->show();
@@ -358,7 +358,7 @@ private:
             const SessionState ready = liveState(moved(0, 0.05 * i));
             points.push_back(*project::taughtAt(point, ready.q, ready.tcpPose, {}, document_->frames()));
         }
-        document_->insert(0, points, "x");
+        document_->insertWaypoints(0, points, "x");
         tab_->selectRow(0);
         table()->setFocus();
     }
@@ -401,7 +401,7 @@ private:
     QAction* action(const QString& name) { return tab_->findChild<QAction*>("frame.action." + name); }
 
     std::unique_ptr<RobotSession> session_;
-    std::unique_ptr<WaypointModel> document_;
+    std::unique_ptr<ProjectDocument> document_;
     std::unique_ptr<FramesTab> tab_;
 };
 

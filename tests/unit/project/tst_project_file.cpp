@@ -107,9 +107,24 @@ private Q_SLOTS:
 
     void fileSaysWhatItIs() {
         const QJsonObject root = QJsonDocument::fromJson(bytesOf(sample())).object();
-        QCOMPARE(root["format"].toString(), QString("tiller-session"));
+        QCOMPARE(root["format"].toString(), QString("tiller-project"));
         QCOMPARE(root["version"].toInt(), 1);
         QCOMPARE(root["robot"].toString(), QString("UR5e"));
+    }
+
+    void aFileOfEarlierVersionsIsReadWholeOrDamaged() {
+        const QByteArray now = bytesOf(sample());
+        QByteArray before = now;
+        before.replace("\"tiller-project\"", "\"tiller-session\"");
+        QVERIFY(before != now);
+        const auto read = parseProject(before);
+        QVERIFY2(read.ok(), qPrintable(read.error().toString()));
+        QVERIFY(*read == *parseProject(now));
+        QCOMPARE(bytesOf(*read), now);
+        const auto salvaged = recoverFromBytes(before.left(before.lastIndexOf("\"joints\"")));
+        QVERIFY(salvaged.ok());
+        QCOMPARE(salvaged->lostWaypoints, 1);
+        QVERIFY(!salvaged->document.waypoints.isEmpty());
     }
 
     void unknownFieldsSurviveASave() {
@@ -177,14 +192,14 @@ private Q_SLOTS:
             root[QLatin1String(key)] = value;
             return QJsonDocument(root).toJson();
         };
-        QTest::newRow("format") << change("format", "other") << "is not a Tiller session";
+        QTest::newRow("format") << change("format", "other") << "is not a Tiller project";
         QTest::newRow("version text") << change("version", "one") << "version: is not a whole number";
         QTest::newRow("waypoints object") << change("waypoints", QJsonObject()) << "waypoints: is not a list";
         QTest::newRow("entry") << change("waypoints", QJsonArray{1})
                                << "waypoints[0]: is a number, not an object";
         QTest::newRow("frames text") << change("frames", "x") << "frames: is not a list";
         QTest::newRow("robot") << change("robot", "UR99") << "robot: \"UR99\"";
-        QTest::newRow("list") << QByteArray("[1, 2]") << "is not a Tiller session";
+        QTest::newRow("list") << QByteArray("[1, 2]") << "is not a Tiller project";
         QTest::newRow("empty") << QByteArray() << "line 1, column 1";
         QTest::newRow("not json") << QByteArray("{\n \"a\": nonsense\n}") << "line 2";
         QTest::newRow("huge number") << bytesOf(sample()).replace("0.005", "1e999") << "illegal number";

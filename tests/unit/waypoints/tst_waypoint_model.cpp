@@ -34,9 +34,9 @@ Waypoint at(const QString& name, const JointPositions& q) {
     return point;
 }
 
-QString names(const WaypointModel& model) {
+QString names(const ProjectDocument& document) {
     QStringList result;
-    for (const Waypoint& point : model.waypoints()) {
+    for (const Waypoint& point : document.waypoints()) {
         result << point.name;
     }
     return result.join(',');
@@ -53,26 +53,28 @@ class TestWaypointModel : public QObject {
 
 private Q_SLOTS:
     void init() {
-        model_ = std::make_unique<WaypointModel>();
+        document_ = std::make_unique<ProjectDocument>();
+        model_ = std::make_unique<WaypointModel>(*document_);
         tester_ = std::make_unique<QAbstractItemModelTester>(
             model_.get(), QAbstractItemModelTester::FailureReportingMode::QtTest);
-        project::Project document;
+        project::Project cell;
         tray_ = QUuid::createUuid();
-        document.frames.append({tray_, "Tray A", Pose(-0.3, -0.4, 0.1, 0, 0, 0.4), {}});
+        cell.frames.append({tray_, "Tray A", Pose(-0.3, -0.4, 0.1, 0, 0, 0.4), {}});
         for (const char* name : {"home", "approach", "above tray", "pick"}) {
-            document.waypoints.append(at(name, kStart));
+            cell.waypoints.append(at(name, kStart));
         }
-        Waypoint linear = document.waypoints.at(2);
+        Waypoint linear = cell.waypoints.at(2);
         linear.move = MoveKind::Linear;
         linear.ruling = Ruling::Pose;
         linear.blend = 0.005;
-        document.waypoints.replace(2, linear);
-        model_->setDocument(document);
+        cell.waypoints.replace(2, linear);
+        document_->setProject(cell);
     }
 
     void cleanup() {
         tester_.reset();
         model_.reset();
+        document_.reset();
     }
 
     void columnsReadAsTheDesignHasThem() {
@@ -89,49 +91,49 @@ private Q_SLOTS:
     }
 
     void placeOutOfReachSaysSoInWords() {
-        Waypoint far = model_->waypoints().at(2);
+        Waypoint far = document_->waypoints().at(2);
         far.pose.position = Eigen::Vector3d(2, 0, 0.3);
-        model_->change(2, far, "x");
+        document_->changeWaypoint(2, far, "x");
         QCOMPARE(cell(*model_, 2, WaypointModel::ReachColumn), QString("✕ reach"));
-        QVERIFY(!WaypointModel::reachAdvice(model_->reach(2)).isEmpty());
+        QVERIFY(!WaypointModel::reachAdvice(document_->reach(2)).isEmpty());
         // A longer arm gets there.
-        model_->setRobot(RobotModelId::UR20);
+        document_->setRobot(RobotModelId::UR20);
         far.pose.position = Eigen::Vector3d(1.2, 0, 0.3);
-        model_->change(2, far, "x");
+        document_->changeWaypoint(2, far, "x");
         QCOMPARE(cell(*model_, 2, WaypointModel::ReachColumn), QString("✓"));
     }
 
     void everyEditGoesThereAndBack() {
-        const project::Project before = model_->document();
-        model_->insert(1, {at("new", kStart)}, "Teach");
-        model_->remove({0, 3});
+        const project::Project before = document_->project();
+        document_->insertWaypoints(1, {at("new", kStart)}, "Teach");
+        document_->removeWaypoints({0, 3});
         QVERIFY(model_->setData(model_->index(0, WaypointModel::Name), "renamed", Qt::EditRole));
         QVERIFY(model_->setData(model_->index(0, WaypointModel::Move), "L", Qt::EditRole));
         QVERIFY(model_->setData(model_->index(0, WaypointModel::Speed), "100 mm/s", Qt::EditRole));
         QVERIFY(model_->setData(model_->index(0, WaypointModel::Blend), "2,5", Qt::EditRole));
         QVERIFY(model_->setData(model_->index(0, WaypointModel::Frame), "Tray A", Qt::EditRole));
-        model_->moveRowsBefore({0}, 3);
-        const project::Project after = model_->document();
-        QCOMPARE(names(*model_), QString("approach,pick,renamed"));
-        QCOMPARE(model_->undoStack().count(), 8);
-        while (model_->undoStack().canUndo()) {
-            model_->undoStack().undo();
+        document_->moveWaypointsBefore({0}, 3);
+        const project::Project after = document_->project();
+        QCOMPARE(names(*document_), QString("approach,pick,renamed"));
+        QCOMPARE(document_->undoStack().count(), 8);
+        while (document_->undoStack().canUndo()) {
+            document_->undoStack().undo();
         }
-        QVERIFY(model_->document() == before);
-        while (model_->undoStack().canRedo()) {
-            model_->undoStack().redo();
+        QVERIFY(document_->project() == before);
+        while (document_->undoStack().canRedo()) {
+            document_->undoStack().redo();
         }
-        QVERIFY(model_->document() == after);
-        QVERIFY(std::abs(model_->waypoints().at(2).blend - 0.0025) < 1e-15);
-        QVERIFY(std::abs(model_->waypoints().at(2).toolSpeed - 0.1) < 1e-15);
+        QVERIFY(document_->project() == after);
+        QVERIFY(std::abs(document_->waypoints().at(2).blend - 0.0025) < 1e-15);
+        QVERIFY(std::abs(document_->waypoints().at(2).toolSpeed - 0.1) < 1e-15);
     }
 
     void nothingChangedIsNoUndoStep() {
         QVERIFY(model_->setData(model_->index(0, WaypointModel::Name), "home", Qt::EditRole));
         QVERIFY(model_->setData(model_->index(0, WaypointModel::Move), "J", Qt::EditRole));
-        model_->moveRowsBefore({1}, 1);
-        model_->moveRowsBefore({1}, 2);
-        QCOMPARE(model_->undoStack().count(), 0);
+        document_->moveWaypointsBefore({1}, 1);
+        document_->moveWaypointsBefore({1}, 2);
+        QCOMPARE(document_->undoStack().count(), 0);
     }
 
     void badFiguresAreRefusedWithAReason() {
@@ -147,29 +149,29 @@ private Q_SLOTS:
         QVERIFY(!model_->setData(model_->index(2, WaypointModel::Frame), "Tray Z", Qt::EditRole));
         QVERIFY(!model_->setData(model_->index(2, WaypointModel::Move), "C", Qt::EditRole));
         QCOMPARE(refused.count(), 7);
-        QCOMPARE(model_->undoStack().count(), 0);
+        QCOMPARE(document_->undoStack().count(), 0);
     }
 
     void changingTheFrameKeepsThePlace() {
-        const Pose before = *project::poseInBase(model_->waypoints().at(2), model_->frames());
+        const Pose before = *project::poseInBase(document_->waypoints().at(2), document_->frames());
         QVERIFY(model_->setData(model_->index(2, WaypointModel::Frame), "Tray A", Qt::EditRole));
-        const Waypoint& moved = model_->waypoints().at(2);
+        const Waypoint& moved = document_->waypoints().at(2);
         QCOMPARE(moved.frame, tray_);
         QVERIFY(moved.pose != before);
-        const auto off = project::poseDifference(*project::poseInBase(moved, model_->frames()), before);
+        const auto off = project::poseDifference(*project::poseInBase(moved, document_->frames()), before);
         QVERIFY(off.distance < 1e-12);
         QVERIFY(off.angle < 1e-12);
         QVERIFY(model_->setData(model_->index(2, WaypointModel::Frame), "—", Qt::EditRole));
-        QVERIFY(model_->waypoints().at(2).ruling == Ruling::Joints);
+        QVERIFY(document_->waypoints().at(2).ruling == Ruling::Joints);
     }
 
     void draggedRowsLandWhereTheyAreDropped() {
         std::unique_ptr<QMimeData> mime(
             model_->mimeData({model_->index(0, 0), model_->index(0, 1), model_->index(1, 0)}));
         QVERIFY(model_->dropMimeData(mime.get(), Qt::MoveAction, 4, 0, {}));
-        QCOMPARE(names(*model_), QString("above tray,pick,home,approach"));
-        model_->undoStack().undo();
-        QCOMPARE(names(*model_), QString("home,approach,above tray,pick"));
+        QCOMPARE(names(*document_), QString("above tray,pick,home,approach"));
+        document_->undoStack().undo();
+        QCOMPARE(names(*document_), QString("home,approach,above tray,pick"));
         QMimeData foreign;
         foreign.setText("x");
         QVERIFY(!model_->dropMimeData(&foreign, Qt::MoveAction, 0, 0, {}));
@@ -177,15 +179,15 @@ private Q_SLOTS:
 
     void selectionFollowsAReorder() {
         const QPersistentModelIndex pick = model_->index(3, 1);
-        model_->moveRowsBefore({3}, 0);
+        document_->moveWaypointsBefore({3}, 0);
         QCOMPARE(pick.row(), 0);
         QCOMPARE(pick.data().toString(), QString("pick"));
     }
 
     void tableOfTextComesBackTheSame() {
-        project::FrameList frames = model_->frames();
+        project::FrameList frames = document_->frames();
         QVERIFY(model_->setData(model_->index(2, WaypointModel::Frame), "Tray A", Qt::EditRole));
-        std::vector<Waypoint> points(model_->waypoints().begin(), model_->waypoints().end());
+        std::vector<Waypoint> points(document_->waypoints().begin(), document_->waypoints().end());
         points[3].tcpOffset = Pose(0.01, 0.02, 0.15, 0.1, 0.2, 0.3);
         const QString text = waypoint_clipboard::toText(points, frames);
         const auto back = waypoint_clipboard::fromText(text, frames);
@@ -208,7 +210,7 @@ private Q_SLOTS:
     }
 
     void tableOfTextMayComeReorderedAndWithCommas() {
-        const std::vector<Waypoint> points = {model_->waypoints().at(0)};
+        const std::vector<Waypoint> points = {document_->waypoints().at(0)};
         QStringList lines = waypoint_clipboard::toText(points, {}).split('\n');
         QStringList heading = lines[0].split('\t');
         QStringList fields = lines[1].split('\t');
@@ -224,7 +226,7 @@ private Q_SLOTS:
     }
 
     void badTableOfTextIsRefusedWithItsPlace() {
-        QString text = waypoint_clipboard::toText({model_->waypoints().at(0)}, {});
+        QString text = waypoint_clipboard::toText({document_->waypoints().at(0)}, {});
         text.replace("\t60\t", "\tfast\t");
         const auto back = waypoint_clipboard::fromText(text, {});
         QVERIFY(back.error().code == ErrorCode::InvalidArgument);
@@ -276,6 +278,7 @@ private Q_SLOTS:
     }
 
 private:
+    std::unique_ptr<ProjectDocument> document_;
     std::unique_ptr<WaypointModel> model_;
     std::unique_ptr<QAbstractItemModelTester> tester_;
     QUuid tray_;

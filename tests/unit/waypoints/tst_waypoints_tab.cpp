@@ -18,7 +18,8 @@
 #include "widgets/common/hold_button.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/common/theme.h"
-#include "widgets/project/project_store.h"
+#include "widgets/project/project_document.h"
+#include "widgets/project/project_files.h"
 #include "widgets/waypoints/waypoint_details.h"
 #include "widgets/waypoints/waypoint_model.h"
 #include "widgets/waypoints/waypoint_table.h"
@@ -71,7 +72,8 @@ private Q_SLOTS:
         arm_ = FakeArm();
         session_ = std::make_unique<RobotSession>();
         session_->shutDown();  // no states but those of the test
-        tab_ = std::make_unique<WaypointsTab>(*session_, arm_.port());
+        document_ = std::make_unique<ProjectDocument>();
+        tab_ = std::make_unique<WaypointsTab>(*session_, *document_, arm_.port());
         goTo()->guard().setClock(clock_);
         tab_->resize(560, 560);
         tab_->show();
@@ -79,6 +81,7 @@ private Q_SLOTS:
     }
     void cleanup() {
         tab_.reset();
+        document_.reset();
         session_.reset();
     }
 
@@ -103,7 +106,7 @@ private Q_SLOTS:
         feed(stale);
         QVERIFY(!button("waypoint.teach")->isEnabled());
         tab_->teach();
-        QCOMPARE(model().rowCount(), 0);
+        QCOMPARE(document_->waypoints().size(), 0);
     }
 
     void teachKeepsJointsAndPoseAndStandsAfterTheSelection() {
@@ -116,7 +119,7 @@ private Q_SLOTS:
         QTest::keyClick(tab_.get(), Qt::Key_T);
         QCOMPARE(names(), QStringList({"waypoint 1", "waypoint 4", "waypoint 2", "waypoint 3"}));
         QCOMPARE(tab_->currentRow(), 1);
-        const project::Waypoint& taught = model().waypoints().at(1);
+        const project::Waypoint& taught = document_->waypoints().at(1);
         QCOMPARE(taught.joints, state.q);
         QCOMPARE(taught.pose, state.tcpPose);
         QCOMPARE(taught.tcpOffset, state.tcpOffset);
@@ -125,7 +128,7 @@ private Q_SLOTS:
     void touchUpShowsTheDifferenceAndAsks() {
         teachThree();
         tab_->selectRow(1);
-        const project::Waypoint before = model().waypoints().at(1);
+        const project::Waypoint before = document_->waypoints().at(1);
         const SessionState live = liveState(moved(4, 0.2));
         feed(live);
         QTest::keyClick(tab_.get(), Qt::Key_U);
@@ -133,20 +136,20 @@ private Q_SLOTS:
         QVERIFY(notice()->title().contains("waypoint 2"));
         QVERIFY2(notice()->text().contains("mm"), qPrintable(notice()->text()));
         QVERIFY(notice()->text().contains("Wrist 2"));
-        QVERIFY(model().waypoints().at(1) == before);
+        QVERIFY(document_->waypoints().at(1) == before);
 
         click("notice.dismiss");
         QVERIFY(!notice()->isVisible());
-        QVERIFY(model().waypoints().at(1) == before);
+        QVERIFY(document_->waypoints().at(1) == before);
 
         click("waypoint.touchUp");
         feed(liveState(moved(4, 0.9)));  // the arm goes on: what was shown is what is kept
         click("notice.accept");
-        QCOMPARE(model().waypoints().at(1).joints, live.q);
-        QCOMPARE(model().waypoints().at(1).name, before.name);
-        QCOMPARE(model().waypoints().at(1).id, before.id);
-        model().undoStack().undo();
-        QVERIFY(model().waypoints().at(1) == before);
+        QCOMPARE(document_->waypoints().at(1).joints, live.q);
+        QCOMPARE(document_->waypoints().at(1).name, before.name);
+        QCOMPARE(document_->waypoints().at(1).id, before.id);
+        document_->undoStack().undo();
+        QVERIFY(document_->waypoints().at(1) == before);
     }
 
     void anotherSelectionTakesTheQuestionBack() {
@@ -180,7 +183,7 @@ private Q_SLOTS:
         QTest::keyClick(table(), Qt::Key_F2);
         auto* editor = table()->findChild<QLineEdit*>("waypoint.editor");
         QTest::keyClicks(editor, "tug");
-        QCOMPARE(model().rowCount(), 3);
+        QCOMPARE(document_->waypoints().size(), 3);
         QVERIFY(arm_.moves.empty());
         QCOMPARE(editor->text(), QString("tug"));
         QTest::keyClick(editor, Qt::Key_Escape);
@@ -217,16 +220,16 @@ private Q_SLOTS:
         QVERIFY(QApplication::clipboard()->text().startsWith("Name\tMove\t"));
         tab_->selectRow(2);
         QTest::keyClick(table(), Qt::Key_V, Qt::ControlModifier);
-        QCOMPARE(model().rowCount(), 6);
+        QCOMPARE(document_->waypoints().size(), 6);
         QStringList all = names();
         QCOMPARE(all.removeDuplicates(), 0);
-        model().undoStack().undo();
-        QCOMPARE(model().rowCount(), 3);
+        document_->undoStack().undo();
+        QCOMPARE(document_->waypoints().size(), 3);
 
         QApplication::clipboard()->setText("not\ta table");
         QTest::keyClick(table(), Qt::Key_V, Qt::ControlModifier);
         QVERIFY(notice()->isVisible());
-        QCOMPARE(model().rowCount(), 3);
+        QCOMPARE(document_->waypoints().size(), 3);
     }
 
     void holdingGoToMovesAndReleasingStops() {
@@ -238,7 +241,7 @@ private Q_SLOTS:
         QTest::mousePress(key, Qt::LeftButton);
         QCOMPARE(arm_.moves.size(), std::size_t(1));
         QVERIFY(arm_.moves[0].kind == MoveRequest::Kind::MoveJ);
-        QCOMPARE(arm_.moves[0].q, model().waypoints().at(1).joints);
+        QCOMPARE(arm_.moves[0].q, document_->waypoints().at(1).joints);
         QTRY_VERIFY(arm_.holds >= 2);
         QTest::mouseRelease(key, Qt::LeftButton);
         QCOMPARE(arm_.ends, std::vector<StopCause>{StopCause::Released});
@@ -332,7 +335,7 @@ private Q_SLOTS:
         feed(liveState(moved(0, 0.3)));
         tab_->selectRow(1);
         QTest::mousePress(goTo(), Qt::LeftButton);
-        model().undoStack().undo();
+        document_->undoStack().undo();
         QCOMPARE(arm_.ends.size(), std::size_t(1));
         QTest::mouseRelease(goTo(), Qt::LeftButton);
     }
@@ -374,10 +377,10 @@ private Q_SLOTS:
 
     void unreachableWaypointCannotBeGoneTo() {
         teachThree();
-        project::Waypoint far = model().waypoints().at(1);
+        project::Waypoint far = document_->waypoints().at(1);
         far.ruling = project::Ruling::Pose;
         far.pose.position.x() = 4;
-        model().change(1, far, "x");
+        document_->changeWaypoint(1, far, "x");
         tab_->selectRow(1);
         QVERIFY(!goTo()->isEnabled());
         QVERIFY(goTo()->toolTip().contains("reach"));
@@ -394,12 +397,12 @@ private Q_SLOTS:
         tab_->selectRow(0);
         QVERIFY(ghosts.count() >= 1);
         QCOMPARE(selections.count(), 1);
-        QCOMPARE(selections[0][0].toUuid(), model().waypoints().at(0).id);
+        QCOMPARE(selections[0][0].toUuid(), document_->waypoints().at(0).id);
         QCOMPARE(tab_->ghost()->name, QString("waypoint 1"));
-        QCOMPARE(tab_->ghost()->q, model().waypoints().at(0).joints);
+        QCOMPARE(tab_->ghost()->q, document_->waypoints().at(0).joints);
         QCOMPARE(tab_->marks().size(), std::size_t(3));
         QVERIFY(tab_->marks()[0].selected);
-        QVERIFY((tab_->marks()[1].position - model().waypoints().at(1).pose.position).norm() < 1e-9);
+        QVERIFY((tab_->marks()[1].position - document_->waypoints().at(1).pose.position).norm() < 1e-9);
         tab_->selectRow(-1);
         QVERIFY(!tab_->ghost().has_value());
     }
@@ -424,13 +427,13 @@ private Q_SLOTS:
     }
 
     void theFrameIsChosenInTheDetailsAndThePlaceStays() {
-        project::Project document;
+        project::Project cell;
         project::Frame tray;
         tray.id = QUuid::createUuid();
         tray.name = "tray";
         tray.T_base_frame = Pose(0.3, -0.2, 0.1, 0, 0, 0.7);
-        document.frames.append(tray);
-        model().setDocument(document);
+        cell.frames.append(tray);
+        document_->setProject(cell);
         feed(liveState());
         tab_->teach();
         auto* frame = tab_->findChild<QComboBox*>("waypoint.details.frame");
@@ -440,13 +443,13 @@ private Q_SLOTS:
         QTest::keyClick(frame, Qt::Key_Down);
         QTest::keyClick(frame, Qt::Key_Down);
         QCOMPARE(frame->currentText(), QStringLiteral("tray"));
-        const project::Waypoint& point = model().waypoints().at(0);
+        const project::Waypoint& point = document_->waypoints().at(0);
         QCOMPARE(point.frame, tray.id);
         QVERIFY(point.ruling == project::Ruling::Pose);
-        const Pose place = *project::poseInBase(point, model().frames());
+        const Pose place = *project::poseInBase(point, document_->frames());
         QVERIFY(project::poseDifference(place, liveState().tcpPose).distance < 1e-9);
-        model().undoStack().undo();
-        model().undoStack().undo();
+        document_->undoStack().undo();
+        document_->undoStack().undo();
         QCOMPARE(frame->currentText(), QStringLiteral("—"));
     }
 
@@ -454,18 +457,22 @@ private Q_SLOTS:
         teachThree();
         QTemporaryDir directory;
         const QString path = directory.filePath("cell-7.tiller");
-        tab_->saveFileAs(path);
+        ProjectFiles files(*document_);
+        connect(&files, &ProjectFiles::noticeWanted, tab_.get(), [this](const ProjectNotice& wanted) {
+            tab_->showNotice(wanted.title, wanted.text, wanted.accept, wanted.accepted);
+        });
+        files.saveAs(path);
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadWrite));
         const QByteArray whole = file.readAll();
         QVERIFY(file.resize(whole.lastIndexOf("\"joints\"")));
         file.close();
-        tab_->openFile(path);
+        files.open(path);
         QVERIFY(notice()->isVisible());
         QVERIFY2(notice()->text().contains("line "), qPrintable(notice()->text()));
-        QCOMPARE(model().rowCount(), 3);
+        QCOMPARE(document_->waypoints().size(), 3);
         click("notice.accept");
-        QCOMPARE(model().rowCount(), 2);
+        QCOMPARE(document_->waypoints().size(), 2);
     }
 
     void everyControlHasANameForTestsAndScreenReaders() {
@@ -491,10 +498,9 @@ private:
         }
         feed(liveState());
     }
-    WaypointModel& model() { return tab_->model(); }
     QStringList names() {
         QStringList result;
-        for (const project::Waypoint& point : model().waypoints()) {
+        for (const project::Waypoint& point : document_->waypoints()) {
             result << point.name;
         }
         return result;
@@ -508,6 +514,7 @@ private:
     FakeArm arm_;
     VirtualClock clock_;  // stands still: a late event loop ends no hold
     std::unique_ptr<RobotSession> session_;
+    std::unique_ptr<ProjectDocument> document_;
     std::unique_ptr<WaypointsTab> tab_;
 };
 

@@ -7,8 +7,8 @@
 #include <QTest>
 #include <memory>
 
+#include "widgets/project/project_document.h"
 #include "widgets/project/project_store.h"
-#include "widgets/waypoints/waypoint_model.h"
 
 using namespace tiller;
 
@@ -35,19 +35,19 @@ private Q_SLOTS:
     void init() {
         directory_ = std::make_unique<QTemporaryDir>();
         path_ = directory_->filePath("cell-7.tiller");
-        model_ = std::make_unique<WaypointModel>();
-        store_ = std::make_unique<ProjectStore>(*model_);
+        document_ = std::make_unique<ProjectDocument>();
+        store_ = std::make_unique<ProjectStore>(*document_);
     }
     void cleanup() {
         store_.reset();
-        model_.reset();
+        document_.reset();
     }
 
     void changesAreSavedByThemselves() {
         QVERIFY(store_->openOrStart(path_).ok());
         QCOMPARE(store_->statusText(), QString("cell-7.tiller — saved"));
         QVERIFY(!QFile::exists(path_));
-        model_->insert(0, {named("home")}, "Teach");
+        document_->insertWaypoints(0, {named("home")}, "Teach");
         QCOMPARE(store_->statusText(), QString("cell-7.tiller — saving…"));
         QTRY_COMPARE(store_->statusText(), QString("cell-7.tiller — saved"));
         QCOMPARE(project::loadProject(path_)->waypoints.at(0).name, QString("home"));
@@ -55,39 +55,39 @@ private Q_SLOTS:
 
     void whatIsNotSavedYetIsSavedAtTheEnd() {
         QVERIFY(store_->openOrStart(path_).ok());
-        model_->insert(0, {named("home")}, "Teach");
+        document_->insertWaypoints(0, {named("home")}, "Teach");
         store_.reset();
         QCOMPARE(project::loadProject(path_)->waypoints.size(), 1);
     }
 
     void undoIsSavedToo() {
         QVERIFY(store_->openOrStart(path_).ok());
-        model_->insert(0, {named("home")}, "Teach");
+        document_->insertWaypoints(0, {named("home")}, "Teach");
         QVERIFY(store_->saveNow().ok());
-        model_->undoStack().undo();
+        document_->undoStack().undo();
         QTRY_VERIFY(!store_->isModified());
         QCOMPARE(project::loadProject(path_)->waypoints.size(), 0);
     }
 
     void openingShowsTheFileAndForgetsTheHistory() {
-        project::Project document;
-        document.waypoints.append(named("a"));
-        document.robot = RobotModelId::UR10e;
-        QVERIFY(project::saveProject(path_, document).ok());
-        model_->insert(0, {named("x")}, "Teach");
+        project::Project cell;
+        cell.waypoints.append(named("a"));
+        cell.robot = RobotModelId::UR10e;
+        QVERIFY(project::saveProject(path_, cell).ok());
+        document_->insertWaypoints(0, {named("x")}, "Teach");
         QVERIFY(store_->open(path_).ok());
-        QCOMPARE(model_->rowCount(), 1);
-        QVERIFY(!model_->undoStack().canUndo());
+        QCOMPARE(document_->waypoints().size(), 1);
+        QVERIFY(!document_->undoStack().canUndo());
         QVERIFY(!store_->isModified());
         // The arm it was taught with stays written in it.
-        model_->insert(1, {named("b")}, "Teach");
+        document_->insertWaypoints(1, {named("b")}, "Teach");
         QVERIFY(store_->saveNow().ok());
         QCOMPARE(project::loadProject(path_)->robot, std::optional(RobotModelId::UR10e));
     }
 
     void damagedFileChangesNothing() {
         QVERIFY(store_->openOrStart(path_).ok());
-        model_->insert(0, {named("home")}, "Teach");
+        document_->insertWaypoints(0, {named("home")}, "Teach");
         const QString other = directory_->filePath("other.tiller");
         QFile file(other);
         QVERIFY(file.open(QIODevice::WriteOnly));
@@ -96,16 +96,16 @@ private Q_SLOTS:
         const QByteArray before = contentOf(other);
         QVERIFY(store_->open(other).error().code == ErrorCode::FileCorrupt);
         QCOMPARE(store_->path(), path_);
-        QCOMPARE(model_->rowCount(), 1);
+        QCOMPARE(document_->waypoints().size(), 1);
         QTRY_VERIFY(!store_->isModified());
         QCOMPARE(contentOf(other), before);
     }
 
     void recoveredFileIsPutAsideAtTheFirstSave() {
-        project::Project document;
-        document.waypoints.append(named("a"));
-        document.waypoints.append(named("b"));
-        const QByteArray whole = *project::serializeProject(document);
+        project::Project cell;
+        cell.waypoints.append(named("a"));
+        cell.waypoints.append(named("b"));
+        const QByteArray whole = *project::serializeProject(cell);
         const QByteArray damaged = whole.left(whole.lastIndexOf("\"joints\""));
         QFile file(path_);
         QVERIFY(file.open(QIODevice::WriteOnly));
@@ -116,7 +116,7 @@ private Q_SLOTS:
         const auto recovered = store_->openRecovered(path_);
         QVERIFY(recovered.ok());
         QCOMPARE(recovered->lostWaypoints, 1);
-        QCOMPARE(model_->rowCount(), 1);
+        QCOMPARE(document_->waypoints().size(), 1);
         QCOMPARE(contentOf(path_), damaged);
         QVERIFY(store_->saveNow().ok());
         QCOMPARE(kept.count(), 1);
@@ -130,7 +130,7 @@ private Q_SLOTS:
         QVERIFY(store_->openOrStart(folder + "/x.tiller").ok());
         QVERIFY(QDir().rmdir(folder));
         QSignalSpy failed(store_.get(), &ProjectStore::saveFailed);
-        model_->insert(0, {named("home")}, "Teach");
+        document_->insertWaypoints(0, {named("home")}, "Teach");
         QTRY_COMPARE(failed.count(), 1);
         QVERIFY2(store_->statusText().startsWith("x.tiller — not saved: "), qPrintable(store_->statusText()));
         QVERIFY(store_->isModified());
@@ -141,7 +141,7 @@ private Q_SLOTS:
 
     void savingElsewhereThatFailsKeepsTheOldPlace() {
         QVERIFY(store_->openOrStart(path_).ok());
-        model_->insert(0, {named("home")}, "Teach");
+        document_->insertWaypoints(0, {named("home")}, "Teach");
         QVERIFY(!store_->saveAs(directory_->filePath("no/such/folder.tiller")).ok());
         QCOMPARE(store_->path(), path_);
         const QString other = directory_->filePath("b.tiller");
@@ -153,7 +153,7 @@ private Q_SLOTS:
 private:
     std::unique_ptr<QTemporaryDir> directory_;
     QString path_;
-    std::unique_ptr<WaypointModel> model_;
+    std::unique_ptr<ProjectDocument> document_;
     std::unique_ptr<ProjectStore> store_;
 };
 

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/project/project_files.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include "widgets/session/texts.h"
+
+namespace tiller {
+
+QString projectFolder() {
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return QDir(documents.isEmpty() ? QDir::homePath() : documents).filePath(QStringLiteral("Tiller"));
+}
+
+ProjectFiles::ProjectFiles(ProjectDocument& document, QObject* parent) : QObject(parent), store_(document) {
+    connect(&store_, &ProjectStore::keptAside, this, [this](const QString& copy) {
+        Q_EMIT message(Severity::Warning, tr("The damaged project file was kept as %1").arg(copy));
+    });
+    connect(&store_, &ProjectStore::saveFailed, this,
+            [this](const Error& error) { warn(tr("The project could not be saved"), error); });
+}
+
+void ProjectFiles::warn(const QString& title, const Error& error) {
+    // The version is the file's here, never the robot's.
+    const QString text =
+        error.code == ErrorCode::VersionUnsupported
+            ? tr("%1. Update Tiller to open it. The file was left as it is.").arg(error.context)
+            : texts::errorText(error);
+    Q_EMIT message(Severity::Error, text);
+    Q_EMIT noticeWanted({title, text, {}, {}});
+}
+
+QString ProjectFiles::startingPlace() const {
+    return store_.path().isEmpty() ? projectFolder() : store_.path();
+}
+
+void ProjectFiles::askToOpen(QWidget* over) {
+    const QString path = QFileDialog::getOpenFileName(over, tr("Open project"), startingPlace(),
+                                                      tr("Tiller projects (*.tiller)"));
+    if (!path.isEmpty()) {
+        open(path);
+    }
+}
+
+void ProjectFiles::askToSave(QWidget* over) {
+    const QString path = QFileDialog::getSaveFileName(over, tr("Save project"), startingPlace(),
+                                                      tr("Tiller projects (*.tiller)"));
+    if (!path.isEmpty()) {
+        saveAs(path);
+    }
+}
+
+void ProjectFiles::open(const QString& path) {
+    const Result<void> opened = store_.openOrStart(path);
+    if (opened) {
+        return;
+    }
+    const Error& error = opened.error();
+    if (error.code == ErrorCode::FileCorrupt) {
+        Q_EMIT message(Severity::Error, texts::errorText(error));
+        offerRecovery(path, error);
+    } else {
+        warn(tr("The project could not be opened"), error);
+    }
+}
+
+void ProjectFiles::offerRecovery(const QString& path, const Error& error) {
+    const QString title = tr("%1 is damaged").arg(QFileInfo(path).fileName());
+    const Result<project::RecoveredProject> found = project::recoverProject(path);
+    if (!found || found->document.waypoints.isEmpty()) {
+        Q_EMIT noticeWanted({title, error.context, {}, {}});
+        return;
+    }
+    const int whole = found->document.waypoints.size();
+    Q_EMIT noticeWanted({title,
+                         tr("%1. Waypoints that can be read: %2, that cannot: %3. The damaged file is kept.")
+                             .arg(error.context)
+                             .arg(whole)
+                             .arg(found->lostWaypoints),
+                         tr("Open %n waypoint(s)", nullptr, whole), [this, path] {
+                             if (const auto recovered = store_.openRecovered(path); !recovered) {
+                                 warn(tr("The project could not be opened"), recovered.error());
+                             }
+                         }});
+}
+
+void ProjectFiles::saveAs(const QString& path) {
+    const QString full = QFileInfo(path).suffix().isEmpty() ? path + QStringLiteral(".tiller") : path;
+    if (const Result<void> saved = store_.saveAs(full); !saved) {
+        warn(tr("The project could not be saved"), saved.error());
+    }
+}
+
+}  // namespace tiller

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Opening and saving for people: asks which file, says what is wrong with one, and offers what can be read of
+// a damaged one. Where the words appear is the window's affair.
+
+#include <QObject>
+#include <functional>
+
+#include "widgets/project/project_store.h"
+#include "widgets/session/robot_session.h"
+
+class QWidget;
+
+namespace tiller {
+
+class ProjectDocument;
+
+/// Something the operator should see now, beside the waypoints.
+struct ProjectNotice {
+    QString title;
+    QString text;
+    QString accept;  ///< label of the key that does something about it; empty for none
+    std::function<void()> accepted;
+};
+
+class ProjectFiles : public QObject {
+    Q_OBJECT
+
+public:
+    /// document  must outlive this object
+    explicit ProjectFiles(ProjectDocument& document, QObject* parent = nullptr);
+
+    /// The file behind the project: which one, autosave, and what the status line says about it.
+    ProjectStore& store() { return store_; }
+
+    /// over  the window the question stands in front of
+    void askToOpen(QWidget* over);
+    void askToSave(QWidget* over);
+    /// Opens the file; where there is none yet, an empty project that will be saved there. A damaged file is
+    /// named with its fault, and what can be read of it is offered.
+    void open(const QString& path);
+    /// path  gets the extension .tiller where it has none
+    void saveAs(const QString& path);
+
+Q_SIGNALS:
+    void noticeWanted(const tiller::ProjectNotice& notice);
+    /// Something the operator should be able to read again later.
+    void message(tiller::Severity severity, const QString& text);
+
+private:
+    void offerRecovery(const QString& path, const Error& error);
+    void warn(const QString& title, const Error& error);
+    /// Where the questions begin: the open file, or the folder for projects.
+    QString startingPlace() const;
+
+    ProjectStore store_;
+};
+
+/// The folder a new project goes to: "Tiller" in the user's documents. It need not exist yet.
+QString projectFolder();
+
+}  // namespace tiller
