@@ -19,6 +19,7 @@
 #include "robot/core/deadline.h"
 #include "robot/core/result.h"
 #include "robot/core/robot_model.h"
+#include "robot/core/text.h"
 #include "robot/core/version.h"
 
 namespace tiller::control {
@@ -30,7 +31,7 @@ enum class RegisterRange : std::uint8_t {
 };
 
 struct ControllerOptions {
-    QString host = QStringLiteral("127.0.0.1");
+    Text host = QStringLiteral("127.0.0.1");
     int portOffset = 0;   ///< added to 30001 and 30004
     int primaryPort = 0;  ///< 0: 30001 + portOffset
     int rtdePort = 0;     ///< 0: 30004 + portOffset

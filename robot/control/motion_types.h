@@ -8,8 +8,11 @@
 
 #include "robot/core/joints.h"
 #include "robot/core/spatial.h"
+#include "robot/core/text.h"
 
 namespace tiller::control {
+
+using tiller::operator<<;  // for the enumerations below
 
 enum class JogFrame : std::uint8_t {
     Base,    ///< axes of the controller's base frame

@@ -97,7 +97,7 @@ Result<MotionId> Controller::Private::startSection(const QString& section, const
     return id;
 }
 
-Result<Motion> Programs::startFunction(const QString& name, const QString& body, const Deadline& start,
+Result<Motion> Programs::startFunction(const Text& name, const Text& body, const Deadline& start,
                                        Holding holding) {
     const QString context = QStringLiteral("start function %1").arg(name);
     static const QRegularExpression kName(QStringLiteral("^[A-Za-z_][A-Za-z0-9_]*$"));
@@ -159,7 +159,7 @@ Result<void> Controller::Private::bringBack() {
     return upload(session, {}, deadline);
 }
 
-Result<void> Programs::runScript(const QString& program, const Deadline& deadline) {
+Result<void> Programs::runScript(const Text& program, const Deadline& deadline) {
     const QString context = QStringLiteral("run a script");
     if (program.trimmed().isEmpty()) {
         return Error{ErrorCode::InvalidArgument, context, QStringLiteral("program: it is empty")};

@@ -7,6 +7,7 @@
 
 #include "robot/control/controller.h"
 #include "robot/control/motion.h"
+#include "robot/core/text.h"
 
 namespace tiller::control {
 
@@ -22,12 +23,12 @@ public:
     /// handle completes when it returns.
     /// name   of the function in messages: letters, digits and _, not beginning with a digit
     /// body   script lines without def and end. It must not use names beginning with tiller_
-    Result<Motion> startFunction(const QString& name, const QString& body, const Deadline& start,
+    Result<Motion> startFunction(const Text& name, const Text& body, const Deadline& start,
                                  Holding holding = Holding::Free);
 
     /// Runs a whole program in place of the control program, waits for its end and takes control again. While
     /// it runs nothing watches over the link: only Controller::stop() and the deadline end it.
-    Result<void> runScript(const QString& program, const Deadline& deadline);
+    Result<void> runScript(const Text& program, const Deadline& deadline);
 
     /// Ends the control program; data go on coming. reupload() brings it back.
     Result<void> endControlProgram(const Deadline& deadline);

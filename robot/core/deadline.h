@@ -42,11 +42,18 @@ class Deadline {
 public:
     using Clock = std::chrono::steady_clock;
 
-    static Deadline after(std::chrono::milliseconds time) {
-        return Deadline(Clock::now() + time, CancelToken());
-    }
-    static Deadline after(std::chrono::milliseconds time, const CancelToken& token) {
-        return Deadline(Clock::now() + time, token);
+    /// time  in any unit and representation: 5s, 0.5s, std::chrono::duration<double>(x). Longer than a
+    ///       century means never; below zero, or not a number, now.
+    template <class Rep, class Period>
+    static Deadline after(std::chrono::duration<Rep, Period> time, const CancelToken& token = CancelToken()) {
+        using Seconds = std::chrono::duration<double>;
+        constexpr Seconds kCentury = std::chrono::hours(24 * 36525);
+        if (!(time > time.zero())) {
+            return Deadline(Clock::now(), token);
+        }
+        return Seconds(time) >= kCentury
+                   ? never(token)
+                   : Deadline(Clock::now() + std::chrono::ceil<Clock::duration>(time), token);
     }
 
     /// For waits that only the event itself, or the token, may end: a move at 2 % speed takes its time.

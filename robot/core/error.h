@@ -6,6 +6,9 @@
 
 #include <QMetaType>
 #include <QString>
+#include <string>
+
+#include "robot/core/text.h"
 
 namespace tiller {
 
@@ -53,6 +56,9 @@ struct Error {
 
     /// One line for a log: "ConnectionRefused: connect to 192.168.0.10:30004 (Connection refused)".
     QString toString() const;
+    /// The same as UTF-8, for programs without Qt.
+    std::string message() const { return toString().toStdString(); }
+    friend std::ostream& operator<<(std::ostream& out, const Error& error) { return out << error.message(); }
 };
 
 }  // namespace tiller

@@ -6,7 +6,12 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <concepts>
 #include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+#include "robot/core/text.h"
 
 namespace tiller {
 
@@ -25,14 +30,43 @@ struct JointArray {
         values << base, shoulder, elbow, wrist1, wrist2, wrist3;
     }
     explicit JointArray(const std::array<double, 6>& v) : values(Eigen::Map<const Vector6>(v.data())) {}
+    /// Errors  std::invalid_argument unless there are six
+    template <std::same_as<std::vector<double>> List>
+    explicit JointArray(const List& v) : values(Eigen::Map<const Vector6>(sixOf(v).data())) {}
 
     double& operator[](int joint) { return values[joint]; }
     double operator[](int joint) const { return values[joint]; }
     std::array<double, 6> array() const {
         return {values[0], values[1], values[2], values[3], values[4], values[5]};
     }
+    std::vector<double> toStdVector() const { return {begin(), end()}; }
     bool allFinite() const { return values.allFinite(); }
+
+    double* begin() { return values.data(); }
+    double* end() { return values.data() + kJointCount; }
+    const double* begin() const { return values.data(); }
+    const double* end() const { return values.data() + kJointCount; }
+
+    JointArray& operator+=(const JointArray& other) { return values += other.values, *this; }
+    JointArray& operator-=(const JointArray& other) { return values -= other.values, *this; }
+    JointArray& operator*=(double factor) { return values *= factor, *this; }
+    friend JointArray operator+(JointArray a, const JointArray& b) { return a += b; }
+    friend JointArray operator-(JointArray a, const JointArray& b) { return a -= b; }
+    friend JointArray operator-(const JointArray& a) { return a * -1.0; }
+    friend JointArray operator*(JointArray a, double factor) { return a *= factor; }
+    friend JointArray operator*(double factor, JointArray a) { return a *= factor; }
     friend bool operator==(const JointArray& a, const JointArray& b) { return a.values == b.values; }
+    friend std::ostream& operator<<(std::ostream& out, const JointArray& a) {
+        return writeNumbers(out, {a.begin(), a.end()});
+    }
+
+private:
+    static const std::vector<double>& sixOf(const std::vector<double>& v) {
+        if (v.size() != kJointCount) {
+            throw std::invalid_argument("six joint values are needed, not " + std::to_string(v.size()));
+        }
+        return v;
+    }
 };
 
 using JointPositions = JointArray<struct JointPositionQuantity>;          ///< q [rad]

@@ -56,6 +56,14 @@ constexpr auto kRuntimeStates = std::to_array<std::pair<RuntimeState, const char
     {RuntimeState::Resuming, "RESUMING"},
 });
 
+constexpr auto kJointModes = std::to_array<std::pair<JointMode, const char*>>({
+    {JointMode::Backdrive, "BACKDRIVE"},
+    {JointMode::PowerOff, "POWER_OFF"},
+    {JointMode::Booting, "BOOTING"},
+    {JointMode::Running, "RUNNING"},
+    {JointMode::Idle, "IDLE"},
+});
+
 template <class Mode, std::size_t N>
 QString nameIn(const std::array<std::pair<Mode, const char*>, N>& names, Mode mode) {
     for (const auto& [value, name] : names) {
@@ -88,6 +96,10 @@ QString safetyModeName(SafetyMode mode) {
 
 QString runtimeStateName(RuntimeState state) {
     return nameIn(kRuntimeStates, state);
+}
+
+QString jointModeName(JointMode mode) {
+    return nameIn(kJointModes, mode);
 }
 
 std::vector<RobotMode> robotModes() {

@@ -7,6 +7,8 @@
 #include <QString>
 #include <cstdint>
 
+#include "robot/core/text.h"
+
 namespace tiller {
 
 enum class RobotMode : std::int32_t {
@@ -67,6 +69,19 @@ enum class JointMode : std::int32_t {
 QString robotModeName(RobotMode mode);
 QString safetyModeName(SafetyMode mode);
 QString runtimeStateName(RuntimeState state);
+QString jointModeName(JointMode mode);
+inline std::ostream& operator<<(std::ostream& out, RobotMode mode) {
+    return out << robotModeName(mode).toStdString();
+}
+inline std::ostream& operator<<(std::ostream& out, SafetyMode mode) {
+    return out << safetyModeName(mode).toStdString();
+}
+inline std::ostream& operator<<(std::ostream& out, RuntimeState state) {
+    return out << runtimeStateName(state).toStdString();
+}
+inline std::ostream& operator<<(std::ostream& out, JointMode mode) {
+    return out << jointModeName(mode).toStdString();
+}
 
 /// True in the two safety modes in which the arm may be moved.
 inline bool allowsMotion(SafetyMode mode) {

@@ -50,6 +50,12 @@ public:
 
     bool ok() const { return !error_.has_value(); }
     explicit operator bool() const { return ok(); }
+    /// Does nothing when ok: where an error would be a broken precondition.
+    void value() const {
+        if (!ok()) {
+            throw std::logic_error("value() of a failed Result: " + error_->message());
+        }
+    }
     Error error() const { return error_.value_or(Error{}); }
 
 private:

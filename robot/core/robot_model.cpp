@@ -294,7 +294,7 @@ std::span<const RobotModel> robotModels() {
     return models();
 }
 
-std::optional<RobotModelId> robotModelByName(const QString& name) {
+std::optional<RobotModelId> robotModelByName(const Text& name) {
     const QString wanted = QString(name).remove(QLatin1Char(' '));
     for (const RobotModel& model : models()) {
         if (wanted.compare(QLatin1String(model.name), Qt::CaseInsensitive) == 0) {

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "robot/core/joints.h"
+#include "robot/core/text.h"
 
 namespace tiller {
 
@@ -73,6 +74,6 @@ inline constexpr double kJointAccelerationLimit = 40.0;
 const RobotModel& robotModel(RobotModelId id);
 std::span<const RobotModel> robotModels();
 /// By name, case ignored: "ur5e", "UR8Long", "ur8 long".
-std::optional<RobotModelId> robotModelByName(const QString& name);
+std::optional<RobotModelId> robotModelByName(const Text& name);
 
 }  // namespace tiller

@@ -15,6 +15,42 @@ Eigen::Isometry3d Pose::transform() const {
     return T;
 }
 
+Pose Pose::fromStdVector(const std::vector<double>& v) {
+    const JointPositions six(v);  // says what is wrong
+    return fromArray(six.array());
+}
+
+std::vector<double> Pose::toStdVector() const {
+    const auto six = array();
+    return {six.begin(), six.end()};
+}
+
+Pose Pose::inverse() const {
+    return Pose(transform().inverse());
+}
+
+Pose operator*(const Pose& T_a_b, const Pose& T_b_c) {
+    return Pose(T_a_b.transform() * T_b_c.transform());
+}
+
+Eigen::Vector3d operator*(const Pose& T_a_b, const Eigen::Vector3d& point) {
+    return T_a_b.transform() * point;
+}
+
+std::ostream& operator<<(std::ostream& out, const Pose& pose) {
+    return writeNumbers(out << 'p', pose.array());
+}
+
+std::ostream& operator<<(std::ostream& out, const Twist& twist) {
+    const Vector6 v = twist.vector();
+    return writeNumbers(out, {v.data(), 6});
+}
+
+std::ostream& operator<<(std::ostream& out, const Wrench& wrench) {
+    const Vector6 v = wrench.vector();
+    return writeNumbers(out, {v.data(), 6});
+}
+
 Eigen::Matrix3d rotationMatrix(const Eigen::Vector3d& rotationVector) {
     const double angle = rotationVector.norm();
     if (angle < 1e-12) {

@@ -8,8 +8,10 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
+#include <vector>
 
 #include "robot/core/joints.h"
+#include "robot/core/text.h"
 
 namespace tiller {
 
@@ -25,12 +27,26 @@ struct Pose {
     explicit Pose(const Eigen::Isometry3d& T);
 
     static Pose fromArray(const std::array<double, 6>& v) { return {v[0], v[1], v[2], v[3], v[4], v[5]}; }
+    /// Errors  std::invalid_argument unless there are six
+    static Pose fromStdVector(const std::vector<double>& v);
+    std::vector<double> toStdVector() const;
+    /// 0, 1, 2: position [m]; 3, 4, 5: rotation vector [rad].
+    double& operator[](int i) { return i < 3 ? position[i] : rotation[i - 3]; }
+    double operator[](int i) const { return i < 3 ? position[i] : rotation[i - 3]; }
     std::array<double, 6> array() const {
         return {position.x(), position.y(), position.z(), rotation.x(), rotation.y(), rotation.z()};
     }
     Eigen::Isometry3d transform() const;
+    /// T_b_a of T_a_b.
+    Pose inverse() const;
     bool allFinite() const { return position.allFinite() && rotation.allFinite(); }
     friend bool operator==(const Pose&, const Pose&) = default;
+    /// T_a_c of T_a_b and T_b_c. Source: URScript pose_trans
+    friend Pose operator*(const Pose& T_a_b, const Pose& T_b_c);
+    /// The point in the axes of a of a point in the axes of b.
+    friend Eigen::Vector3d operator*(const Pose& T_a_b, const Eigen::Vector3d& point);
+    /// As URScript writes it: "p[0.1, 0.2, 0.3, 0, 3.14159, 0]".
+    friend std::ostream& operator<<(std::ostream& out, const Pose& pose);
 };
 
 /// Linear [m/s] and angular [rad/s] velocity, in the frame the holder names.
@@ -41,6 +57,15 @@ struct Twist {
     Vector6 vector() const { return (Vector6() << linear, angular).finished(); }
     static Twist fromVector(const Vector6& v) { return {v.head<3>(), v.tail<3>()}; }
     bool isZero() const { return linear.isZero(0) && angular.isZero(0); }
+    friend Twist operator+(const Twist& a, const Twist& b) {
+        return {a.linear + b.linear, a.angular + b.angular};
+    }
+    friend Twist operator-(const Twist& a, const Twist& b) {
+        return {a.linear - b.linear, a.angular - b.angular};
+    }
+    friend Twist operator*(const Twist& a, double f) { return {a.linear * f, a.angular * f}; }
+    friend Twist operator*(double f, const Twist& a) { return a * f; }
+    friend std::ostream& operator<<(std::ostream& out, const Twist& twist);
     friend bool operator==(const Twist&, const Twist&) = default;
 };
 
@@ -51,7 +76,16 @@ struct Wrench {
 
     Vector6 vector() const { return (Vector6() << force, torque).finished(); }
     static Wrench fromVector(const Vector6& v) { return {v.head<3>(), v.tail<3>()}; }
+    friend Wrench operator+(const Wrench& a, const Wrench& b) {
+        return {a.force + b.force, a.torque + b.torque};
+    }
+    friend Wrench operator-(const Wrench& a, const Wrench& b) {
+        return {a.force - b.force, a.torque - b.torque};
+    }
+    friend Wrench operator*(const Wrench& a, double f) { return {a.force * f, a.torque * f}; }
+    friend Wrench operator*(double f, const Wrench& a) { return a * f; }
     friend bool operator==(const Wrench&, const Wrench&) = default;
+    friend std::ostream& operator<<(std::ostream& out, const Wrench& wrench);
 };
 
 /// Rotation vector [rad] to matrix and back; the angle of the result is in [0, pi].

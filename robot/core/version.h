@@ -5,6 +5,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <ostream>
 
 namespace tiller {
 
@@ -15,6 +16,11 @@ struct SoftwareVersion {
     std::uint32_t build = 0;
 
     friend auto operator<=>(const SoftwareVersion&, const SoftwareVersion&) = default;
+
+    /// "5.21.1.0".
+    friend std::ostream& operator<<(std::ostream& out, const SoftwareVersion& v) {
+        return out << v.major << '.' << v.minor << '.' << v.bugfix << '.' << v.build;
+    }
 
     bool isCb3() const { return major > 0 && major < 5; }
     bool isPolyScopeX() const { return major >= 10; }

@@ -47,7 +47,7 @@ std::optional<SafetyMode> safetyModeByName(const QString& name) {
 
 }  // namespace
 
-DashboardClient::DashboardClient(QString host, int port) : host_(std::move(host)), port_(port) {}
+DashboardClient::DashboardClient(Text host, int port) : host_(std::move(host)), port_(port) {}
 
 DashboardClient::~DashboardClient() = default;
 
@@ -199,7 +199,7 @@ Result<ProgramState> DashboardClient::programState(const Deadline& deadline) {
     return state;
 }
 
-Result<void> DashboardClient::loadProgram(const QString& path, const Deadline& deadline) {
+Result<void> DashboardClient::loadProgram(const Text& path, const Deadline& deadline) {
     const QString line = QStringLiteral("load ") + path;
     const auto loaded = valueAfter(line, QStringLiteral("Loading program: "), deadline);
     return loaded ? Result<void>() : Result<void>(loaded.error());
@@ -217,7 +217,7 @@ Result<void> DashboardClient::stop(const Deadline& deadline) {
     return expect(QStringLiteral("stop"), QStringLiteral("Stopped"), deadline);
 }
 
-Result<void> DashboardClient::popup(const QString& text, const Deadline& deadline) {
+Result<void> DashboardClient::popup(const Text& text, const Deadline& deadline) {
     return expect(QStringLiteral("popup ") + text, QStringLiteral("showing popup"), deadline);
 }
 
@@ -225,11 +225,11 @@ Result<void> DashboardClient::closePopup(const Deadline& deadline) {
     return expect(QStringLiteral("close popup"), QStringLiteral("closing popup"), deadline);
 }
 
-Result<void> DashboardClient::addToLog(const QString& text, const Deadline& deadline) {
+Result<void> DashboardClient::addToLog(const Text& text, const Deadline& deadline) {
     return expect(QStringLiteral("addToLog ") + text, QStringLiteral("Added log message"), deadline);
 }
 
-Result<QString> DashboardClient::command(const QString& line, const Deadline& deadline) {
+Result<QString> DashboardClient::command(const Text& line, const Deadline& deadline) {
     const QString context = contextOf(line);
     if (line.contains(QLatin1Char('\n')) || line.contains(QLatin1Char('\r'))) {
         return Error{ErrorCode::InvalidArgument, context, QStringLiteral("a command is one line")};

@@ -10,11 +10,14 @@
 #include "robot/core/deadline.h"
 #include "robot/core/modes.h"
 #include "robot/core/result.h"
+#include "robot/core/text.h"
 #include "robot/core/version.h"
 
 class QTcpSocket;
 
 namespace tiller::dashboard {
+
+using tiller::operator<<;  // for the enumerations below
 
 inline constexpr int kDashboardPort = 29999;
 
@@ -34,7 +37,7 @@ struct ProgramState {
 ///          controllers honour the switch to Remote on new connections only.
 class DashboardClient {
 public:
-    explicit DashboardClient(QString host, int port = kDashboardPort);
+    explicit DashboardClient(Text host, int port = kDashboardPort);
     ~DashboardClient();
     DashboardClient(const DashboardClient&) = delete;
     DashboardClient& operator=(const DashboardClient&) = delete;
@@ -69,19 +72,19 @@ public:
 
     // Programs
     Result<ProgramState> programState(const Deadline& deadline);
-    Result<void> loadProgram(const QString& path, const Deadline& deadline);
+    Result<void> loadProgram(const Text& path, const Deadline& deadline);
     Result<void> play(const Deadline& deadline);
     Result<void> pause(const Deadline& deadline);
     Result<void> stop(const Deadline& deadline);
 
     // Pendant
-    Result<void> popup(const QString& text, const Deadline& deadline);
+    Result<void> popup(const Text& text, const Deadline& deadline);
     Result<void> closePopup(const Deadline& deadline);
-    Result<void> addToLog(const QString& text, const Deadline& deadline);
+    Result<void> addToLog(const Text& text, const Deadline& deadline);
 
     /// Any command; the reply as it came.
     /// Errors   as above, without Rejected
-    Result<QString> command(const QString& line, const Deadline& deadline);
+    Result<QString> command(const Text& line, const Deadline& deadline);
 
 private:
     Result<QString> readLine(const Deadline& deadline, const QString& context);

@@ -117,7 +117,7 @@ Result<SavedState> isProgramSaved(DashboardClient& client, const Deadline& deadl
     return SavedState{*yes, reply->section(QLatin1Char(' '), 1).trimmed()};
 }
 
-Result<void> loadInstallation(DashboardClient& client, const QString& path, const Deadline& deadline) {
+Result<void> loadInstallation(DashboardClient& client, const Text& path, const Deadline& deadline) {
     return expect(client, QStringLiteral("load installation ") + path,
                   QStringLiteral("Loading installation: "), deadline);
 }
@@ -193,7 +193,7 @@ Result<QString> generateFlightReport(DashboardClient& client, FlightReport kind,
                  QStringLiteral("Flight Report generated with id:"), deadline);
 }
 
-Result<QString> generateSupportFile(DashboardClient& client, const QString& directory,
+Result<QString> generateSupportFile(DashboardClient& client, const Text& directory,
                                     const Deadline& deadline) {
     return after(client, QStringLiteral("generate support file ") + directory,
                  QStringLiteral("Completed successfully:"), deadline);

@@ -4,9 +4,12 @@
 // The documented commands of the dashboard server that DashboardClient does not have itself: program and
 // installation, pendant, identity, operational mode, reports. Threads, blocking and errors are the client's.
 
+#include "robot/core/text.h"
 #include "robot/dashboard/dashboard_client.h"
 
 namespace tiller::dashboard {
+
+using tiller::operator<<;  // for the enumerations below
 
 enum class UserRole { Programmer, Operator, None, Locked, Restricted };
 enum class OperationalMode { None, Manual, Automatic };
@@ -22,7 +25,7 @@ Result<bool> isRunning(DashboardClient& client, const Deadline& deadline);
 Result<QString> loadedProgram(DashboardClient& client, const Deadline& deadline);
 Result<SavedState> isProgramSaved(DashboardClient& client, const Deadline& deadline);
 /// Leaves the robot in POWER_OFF.
-Result<void> loadInstallation(DashboardClient& client, const QString& path, const Deadline& deadline);
+Result<void> loadInstallation(DashboardClient& client, const Text& path, const Deadline& deadline);
 
 // Safety. Source: safetystatus tells causes apart that safetymode does not; since 3.11 / 5.4
 Result<SafetyMode> safetyStatus(DashboardClient& client, const Deadline& deadline);
@@ -45,8 +48,7 @@ enum class FlightReport { Controller, Software, System };
 /// Returns  the report's id
 Result<QString> generateFlightReport(DashboardClient& client, FlightReport kind, const Deadline& deadline);
 /// directory  below the programs folder, "." for itself. Returns  the file's name
-Result<QString> generateSupportFile(DashboardClient& client, const QString& directory,
-                                    const Deadline& deadline);
+Result<QString> generateSupportFile(DashboardClient& client, const Text& directory, const Deadline& deadline);
 
 // The end
 Result<void> quit(DashboardClient& client, const Deadline& deadline);  ///< closes the connection

@@ -8,10 +8,13 @@
 
 #include <functional>
 
+#include "robot/core/text.h"
 #include "robot/dashboard/dashboard_client.h"
 #include "robot/dashboard/robot_api_client.h"
 
 namespace tiller::dashboard {
+
+using tiller::operator<<;  // for the enumerations below
 
 /// What the caller takes upon himself, each for one recovery. The default permits nothing.
 struct RecoveryConsent {

@@ -239,13 +239,13 @@ Result<bool> RobotApiClient::isInRemoteControl(const Deadline& deadline) const {
     return name ? Result<bool>(*name == QLatin1String("REMOTE")) : Result<bool>(name.error());
 }
 
-Result<void> RobotApiClient::loadProgram(const QString& name, const Deadline& deadline) {
+Result<void> RobotApiClient::loadProgram(const Text& name, const Deadline& deadline) {
     const auto done =
         request("PUT", QStringLiteral("/program/v1/loaded"), {{QStringLiteral("name"), name}}, deadline);
     return done ? Result<void>() : Result<void>(done.error());
 }
 
-Result<void> RobotApiClient::runProgram(const QString& action, const Deadline& deadline) {
+Result<void> RobotApiClient::runProgram(const Text& action, const Deadline& deadline) {
     const auto done =
         request("PUT", QStringLiteral("/program/v1/state"), {{QStringLiteral("action"), action}}, deadline);
     return done ? Result<void>() : Result<void>(done.error());

@@ -10,6 +10,7 @@
 #include "robot/core/deadline.h"
 #include "robot/core/modes.h"
 #include "robot/core/result.h"
+#include "robot/core/text.h"
 #include "robot/dashboard/dashboard_client.h"
 
 namespace tiller::dashboard {
@@ -26,7 +27,7 @@ inline constexpr int kRobotApiPort = 80;
 /// Source   Robot API of PolyScope X
 class RobotApiClient {
 public:
-    explicit RobotApiClient(QString host, int port = kRobotApiPort) : host_(std::move(host)), port_(port) {}
+    explicit RobotApiClient(Text host, int port = kRobotApiPort) : host_(std::move(host)), port_(port) {}
 
     /// The version the API gives itself, as in "3.1.4": whether it is there at all.
     Result<QString> apiVersion(const Deadline& deadline) const;
@@ -43,9 +44,9 @@ public:
     Result<bool> isInRemoteControl(const Deadline& deadline) const;
 
     /// name  without its ending
-    Result<void> loadProgram(const QString& name, const Deadline& deadline);
+    Result<void> loadProgram(const Text& name, const Deadline& deadline);
     /// action  "play", "pause", "resume" or "stop"
-    Result<void> runProgram(const QString& action, const Deadline& deadline);
+    Result<void> runProgram(const Text& action, const Deadline& deadline);
     Result<ProgramState::Run> programState(const Deadline& deadline) const;
 
     /// Any request below /universal-robots/robot-api; the object of the reply, empty when it has none.

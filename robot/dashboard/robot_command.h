@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "robot/core/text.h"
+
 // What can be asked of the controller itself, apart from motion, and which way it takes. Names only: what
 // carries them out is robot_service.h.
 
 namespace tiller::dashboard {
+
+using tiller::operator<<;  // for the enumerations below
 
 enum class ServiceKind {
     Unknown,    ///< not asked yet, or nobody answers

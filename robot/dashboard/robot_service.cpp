@@ -41,7 +41,7 @@ public:
     Result<void> unlockProtectiveStop(const Deadline& deadline) override {
         return client_->unlockProtectiveStop(deadline);
     }
-    Result<void> loadProgram(const QString& name, const Deadline& deadline) override {
+    Result<void> loadProgram(const Text& name, const Deadline& deadline) override {
         return client_->loadProgram(name, deadline);
     }
     Result<ServiceReport> look(const Deadline& deadline) override {
@@ -118,7 +118,7 @@ public:
     Result<void> unlockProtectiveStop(const Deadline& deadline) override {
         return noted(client_.unlockProtectiveStop(deadline));
     }
-    Result<void> loadProgram(const QString& name, const Deadline& deadline) override {
+    Result<void> loadProgram(const Text& name, const Deadline& deadline) override {
         QString bare = name;
         if (bare.endsWith(QLatin1String(".urpx"), Qt::CaseInsensitive)) {
             bare.chop(5);
@@ -171,7 +171,7 @@ private:
 
 }  // namespace
 
-ServiceAddress serviceAt(const QString& host, int portOffset) {
+ServiceAddress serviceAt(const Text& host, int portOffset) {
     return {host, kDashboardPort + portOffset, kRobotApiPort + portOffset};
 }
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "robot/core/text.h"
 #include "robot/dashboard/dashboard_client.h"
 #include "robot/dashboard/robot_api_client.h"
 #include "robot/dashboard/robot_command.h"
@@ -37,18 +38,18 @@ public:
     /// Only ever on a person's explicit word: the manufacturer forbids automatic reset.
     virtual Result<void> unlockProtectiveStop(const Deadline& deadline) = 0;
     /// name  as the controller's programs folder has it; PolyScope X takes it with and without its ending
-    virtual Result<void> loadProgram(const QString& name, const Deadline& deadline) = 0;
+    virtual Result<void> loadProgram(const Text& name, const Deadline& deadline) = 0;
     virtual Result<ServiceReport> look(const Deadline& deadline) = 0;
 };
 
 struct ServiceAddress {
-    QString host;
+    Text host;
     int dashboardPort = kDashboardPort;
     int robotApiPort = kRobotApiPort;
 };
 
 /// Where the services of a robot listen whose ports are all moved by the same number.
-ServiceAddress serviceAt(const QString& host, int portOffset = 0);
+ServiceAddress serviceAt(const Text& host, int portOffset = 0);
 
 /// Connects to the dashboard, or, where there is none, to the Robot API.
 /// Errors   of the dashboard where neither answers: AddressInvalid, HostUnreachable, ConnectionRefused,

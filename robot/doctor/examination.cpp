@@ -7,7 +7,7 @@
 
 namespace tiller::doctor {
 
-Patient patientAt(const QString& host, int portOffset) {
+Patient patientAt(const Text& host, int portOffset) {
     Patient patient;
     patient.host = host;
     Ports& p = patient.ports;

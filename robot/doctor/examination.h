@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "robot/core/deadline.h"
+#include "robot/core/text.h"
 #include "robot/doctor/finding.h"
 
 namespace tiller::doctor {
@@ -23,7 +24,7 @@ struct Ports {
 };
 
 struct Patient {
-    QString host;  ///< address or name
+    Text host;  ///< address or name
     Ports ports;
     /// SCHED_FIFO priority the receive thread will ask for.
     int priority = 90;
@@ -31,7 +32,7 @@ struct Patient {
 
 /// host        address or name
 /// portOffset  added to every port of the controller
-Patient patientAt(const QString& host, int portOffset = 0);
+Patient patientAt(const Text& host, int portOffset = 0);
 
 /// Runs all conditions in order; one that cannot be looked at because of an earlier one is Skipped.
 /// each      called for every finding as it is made, from the calling thread; may be empty

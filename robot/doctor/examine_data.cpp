@@ -177,7 +177,10 @@ void Examiner::examineData() {
     receive::Receiver receiver(options);
     receive::Subscription stream = receiver.subscribe();
     receive::Sample sample(receiver.layout());
-    receiver.start();
+    if (const auto started = receiver.start(); !started) {
+        found(Condition::DataRate, Verdict::Bad, QStringLiteral("rate.none"), started.error().toString(), {});
+        return;
+    }
     const Deadline deadline = within(kListenMs);
     double first = 0;
     double last = 0;
@@ -218,6 +221,9 @@ void Examiner::examineData() {
     }
     const receive::RobotState robot(sample);
     judgeModes(robot.robotMode(), robot.safetyMode());
+    if (!robot.has("tcp_offset") || !robot.has("payload")) {
+        return;  // older software does not tell
+    }
     const bool noTool = robot.tcpOffset().position.norm() < 1e-6;
     const bool noPayload = robot.payloadMass() < 1e-6;
     const QString tool = tr("TCP %1 mm from the flange, payload %2 kg")

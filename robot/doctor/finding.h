@@ -8,7 +8,11 @@
 #include <QString>
 #include <vector>
 
+#include "robot/core/text.h"
+
 namespace tiller::doctor {
+
+using tiller::operator<<;  // for the enumerations below
 
 enum class Verdict {
     Good,

@@ -14,13 +14,14 @@
 
 #include "robot/core/deadline.h"
 #include "robot/core/result.h"
+#include "robot/core/text.h"
 #include "robot/receive/receiver.h"
 #include "robot/rtde/protocol.h"
 
 namespace tiller::io {
 
 struct InputRegistersOptions {
-    QString host;
+    Text host;
     std::uint16_t port = rtde::kPort;
     /// The registers this client wants to write, by number: 0-23 are a fieldbus' unless there is none, 24-47
     /// are for clients like this. The control program uses integers 0-9 and doubles 0-17 of its range.

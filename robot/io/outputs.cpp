@@ -99,16 +99,14 @@ Feedback Feedback::fromReceiver(const receive::Receiver& receiver) {
             return report;
         }
         const receive::RobotState state(sample);
-        if (state.has("actual_digital_output_bits")) {
-            report.digitalOutputs = state.digitalOutputs();
-        }
+        report.digitalOutputs = state.digitalOutputs();
         if (state.has("target_speed_fraction")) {
             report.speedSlider = state.speedSlider();
         }
-        if (state.has("standard_analog_output0") && state.has("analog_io_types")) {
+        if (const auto types = state.analogIoTypes(); types && state.has("standard_analog_output0")) {
             constexpr unsigned kFirstOutput = 2;  // bits 0 and 1 are the inputs
             report.analogOutputs = {state.analogOutput(0), state.analogOutput(1)};
-            report.analogDomains = state.analogIoTypes() >> kFirstOutput;
+            report.analogDomains = *types >> kFirstOutput;
         }
         return report;
     }};

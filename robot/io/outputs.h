@@ -15,10 +15,13 @@
 
 #include "robot/core/deadline.h"
 #include "robot/core/result.h"
+#include "robot/core/text.h"
 #include "robot/receive/receiver.h"
 #include "robot/rtde/protocol.h"
 
 namespace tiller::io {
+
+using tiller::operator<<;  // for the enumerations below
 
 /// Digital outputs as the robot numbers their bits.
 inline constexpr int kStandardOutputs = 8;    ///< 0 ... 7
@@ -48,7 +51,7 @@ struct Feedback {
 enum class AnalogDomain : std::uint8_t { Current, Voltage };
 
 struct OutputsOptions {
-    QString host;
+    Text host;
     std::uint16_t port = rtde::kPort;
 };
 

@@ -11,8 +11,11 @@
 
 #include "robot/core/joints.h"
 #include "robot/core/spatial.h"
+#include "robot/core/text.h"
 
 namespace tiller::project {
+
+using tiller::operator<<;  // for the enumerations below
 
 enum class MoveKind {
     Joint,   ///< MoveJ: all joints start and stop together

@@ -11,8 +11,10 @@
 
 #include "robot/realtime/realtime_report.h"
 #include "robot/realtime/seqlock.h"
+#include "robot/realtime/wake_up.h"
 #include "robot/receive/stream_watch.h"
 #include "robot/rtde/connection.h"
+#include "robot/rtde/fields.h"
 
 namespace tiller::receive {
 
@@ -64,6 +66,18 @@ std::vector<std::string> withTimestamp(std::vector<std::string> fields) {
     return fields;
 }
 
+Error noHost() {
+    return {ErrorCode::InvalidArgument, QStringLiteral("start a receiver"),
+            QStringLiteral("no host is given")};
+}
+
+Error unknownFields(const std::vector<std::string>& fields) {
+    const QStringList unknown = unknownOutputs(fields);
+    return unknown.isEmpty() ? Error{}
+                             : Error{ErrorCode::FieldUnknown, QStringLiteral("start a receiver"),
+                                     unknown.join(QStringLiteral("; "))};
+}
+
 }  // namespace
 
 struct Subscription::Stream {
@@ -72,6 +86,21 @@ struct Subscription::Stream {
 
     std::shared_ptr<const SampleLayout> layout;
     realtime::BroadcastRing ring;
+    std::atomic<bool> ended{true};  ///< nothing will come: the receiver does not run
+    mutable realtime::WakeUp wakeUp;
+    mutable std::mutex factsMutex;  ///< never taken while data flow
+    Error lastError;
+
+    /// What a wait ends with that got nothing.
+    Error failure(const Deadline& deadline, const QString& what) const {
+        if (deadline.isCancelled()) {
+            return {ErrorCode::Cancelled, what, {}};
+        }
+        const std::lock_guard lock(factsMutex);
+        return {ErrorCode::Timeout, what,
+                lastError.code == ErrorCode::None ? QStringLiteral("no data came in time")
+                                                  : lastError.toString()};
+    }
 };
 
 bool Subscription::next(Sample& sample) {
@@ -81,6 +110,28 @@ bool Subscription::next(Sample& sample) {
     prepare(sample, stream_->layout);
     return stream_->ring.popEach(cursor_,
                                  [&](std::size_t i, std::uint64_t word) { putWord(sample, i, word); });
+}
+
+Result<void> Subscription::next(Sample& sample, const Deadline& deadline) {
+    const auto what = [] { return QStringLiteral("wait for the next sample"); };
+    while (!next(sample)) {
+        if (!stream_ || stream_->ended) {
+            return Error{ErrorCode::NotConnected, what(), QStringLiteral("the receiver does not run")};
+        }
+        if (deadline.hasExpired()) {
+            return stream_->failure(deadline, what());
+        }
+        stream_->wakeUp.wait(deadline.nextPoll(), [this] { return pending() > 0 || stream_->ended; });
+    }
+    return {};
+}
+
+Result<Sample> Subscription::next(const Deadline& deadline) {
+    Sample sample;
+    if (auto came = next(sample, deadline); !came) {
+        return came.error();
+    }
+    return sample;
 }
 
 std::uint64_t Subscription::pending() const {
@@ -120,10 +171,10 @@ struct Receiver::Worker {
     std::atomic<std::int64_t> jitter{0};
     std::atomic<std::int64_t> dueNs{0};  ///< when the newest sample would have come without delay
     std::atomic<bool> hasData{false};
+    std::atomic<bool> receiving{false};  ///< the newest sample is of the connection there is now
     std::atomic<bool> resetWanted{false};
     realtime::Seqlock<realtime::Histogram> intervalsShown;
     mutable std::mutex factsMutex;  // never taken while data flow
-    Error lastError;
     SoftwareVersion version;
     double period = 0;
     std::vector<std::string> absent;
@@ -176,9 +227,10 @@ struct Receiver::Worker {
             // Only data count as success: a peer that accepts and hangs up must not be called every half
             // second.
             failures = sequence != before ? 0 : failures;
+            receiving = false;
             {
-                const std::lock_guard lock(factsMutex);
-                lastError = std::move(failure);
+                const std::lock_guard lock(stream->factsMutex);
+                stream->lastError = std::move(failure);
             }
             state = ReceiverState::Waiting;
             waitFor(delay(failures++));
@@ -227,8 +279,8 @@ struct Receiver::Worker {
     Error follow(rtde::Connection& connection) {
         plan(connection.outputs());
         {
-            const std::lock_guard lock(factsMutex);
-            lastError = {};
+            const std::scoped_lock lock(factsMutex, stream->factsMutex);
+            stream->lastError = {};
             version = connection.version();
             period = connection.period();
             absent = connection.outputs().absent();
@@ -296,7 +348,9 @@ struct Receiver::Worker {
         stream->ring.push(record);
         dueNs.store(hostNs - std::max<std::int64_t>(verdict.jitterNs, 0), std::memory_order_release);
         hasData.store(true, std::memory_order_release);
+        receiving.store(true, std::memory_order_release);
         packets.fetch_add(1, std::memory_order_release);
+        stream->wakeUp.wake();
 
         ++windowPackets;
         if (hostNs - windowStartNs >= kRateWindowNs) {
@@ -328,14 +382,23 @@ Receiver::~Receiver() {
     stop();
 }
 
-void Receiver::start() {
+Result<void> Receiver::start() {
     if (d_->thread.joinable()) {
-        return;
+        return {};
     }
+    if (const Error wrong = d_->options.host.isEmpty() ? noHost() : unknownFields(d_->options.fields);
+        wrong.code != ErrorCode::None) {
+        const std::lock_guard lock(d_->stream->factsMutex);
+        d_->stream->lastError = wrong;
+        return wrong;
+    }
+    d_->receiving = false;
+    d_->stream->ended = false;
     d_->stopping = false;
     d_->cancel = CancelToken();
     d_->state = ReceiverState::Connecting;
     d_->thread = std::thread([worker = d_.get()] { worker->run(); });
+    return {};
 }
 
 void Receiver::stop() {
@@ -349,6 +412,8 @@ void Receiver::stop() {
     d_->cancel.cancel();
     d_->waitEnds.notify_all();
     d_->thread.join();
+    d_->stream->ended = true;
+    d_->stream->wakeUp.wake();
 }
 
 ReceiverState Receiver::state() const {
@@ -356,8 +421,8 @@ ReceiverState Receiver::state() const {
 }
 
 Error Receiver::lastError() const {
-    const std::lock_guard lock(d_->factsMutex);
-    return d_->lastError;
+    const std::lock_guard lock(d_->stream->factsMutex);
+    return d_->stream->lastError;
 }
 
 ReceiverCounters Receiver::counters() const {
@@ -412,6 +477,27 @@ Sample Receiver::latest() const {
 void Receiver::latest(Sample& into) const {
     prepare(into, d_->layout);
     d_->latest.readEach([&](std::size_t i, std::uint64_t word) { putWord(into, i, word); });
+}
+
+Result<Sample> Receiver::waitForData(const Deadline& deadline) const {
+    constexpr milliseconds kFresh(100);
+    const auto what = [this] {
+        return QStringLiteral("wait for data from %1:%2").arg(d_->options.host).arg(d_->options.port);
+    };
+    const auto isThere = [&] { return d_->receiving && isFresh(kFresh); };
+    while (!isThere()) {
+        if (state() == ReceiverState::Stopped) {
+            return Error{ErrorCode::NotConnected, what(), QStringLiteral("start() was not called")};
+        }
+        if (deadline.hasExpired()) {
+            const Error cause = lastError();
+            return deadline.isCancelled() || cause.code == ErrorCode::None
+                       ? d_->stream->failure(deadline, what())
+                       : cause;
+        }
+        d_->stream->wakeUp.wait(deadline.nextPoll(), isThere);
+    }
+    return latest();
 }
 
 std::int64_t Receiver::ageNs() const {

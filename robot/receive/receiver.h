@@ -13,7 +13,9 @@
 #include <vector>
 
 #include "robot/core/clock.h"
+#include "robot/core/deadline.h"
 #include "robot/core/result.h"
+#include "robot/core/text.h"
 #include "robot/core/version.h"
 #include "robot/realtime/histogram.h"
 #include "robot/realtime/ring.h"
@@ -28,7 +30,7 @@ namespace tiller::receive {
 std::vector<std::string> defaultFields();
 
 struct ReceiverOptions {
-    QString host;
+    Text host;
     std::uint16_t port = rtde::kPort;
     /// Packages a second; 0: as many as the controller gives (500, on CB3 125).
     double frequency = 0;
@@ -78,6 +80,14 @@ public:
     /// allocating.
     /// Returns  false when there is none just now
     bool next(Sample& sample);
+    /// The same, and waits for it. As long as somebody waits, each package costs the receive thread one
+    /// system call to wake them. Errors   Timeout, Cancelled; NotConnected when the receiver was stopped, is
+    /// gone, or never was. Where
+    ///          there is no link, the reason is the message: "ConnectionRefused: connect to ..."
+    /// Blocks   until the deadline. Real-time: no
+    Result<void> next(Sample& sample, const Deadline& deadline);
+    /// The same into a sample of its own.
+    Result<Sample> next(const Deadline& deadline);
     /// Samples that were overwritten because nobody fetched them.
     std::uint64_t lost() const { return cursor_.lost; }
     std::uint64_t pending() const;
@@ -100,13 +110,16 @@ public:
     Receiver(const Receiver&) = delete;
     Receiver& operator=(const Receiver&) = delete;
 
-    /// Starts the thread; does not wait for a connection. Blocks: never
-    void start();
+    /// Starts the thread; does not wait for a connection: waitForData() does.
+    /// Errors   FieldUnknown, naming each name in `fields` that is not an RTDE output, and the one most like
+    ///          it; InvalidArgument (no host)
+    /// Blocks   never
+    Result<void> start();
     /// Ends the thread, within 250 ms whatever the peer does.
     void stop();
 
     ReceiverState state() const;
-    /// Why the last attempt failed or the last connection broke; code None when connected.
+    /// Why start() refused, the last attempt failed or the last connection broke; code None when connected.
     Error lastError() const;
     ReceiverCounters counters() const;
     /// Counters back to zero, reconnects too. Takes effect with the next package.
@@ -127,6 +140,12 @@ public:
     /// The newest sample; sequence 0 when there is none yet. Real-time: latest(Sample&) yes, latest() no
     Sample latest() const;
     void latest(Sample& into) const;
+    /// The newest sample, as soon as there is one of the present connection that is not older than 100 ms:
+    /// what a program begins with that is to compute a target from where the arm is. Errors   why the
+    /// connection could not be made, when that is known (ConnectionRefused, HostUnreachable,
+    ///          FieldUnknown ...); Timeout, Cancelled; NotConnected when start() was not called
+    /// Blocks   until the deadline: attempts go on by themselves meanwhile, for the robot may be booting
+    Result<Sample> waitForData(const Deadline& deadline) const;
     /// Age of the newest sample on the receiver's clock; the largest number there is when there is none. A
     /// sample read out of a backlog is as old as it lay there, by the robot's time stamps.
     std::int64_t ageNs() const;

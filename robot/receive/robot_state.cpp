@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "robot/receive/robot_state.h"
 
+#include <cmath>
+
 #include "robot/rtde/fields.h"
 
 namespace tiller::receive {
@@ -12,7 +14,8 @@ double RobotState::number(std::string_view field, std::size_t component, double 
 
 Vector6 RobotState::vector6(std::string_view field) const {
     const auto values = sample_->field(field);
-    return values.size() == 6 ? Vector6(Eigen::Map<const Vector6>(values.data())) : Vector6(Vector6::Zero());
+    return values.size() == 6 ? Vector6(Eigen::Map<const Vector6>(values.data()))
+                              : Vector6(Vector6::Constant(kAbsent));
 }
 
 Pose RobotState::pose(std::string_view field) const {
@@ -20,13 +23,15 @@ Pose RobotState::pose(std::string_view field) const {
     return {v.head<3>(), v.tail<3>()};
 }
 
-std::uint32_t RobotState::bits32(std::string_view field) const {
-    return static_cast<std::uint32_t>(bits64(field));
+std::optional<std::uint32_t> RobotState::bits32(std::string_view field) const {
+    const auto bits = bits64(field);
+    return bits ? std::optional(static_cast<std::uint32_t>(*bits)) : std::nullopt;
 }
 
-std::uint64_t RobotState::bits64(std::string_view field) const {
+std::optional<std::uint64_t> RobotState::bits64(std::string_view field) const {
     const double value = number(field);
-    return value >= 0 && value < 18446744073709551616.0 ? static_cast<std::uint64_t>(value) : 0;
+    const bool fits = value >= 0 && value < 18446744073709551616.0;
+    return fits ? std::optional(static_cast<std::uint64_t>(value)) : std::nullopt;
 }
 
 std::array<JointMode, 6> RobotState::jointModes() const {
@@ -64,11 +69,12 @@ double RobotState::analogOutput(int channel) const {
 Eigen::Vector3d RobotState::payloadCentreOfGravity() const {
     const auto values = sample_->field("payload_cog");
     return values.size() == 3 ? Eigen::Vector3d(values[0], values[1], values[2])
-                              : Eigen::Vector3d(Eigen::Vector3d::Zero());
+                              : Eigen::Vector3d(Eigen::Vector3d::Constant(kAbsent));
 }
 
-int RobotState::outputIntRegister(int number) const {
-    return static_cast<int>(this->number(rtde::intRegisterName(rtde::Direction::Output, number)));
+std::optional<int> RobotState::outputIntRegister(int number) const {
+    const double value = this->number(rtde::intRegisterName(rtde::Direction::Output, number));
+    return std::isnan(value) ? std::nullopt : std::optional(static_cast<int>(value));
 }
 
 double RobotState::outputDoubleRegister(int number) const {

@@ -5,6 +5,7 @@
 // values of its own.
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "robot/core/joints.h"
@@ -38,10 +39,12 @@ enum class SafetyStatusBit : std::uint32_t {
     ThreePositionEnabling = 1U << 11,
 };
 
-/// What a field absent from the robot reads as: zeros, and the most cautious value for modes (Disconnected,
-/// Undefined, Stopped); 1 for the two speed fractions. Ask has() where the difference matters.
-/// The sample must outlive it.
-/// Threads  any one. Real-time: yes (a hash look-up per call)
+/// No data is never a number. What is not there (no packet yet, a field that is not followed, one that the
+/// robot does not send) reads as NaN; words of bits and integers, which know no NaN, are empty optionals;
+/// modes are the most cautious one (Disconnected, Undefined, Stopped, PowerOff) and single bits false. Every
+/// command that moves the arm refuses NaN, so a target computed from nothing goes nowhere. To be sure of data
+/// first: Receiver::waitForData(). The sample must outlive it. Threads  any one. Real-time: yes (a hash
+/// look-up per call)
 class RobotState {
 public:
     explicit RobotState(const Sample& sample) : sample_(&sample) {}
@@ -49,7 +52,7 @@ public:
 
     bool has(std::string_view field) const { return !sample_->field(field).empty(); }
     /// One number of a field, or the fallback.
-    double number(std::string_view field, std::size_t component = 0, double fallback = 0) const;
+    double number(std::string_view field, std::size_t component = 0, double fallback = kAbsent) const;
 
     double timestamp() const { return number("timestamp"); }  ///< [s] since the controller started
 
@@ -76,34 +79,38 @@ public:
     RobotMode robotMode() const;
     SafetyMode safetyMode() const;
     RuntimeState runtimeState() const;
-    std::uint32_t robotStatusBits() const { return bits32("robot_status_bits"); }
-    std::uint32_t safetyStatusBits() const { return bits32("safety_status_bits"); }
-    bool is(RobotStatusBit bit) const { return (robotStatusBits() & static_cast<std::uint32_t>(bit)) != 0; }
-    bool is(SafetyStatusBit bit) const { return (safetyStatusBits() & static_cast<std::uint32_t>(bit)) != 0; }
+    std::optional<std::uint32_t> robotStatusBits() const { return bits32("robot_status_bits"); }
+    std::optional<std::uint32_t> safetyStatusBits() const { return bits32("safety_status_bits"); }
+    bool is(RobotStatusBit bit) const {
+        return (robotStatusBits().value_or(0) & static_cast<std::uint32_t>(bit)) != 0;
+    }
+    bool is(SafetyStatusBit bit) const {
+        return (safetyStatusBits().value_or(0) & static_cast<std::uint32_t>(bit)) != 0;
+    }
 
-    double speedScaling() const { return number("speed_scaling", 0, 1.0); }         ///< 0 ... 1
-    double speedSlider() const { return number("target_speed_fraction", 0, 1.0); }  ///< 0 ... 1
+    double speedScaling() const { return number("speed_scaling"); }         ///< 0 ... 1
+    double speedSlider() const { return number("target_speed_fraction"); }  ///< 0 ... 1
 
     /// Bits 0-7 standard, 8-15 configurable, 16-17 tool.
-    std::uint64_t digitalInputs() const { return bits64("actual_digital_input_bits"); }
-    std::uint64_t digitalOutputs() const { return bits64("actual_digital_output_bits"); }
+    std::optional<std::uint64_t> digitalInputs() const { return bits64("actual_digital_input_bits"); }
+    std::optional<std::uint64_t> digitalOutputs() const { return bits64("actual_digital_output_bits"); }
     double analogInput(int channel) const;   ///< 0 or 1 [mA or V, as analogIoTypes() says]
     double analogOutput(int channel) const;  ///< 0 or 1 [mA or V]
     /// Bits AI0, AI1, AO0, AO1: 0 current, 1 voltage.
-    std::uint32_t analogIoTypes() const { return bits32("analog_io_types"); }
+    std::optional<std::uint32_t> analogIoTypes() const { return bits32("analog_io_types"); }
 
     double payloadMass() const { return number("payload"); }  ///< [kg]
     Eigen::Vector3d payloadCentreOfGravity() const;           ///< [m]
 
-    /// Registers the receiver was asked to follow; 0 otherwise.
-    int outputIntRegister(int number) const;
+    /// Registers the receiver was asked to follow.
+    std::optional<int> outputIntRegister(int number) const;
     double outputDoubleRegister(int number) const;
 
 private:
     Vector6 vector6(std::string_view field) const;
     Pose pose(std::string_view field) const;
-    std::uint32_t bits32(std::string_view field) const;
-    std::uint64_t bits64(std::string_view field) const;
+    std::optional<std::uint32_t> bits32(std::string_view field) const;
+    std::optional<std::uint64_t> bits64(std::string_view field) const;
 
     const Sample* sample_;
 };

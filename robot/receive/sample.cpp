@@ -42,6 +42,21 @@ std::optional<std::size_t> SampleLayout::indexOfComponent(std::string_view compo
     return found == componentByName_.end() ? std::nullopt : std::optional(found->second);
 }
 
+QStringList unknownOutputs(const std::vector<std::string>& names) {
+    QStringList sentences;
+    for (const std::string& name : names) {
+        if (rtde::findOutput(name) != nullptr) {
+            continue;
+        }
+        const std::string_view nearest = rtde::nearestOutput(name);
+        const QString there =
+            QStringLiteral("there is no RTDE output \"%1\"").arg(QString::fromStdString(name));
+        sentences << (nearest.empty() ? there
+                                      : QStringLiteral("%1: did you mean \"%2\"?").arg(there, Text(nearest)));
+    }
+    return sentences;
+}
+
 std::span<const double> Sample::field(std::string_view name) const {
     const SampleLayout::Entry* entry = layout ? layout->find(name) : nullptr;
     if (entry == nullptr || entry->first + entry->count > values.size() || std::isnan(values[entry->first])) {

@@ -5,6 +5,7 @@
 // and all its values as doubles. The layout is fixed for the life of a receiver, whatever robot answers: what
 // a robot does not send is NaN.
 
+#include <QStringList>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -16,9 +17,12 @@
 #include <unordered_map>
 #include <vector>
 
+#include "robot/core/text.h"
 #include "robot/rtde/protocol.h"
 
 namespace tiller::receive {
+
+using tiller::operator<<;  // for the enumerations below
 
 inline constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
 
@@ -33,7 +37,8 @@ public:
         std::size_t count = 1;
     };
 
-    /// Types come from the field catalogue. Names it does not have are left out, doubles too.
+    /// Types come from the field catalogue. Names it does not have are left out (see unknownOutputs), doubles
+    /// too.
     explicit SampleLayout(const std::vector<std::string>& names);
 
     const std::vector<Entry>& entries() const { return entries_; }
@@ -57,6 +62,10 @@ public:
     SampleLayout(const SampleLayout&) = delete;
     SampleLayout& operator=(const SampleLayout&) = delete;
 };
+
+/// A sentence for each name that is not an RTDE output: "there is no RTDE output \"actual_qq\": did you mean
+/// \"actual_q\"?"
+QStringList unknownOutputs(const std::vector<std::string>& names);
 
 struct Sample {
     std::uint64_t sequence = 0;    ///< 1 for the first package of the receiver's life; 0 = no data yet

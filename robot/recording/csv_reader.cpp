@@ -68,7 +68,7 @@ const std::vector<double>* CsvTable::column(std::string_view name) const {
     return index ? &values[*index] : nullptr;
 }
 
-Result<CsvTable> readCsv(const QString& path) {
+Result<CsvTable> readCsv(const Text& path) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) {
         return Error{ErrorCode::FileNotReadable, QStringLiteral("read %1").arg(path), file.errorString()};

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "robot/core/result.h"
+#include "robot/core/text.h"
 
 namespace tiller::recording {
 
@@ -28,6 +29,6 @@ struct CsvTable {
 
 /// Errors   FileNotReadable; FileCorrupt with the line and what is wrong with it
 /// Threads  any. Blocks: reads the whole file
-Result<CsvTable> readCsv(const QString& path);
+Result<CsvTable> readCsv(const Text& path);
 
 }  // namespace tiller::recording

@@ -60,6 +60,18 @@ Error fileError(const QFile& file, int systemError) {
             file.errorString()};
 }
 
+/// A sentence for each field that cannot be recorded.
+QStringList notFollowed(const std::vector<std::string>& fields, const receive::SampleLayout& layout) {
+    QStringList sentences = receive::unknownOutputs(fields);
+    for (const std::string& field : fields) {
+        if (layout.find(field) == nullptr && receive::unknownOutputs({field}).isEmpty()) {
+            sentences
+                << QStringLiteral("the receiver does not follow \"%1\"").arg(QString::fromStdString(field));
+        }
+    }
+    return sentences;
+}
+
 }  // namespace
 
 std::vector<std::string> defaultRecordedFields() {
@@ -209,7 +221,13 @@ Result<void> Recorder::start(const RecorderOptions& options, receive::Subscripti
     stop();  // what is left of a failed one
     auto next = std::make_shared<Worker>();
     next->path = options.path;
-    next->writer = std::make_unique<CsvWriter>(*layout, options.fields, options.asGiven);
+    if (const QStringList missing = notFollowed(options.fields, *layout); !missing.isEmpty()) {
+        return Error{ErrorCode::FieldUnknown,
+                     QStringLiteral("record to %1").arg(QDir::toNativeSeparators(options.path)),
+                     missing.join(QStringLiteral("; "))};
+    }
+    next->writer = std::make_unique<CsvWriter>(
+        *layout, options.fields.empty() ? defaultRecordedFields() : options.fields, options.asGiven);
     if (next->writer->columns() == 0) {
         return Error{ErrorCode::InvalidArgument, QStringLiteral("no field to record"), {}};
     }

@@ -18,9 +18,12 @@
 #include <vector>
 
 #include "robot/core/result.h"
+#include "robot/core/text.h"
 #include "robot/receive/receiver.h"
 
 namespace tiller::recording {
+
+using tiller::operator<<;  // for the enumerations below
 
 /// Columns written unless others are asked for, as field names.
 std::vector<std::string> defaultRecordedFields();
@@ -29,9 +32,10 @@ std::vector<std::string> defaultRecordedFields();
 inline constexpr const char* kLostColumn = "packages_lost";
 
 struct RecorderOptions {
-    QString path;
-    /// Field names; those the receiver does not follow are left out. `timestamp` always comes first.
-    std::vector<std::string> fields = defaultRecordedFields();
+    Text path;
+    /// Field names, all of which the receiver has to follow; empty: those of defaultRecordedFields() that it
+    /// does. `timestamp` always comes first.
+    std::vector<std::string> fields{};
     bool asGiven = false;  ///< these fields in this order and nothing else: no timestamp, no packages_lost
 };
 
@@ -61,7 +65,9 @@ public:
     Recorder& operator=(const Recorder&) = delete;
 
     /// Creates the file (an existing one is replaced), writes the header and begins with the next package.
-    /// Errors   FileNotWritable, DiskFull, InvalidArgument (a recording is under way; no column is left)
+    /// Errors   FileNotWritable, DiskFull; FieldUnknown, naming each field that the receiver does not follow
+    /// (no
+    ///          file is made, an existing one is left as it is); InvalidArgument (a recording is under way)
     /// Blocks   as long as the file system takes to create a file
     Result<void> start(const RecorderOptions& options, receive::Subscription subscription,
                        std::shared_ptr<const receive::SampleLayout> layout);

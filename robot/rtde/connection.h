@@ -14,13 +14,14 @@
 #include "robot/core/deadline.h"
 #include "robot/core/native_socket.h"
 #include "robot/core/result.h"
+#include "robot/core/text.h"
 #include "robot/rtde/protocol.h"
 #include "robot/rtde/session.h"
 
 namespace tiller::rtde {
 
 struct ConnectionOptions {
-    QString host;
+    Text host;
     std::uint16_t port = kPort;
     SessionRequest request;
 };

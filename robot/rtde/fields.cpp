@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "robot/rtde/fields.h"
 
+#include <algorithm>
 #include <array>
 #include <deque>
+#include <numeric>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "robot/rtde/field_tables.h"
@@ -112,6 +115,35 @@ const Field* findOutput(std::string_view name) {
 
 const Field* findInput(std::string_view name) {
     return catalogue().input(name);
+}
+
+std::string_view nearestOutput(std::string_view name) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    constexpr std::size_t kLongest = 100;  // no field's name is longer
+    if (name.size() > kLongest) {
+        return {};
+    }
+    std::string_view nearest;
+    std::size_t least = std::max<std::size_t>(2, name.size() / 4) + 1;
+    for (const Field& field : outputFields()) {
+        // The edit distance, row by row: one for each letter put in, left out or exchanged.
+        const std::string_view known = field.name;
+        std::vector<std::size_t> row(known.size() + 1);
+        std::iota(row.begin(), row.end(), std::size_t(0));
+        for (std::size_t i = 0; i < name.size(); ++i) {
+            std::size_t diagonal = std::exchange(row[0], i + 1);
+            for (std::size_t j = 0; j < known.size(); ++j) {
+                const std::size_t exchanged = diagonal + (lower(name[i]) == lower(known[j]) ? 0 : 1);
+                diagonal = row[j + 1];
+                row[j + 1] = std::min({row[j + 1] + 1, row[j] + 1, exchanged});
+            }
+        }
+        if (row.back() < least) {
+            least = row.back();
+            nearest = known;
+        }
+    }
+    return nearest;
 }
 
 std::string componentName(std::string_view field, DataType type, std::size_t component) {

@@ -9,7 +9,11 @@
 #include <optional>
 #include <string_view>
 
+#include "robot/core/text.h"
+
 namespace tiller::rtde {
+
+using tiller::operator<<;  // for the enumerations below
 
 inline constexpr std::uint16_t kPort = 30004;
 

@@ -12,9 +12,12 @@
 
 #include "robot/core/modes.h"
 #include "robot/core/robot_model.h"
+#include "robot/core/text.h"
 #include "robot/core/version.h"
 
 namespace tiller::script {
+
+using tiller::operator<<;  // for the enumerations below
 
 enum class MessageKind : std::uint8_t {
     Text,              ///< textmsg() of a program

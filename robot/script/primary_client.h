@@ -11,12 +11,13 @@
 #include "robot/core/clock.h"
 #include "robot/core/deadline.h"
 #include "robot/core/result.h"
+#include "robot/core/text.h"
 #include "robot/script/controller_message.h"
 
 namespace tiller::script {
 
 struct PrimaryClientOptions {
-    QString host = QStringLiteral("127.0.0.1");
+    Text host = QStringLiteral("127.0.0.1");
     int port = 30001;
     const Clock* clock = &SteadyClock::shared();
     bool reconnect = true;            ///< after 0.5, 1, 2, 5, 5 ... s

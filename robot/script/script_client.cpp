@@ -11,7 +11,7 @@ namespace tiller::script {
 
 using native_socket::Status;
 
-ScriptClient::ScriptClient(QString host, int port) : host_(std::move(host)), port_(port) {}
+ScriptClient::ScriptClient(Text host, int port) : host_(std::move(host)), port_(port) {}
 
 ScriptClient::~ScriptClient() {
     close();
@@ -27,7 +27,7 @@ Result<void> ScriptClient::connect(const Deadline& deadline) {
     return {};
 }
 
-Result<void> ScriptClient::send(const QString& text, const Deadline& deadline) {
+Result<void> ScriptClient::send(const Text& text, const Deadline& deadline) {
     const QString context = QStringLiteral("send a script to %1:%2").arg(host_).arg(port_);
     if (text.trimmed().isEmpty()) {
         return Error{ErrorCode::InvalidArgument, context, QStringLiteral("the script is empty")};

@@ -10,6 +10,7 @@
 #include "robot/core/deadline.h"
 #include "robot/core/native_socket.h"
 #include "robot/core/result.h"
+#include "robot/core/text.h"
 
 namespace tiller::script {
 
@@ -20,7 +21,7 @@ inline constexpr int kSecondaryPort = 30002;
 class ScriptClient {
 public:
     /// port  30001 to 30003, offset included
-    explicit ScriptClient(QString host, int port = kPrimaryPort);
+    explicit ScriptClient(Text host, int port = kPrimaryPort);
     ~ScriptClient();
     ScriptClient(const ScriptClient&) = delete;
     ScriptClient& operator=(const ScriptClient&) = delete;
@@ -29,7 +30,7 @@ public:
     Result<void> connect(const Deadline& deadline);
     /// Sends the text and sees it off the machine. Adds the newline without which nothing is executed.
     /// Errors   NotConnected, ConnectionClosed, Timeout, Cancelled, InvalidArgument (empty text)
-    Result<void> send(const QString& text, const Deadline& deadline);
+    Result<void> send(const Text& text, const Deadline& deadline);
     void close();
     /// Not any more once the controller has hung up, which one does whose stream nobody reads for minutes.
     bool isConnected();

@@ -375,7 +375,7 @@ void Controller::setRemoteControl(bool remote) {
     d_->post([remote](Machine& machine) { machine.setRemoteControl(remote); });
 }
 
-Result<QString> Controller::inject(const QString& words) {
+Result<QString> Controller::inject(const Text& words) {
     Result<QString> outcome =
         Error{ErrorCode::NotConnected, QStringLiteral("the controller does not run"), {}};
     d_->call([&](Machine& machine) { outcome = injectFault(machine, words); });

@@ -26,11 +26,14 @@
 #include "robot/core/result.h"
 #include "robot/core/robot_model.h"
 #include "robot/core/spatial.h"
+#include "robot/core/text.h"
 #include "robot/core/version.h"
 #include "robot/realtime/histogram.h"
 #include "robot/simulator/arm/environment.h"
 
 namespace tiller::simulator {
+
+using tiller::operator<<;  // for the enumerations below
 
 enum class Time { Real, Virtual };
 
@@ -40,7 +43,7 @@ inline const JointPositions kHomeJoints{-1.6007, -1.7271, -2.2030, -0.8080, 1.59
 struct ControllerOptions {
     RobotModelId model = RobotModelId::UR5e;
     SoftwareVersion software{5, 22, 1, 1214193};
-    QString listenAddress = QStringLiteral("127.0.0.1");
+    Text listenAddress = QStringLiteral("127.0.0.1");
     int portOffset = 0;         ///< added to every standard port
     bool anyFreePorts = false;  ///< the system picks the ports; ask ports() after start()
     Time time = Time::Real;
@@ -57,8 +60,8 @@ struct ControllerOptions {
     double bootTime = 0;      ///< [s] from the start to POWER_OFF; more than 0 makes `timestamp` begin at 0
     bool safetyUnconfirmed = false;  ///< the start waits in CONFIRM_SAFETY for the operator
     double calibrationError = 0;     ///< the reported kinematics differ by up to so many mm and mrad
-    QString programsFolder;          ///< where `load` finds programs; empty: there are none
-    QString serialNumber;            ///< empty: one of its own for each model
+    Text programsFolder;             ///< where `load` finds programs; empty: there are none
+    Text serialNumber;               ///< empty: one of its own for each model
     /// A pause this long after its last piece ends the script of an External Control node.
     std::chrono::milliseconds scriptSilence{150};
 };
@@ -181,7 +184,7 @@ public:
     /// Returns  what was asked for, usually nothing
     /// Errors   InvalidArgument with the reason; NotConnected when not running
     /// Threads  any. Blocks: until it is done
-    Result<QString> inject(const QString& words);
+    Result<QString> inject(const Text& words);
     /// A mute controller: time goes on, nothing is sent, nothing is read, connections stay.
     void silence(bool silent);
     /// Ends every connection in good order, as a restarting controller does. Ports stay open.

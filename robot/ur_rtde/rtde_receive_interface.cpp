@@ -120,7 +120,9 @@ bool RTDEReceiveInterface::Private::waitForPackage(milliseconds atMost) {
 
 void RTDEReceiveInterface::Private::start() {
     const std::uint64_t before = receiver.counters().packets;
-    receiver.start();
+    if (const auto started = receiver.start(); !started) {
+        throw std::invalid_argument(started.error().message());
+    }
     const auto deadline = tiller::urrtde::within(kConnectTime + milliseconds(500));
     while (receiver.counters().packets == before) {
         const bool failed = receiver.state() == ReceiverState::Waiting;

@@ -102,7 +102,7 @@ int main(int argc, char* argv[]) {
     receive::ReceiverOptions receiverOptions;
     receiverOptions.host = options.listenAddress;
     receive::Receiver receiver(receiverOptions);
-    receiver.start();
+    receiver.start().value();
     control::ControllerOptions controllerOptions;
     controllerOptions.host = options.listenAddress;
     control::Controller controller(controllerOptions);

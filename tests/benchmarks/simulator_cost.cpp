@@ -73,7 +73,7 @@ struct Cell {
             receiver.host = options.listenAddress;
             receiver.priority = 0;
             receivers.push_back(std::make_unique<receive::Receiver>(receiver));
-            receivers.back()->start();
+            receivers.back()->start().value();
         }
         script::PrimaryClientOptions primaryOptions;
         primaryOptions.host = options.listenAddress;

@@ -35,7 +35,7 @@ receive::ReceiverOptions optionsFor(const QString& host) {
 
 ArmWatch::ArmWatch(const QString& host) : receiver_(optionsFor(host)), sample_(receiver_.layout()) {
     timestamp_ = receiver_.layout()->indexOfComponent("timestamp").value();
-    receiver_.start();
+    receiver_.start().value();
 }
 
 bool ArmWatch::isConnected() {

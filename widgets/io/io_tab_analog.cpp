@@ -4,6 +4,7 @@
 
 #include <QLabel>
 #include <QVBoxLayout>
+#include <cmath>
 
 #include "robot/receive/receiver.h"
 #include "widgets/io/analog_row.h"
@@ -63,17 +64,19 @@ void IoTab::refreshAnalog(bool known, bool stale) {
     }
     const receive::Sample sample = receiver->latest();
     const receive::RobotState robot(sample);
-    const std::uint32_t types = robot.analogIoTypes();
+    const std::uint32_t types = robot.analogIoTypes().value_or(0);
     const auto domain = [types](int bit) {
         return (types >> bit & 1U) != 0 ? io::AnalogDomain::Voltage : io::AnalogDomain::Current;
     };
     for (int channel = 0; channel < 2; ++channel) {
-        analogInputs_[channel]->setValue(robot.analogInput(channel), domain(channel), true, stale);
+        analogInputs_[channel]->setValue(robot.analogInput(channel), domain(channel),
+                                         !std::isnan(robot.analogInput(channel)), stale);
         // The tool's are voltages unless the installation says otherwise, which is not reported.
         const std::string field = "tool_analog_input" + std::to_string(channel);
         analogInputs_[2 + channel]->setValue(robot.number(field), io::AnalogDomain::Voltage, robot.has(field),
                                              stale);
-        analogOutputs_[channel]->setValue(robot.analogOutput(channel), domain(2 + channel), true, stale);
+        analogOutputs_[channel]->setValue(robot.analogOutput(channel), domain(2 + channel),
+                                          !std::isnan(robot.analogOutput(channel)), stale);
         analogOutputs_[channel]->setObstacle(stale ? tr("No data from the robot.")
                                                    : session_.outputHolders().analog);
     }

@@ -92,7 +92,7 @@ void RobotSession::connectTo(const RobotAddress& address) {
     receiverOptions.port = static_cast<std::uint16_t>(rtde::kPort + address.portOffset);
     receiverOptions.clock = d_->clock;
     link->receiver = std::make_shared<receive::Receiver>(receiverOptions);
-    link->receiver->start();
+    static_cast<void>(link->receiver->start());  // what it refuses is its lastError(), which readLink() shows
 
     control::ControllerOptions controllerOptions;
     controllerOptions.host = address.host;

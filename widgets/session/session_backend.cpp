@@ -91,16 +91,17 @@ void RobotSession::Backend::readSample() {
     state.q = robot.q();
     state.qd = robot.qd();
     state.tcpPose = robot.tcpPose();
-    state.tcpOffset = robot.tcpOffset();
+    // Software that does not tell them is shown as an arm without a tool, at full speed.
+    state.tcpOffset = robot.has("tcp_offset") ? robot.tcpOffset() : Pose();
     state.tcpSpeed = robot.tcpSpeed();
     state.tcpForce = robot.tcpForce();
-    state.payloadMass = robot.payloadMass();
+    state.payloadMass = robot.number("payload", 0, 0.0);
     state.jointCurrent = robot.jointCurrent();
     state.jointTemperature = robot.jointTemperature();
-    state.speedFraction = robot.speedSlider();
-    state.speedScaling = robot.speedScaling();
-    state.digitalInputs = robot.digitalInputs();
-    state.digitalOutputs = robot.digitalOutputs();
+    state.speedFraction = robot.number("target_speed_fraction", 0, 1.0);
+    state.speedScaling = robot.number("speed_scaling", 0, 1.0);
+    state.digitalInputs = robot.digitalInputs().value_or(0);
+    state.digitalOutputs = robot.digitalOutputs().value_or(0);
     state.service = report.kind;
     state.remoteControl = state.version.isCb3() || report.remoteControl.value_or(false);
     state.controlPlaceKnown = state.version.isCb3() || report.remoteControl.has_value() ||

@@ -2,6 +2,7 @@
 #include "widgets/session/stop_record.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "robot/receive/robot_state.h"
 #include "robot/script/controller_message.h"
@@ -13,6 +14,11 @@ namespace {
 constexpr double kHeardWithin = 2.0;  ///< [s] between a stop and what is said about it
 constexpr double kBlameWindow = 0.5;  ///< [s] before the stop in which a joint shows itself
 constexpr double kBlameLeast = 0.5;   ///< [A] below this no joint stands out
+
+/// What the robot does not send is drawn as nothing.
+double orNothing(double value) {
+    return std::isfinite(value) ? value : 0.0;
+}
 
 int suspectOf(const std::vector<StopRecord::Point>& points, double stoppedAt) {
     Vector6 worst = Vector6::Zero();
@@ -61,10 +67,10 @@ void StopRecorder::take(const receive::Sample& sample) {
     const receive::RobotState robot(sample);
     StopRecord::Point point;
     point.time = robot.timestamp();
-    point.force = robot.tcpForce().force.norm();
-    point.speed = robot.tcpSpeed().linear.norm();
-    point.current = robot.jointCurrent();
-    point.deviation = robot.jointCurrent() - robot.targetCurrent();
+    point.force = orNothing(robot.tcpForce().force.norm());
+    point.speed = orNothing(robot.tcpSpeed().linear.norm());
+    point.current = robot.jointCurrent().unaryExpr(&orNothing);
+    point.deviation = (robot.jointCurrent() - robot.targetCurrent()).unaryExpr(&orNothing);
     if (!points_.empty() && point.time < points_.back().time) {
         points_.clear();  // the controller was restarted
     }

@@ -94,7 +94,7 @@ Result<void> Services::open(const ControllerOptions& options) {
         }
     }
     plant_.scriptHost().sockets().setOwnServices(
-        everywhere ? QStringLiteral("127.0.0.1") : options.listenAddress, std::move(own));
+        everywhere ? Text("127.0.0.1") : options.listenAddress, std::move(own));
     return {};
 }
 

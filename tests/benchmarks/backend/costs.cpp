@@ -204,7 +204,7 @@ void receiving(Report& report, const QString& host, const char* what,
     options.fields = fields;
     options.priority = 0;
     receive::Receiver receiver(options);
-    receiver.start();
+    receiver.start().value();
     while (receiver.counters().packets < 100) {
         std::this_thread::sleep_for(1ms);
     }

@@ -292,7 +292,7 @@ void measure(Report& report, const Wishes& wishes, const Condition& condition, c
     following.host = address;
     following.priority = condition.realtime ? 90 : 0;
     receive::Receiver receiver(following);
-    receiver.start();
+    receiver.start().value();
     control::ControllerOptions wanted;
     wanted.cpus = stay.program;
     wanted.host = address;

@@ -99,7 +99,7 @@ void ends(Report& report) {
         options.host = world.host();
         options.port = static_cast<std::uint16_t>(world.mute.port());
         auto receiver = std::make_unique<receive::Receiver>(options);
-        receiver->start();
+        receiver->start().value();
         std::this_thread::sleep_for(50ms);
         measure("~Receiver while it shakes hands", [&] { receiver.reset(); });
         script::PrimaryClientOptions listening;

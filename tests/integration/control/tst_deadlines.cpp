@@ -126,7 +126,7 @@ private Q_SLOTS:
         options.clock = &clock;
         options.priority = 0;
         receive::Receiver receiver(options);  // with the delays everybody gets
-        receiver.start();
+        receiver.start().value();
         using receive::ReceiverState;
         // Time goes on by so many ticks, and the receiver gets a chance to notice.
         const auto pass = [&](int ticks) {

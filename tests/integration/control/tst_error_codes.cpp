@@ -154,7 +154,7 @@ const std::map<ErrorCode, std::function<Error()>>& provocations() {
              options.clock = &clock;
              options.priority = 0;
              receive::Receiver receiver(options);
-             receiver.start();
+             receiver.start().value();
              peer.send(1.0);
              while (receiver.latest().isEmpty()) {
                  std::this_thread::sleep_for(milliseconds(1));

@@ -38,7 +38,7 @@ private Q_SLOTS:
         options.clock = &cell.clock;
         options.priority = 0;
         receive::Receiver receiver(options);
-        receiver.start();
+        receiver.start().value();
         QVERIFY(cell.takeControl().ok());
         // Connecting allocates: it has to be over, however late the thread is.
         const Deadline connected = patience();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <QTest>
+#include <cmath>
 
 #include "robot/core/clock.h"
 #include "robot/core/deadline.h"
@@ -24,6 +25,21 @@ private Q_SLOTS:
         QVERIFY(!deadline.isCancelled());
         QCOMPARE(deadline.remaining().count(), 0);
         QCOMPARE(Deadline::after(-5s).remaining().count(), 0);
+    }
+
+    void deadlineTakesTimeOfAnyKind() {
+        QVERIFY(Deadline::after(1.5h).remaining() > 89min);
+        QVERIFY(Deadline::after(std::chrono::duration<double>(0.0005)).remaining() <= 1ms);
+        QVERIFY(Deadline::after(std::chrono::duration<int, std::ratio<60>>(2)).remaining() > 119s);
+        QVERIFY(Deadline::after(1us).remaining() <= 1ms);
+        QVERIFY(Deadline::after(std::chrono::duration<double>(1e300)).remaining() >= 24h);
+        QVERIFY(Deadline::after(std::chrono::hours::max()).remaining() >= 24h);
+        QVERIFY(Deadline::after(std::chrono::duration<double>(-1)).hasExpired());
+        QVERIFY(Deadline::after(std::chrono::duration<double>(std::nan(""))).hasExpired());
+        const CancelToken token;
+        const Deadline deadline = Deadline::after(1.5h, token);
+        token.cancel();
+        QVERIFY(deadline.isCancelled());
     }
 
     void cancellingEndsTheWaitOfEveryCopy() {

@@ -34,7 +34,7 @@ struct Bench {
                      "input_int_register_30",
                      "input_double_register_45"};
         receiver = std::make_unique<receive::Receiver>(to);
-        receiver->start();
+        receiver->start().value();
     }
     static simulator::ControllerOptions options() {
         simulator::ControllerOptions options;

@@ -112,7 +112,7 @@ void TestReceiveAllocations::receivingAllocatesNothing() {
     Subscription subscription = receiver.subscribe();
     Sample fromRing(receiver.layout());
     Sample newest(receiver.layout());
-    receiver.start();
+    QVERIFY(receiver.start().ok());
 
     constexpr std::uint64_t kWarmUp = 50;
     feeder.wanted = static_cast<int>(kWarmUp);

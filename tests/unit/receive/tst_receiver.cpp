@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <QTest>
 #include <algorithm>
+#include <cmath>
+#include <future>
 #include <limits>
 
 #include "robot/receive/receiver.h"
@@ -53,6 +55,12 @@ private Q_SLOTS:
     void publishesEveryPackageOnceInOrder();
     void latestIsTheNewest();
     void beforeTheFirstPackageThereIsNothing();
+    void namesThatDoNotExistAreRefused();
+    void waitsForData();
+    void waitingForDataSaysWhyNoneCame();
+    void waitingForDataWantsFreshOnes();
+    void subscribersWaitForTheNextOne();
+    void waitingEndsWithTheReceiver();
     void samplesCarryTheClocksTime();
     void whatLayInABacklogIsNotFresh();
     void dataComeBackWithinTwoSeconds();
@@ -78,7 +86,7 @@ void TestReceiver::publishesEveryPackageOnceInOrder() {
     Receiver receiver(to(peer.port()));
     Subscription first = receiver.subscribe();
     Subscription second = receiver.subscribe();
-    receiver.start();
+    QVERIFY(receiver.start().ok());
     for (int i = 1; i <= 500; ++i) {
         peer.send(i * 0.002);
     }
@@ -105,7 +113,7 @@ void TestReceiver::latestIsTheNewest() {
     RtdePeer peer;
     peer.set("actual_q", {1, 2, 3, 4, 5, 6});
     Receiver receiver(to(peer.port()));
-    receiver.start();
+    QVERIFY(receiver.start().ok());
     peer.send(1.0);
     TRY_COMPARE(receiver.latest().sequence, std::uint64_t(1));
     peer.set("actual_q", {6, 5, 4, 3, 2, 1});
@@ -121,9 +129,119 @@ void TestReceiver::beforeTheFirstPackageThereIsNothing() {
     const Sample sample = receiver.latest();
     QVERIFY(sample.isEmpty());
     QVERIFY(!RobotState(sample).has("actual_q"));
+    QVERIFY(std::isnan(RobotState(sample).q()[0]));
     QCOMPARE(receiver.ageNs(), std::numeric_limits<std::int64_t>::max());
     QVERIFY(!receiver.isFresh(1h));
     QCOMPARE(receiver.counters().rateHz, 0.0);
+}
+
+void TestReceiver::namesThatDoNotExistAreRefused() {
+    RtdePeer peer;
+    ReceiverOptions options = to(peer.port());
+    options.fields = {"timestamp", "actual_qq", "actual_q", "target_Q_"};
+    Receiver receiver(options);
+    const auto started = receiver.start();
+    QCOMPARE(started.error().code, ErrorCode::FieldUnknown);
+    QVERIFY(started.error().toString().contains("\"actual_qq\": did you mean \"actual_q\"?"));
+    QVERIFY(started.error().toString().contains("\"target_Q_\": did you mean \"target_q\"?"));
+    QCOMPARE(receiver.state(), ReceiverState::Stopped);
+    QCOMPARE(receiver.lastError().code, ErrorCode::FieldUnknown);
+    QCOMPARE(receiver.waitForData(Deadline::after(1h)).error().code, ErrorCode::NotConnected);
+    QCOMPARE(Receiver({}).start().error().code, ErrorCode::InvalidArgument);  // no host
+}
+
+void TestReceiver::waitsForData() {
+    RtdePeer peer;
+    peer.set("actual_q", {1, 2, 3, 4, 5, 6});
+    Receiver receiver(to(peer.port()));
+    QCOMPARE(receiver.waitForData(Deadline::after(1h)).error().code, ErrorCode::NotConnected);
+    QVERIFY(receiver.start().ok());
+    auto waiting = std::async(std::launch::async, [&] { return receiver.waitForData(Deadline::after(60s)); });
+    peer.send(1.0);
+    const auto sample = waiting.get();
+    QVERIFY2(sample.ok(), qPrintable(sample.error().toString()));
+    QCOMPARE(sample->sequence, std::uint64_t(1));
+    QCOMPARE(RobotState(*sample).q()[5], 6.0);
+}
+
+void TestReceiver::waitingForDataSaysWhyNoneCame() {
+    Receiver refused(to(portNobodyListensOn()));
+    QVERIFY(refused.start().ok());
+    TRY_VERIFY(refused.state() == ReceiverState::Waiting);
+    QCOMPARE(refused.waitForData(Deadline::after(1ms)).error().code, ErrorCode::ConnectionRefused);
+    Subscription subscription = refused.subscribe();
+    const Error error = subscription.next(Deadline::after(1ms)).error();
+    QCOMPARE(error.code, ErrorCode::Timeout);
+    QVERIFY(error.toString().contains("ConnectionRefused"));
+
+    RtdePeer silent;
+    Receiver receiver(to(silent.port()));
+    QVERIFY(receiver.start().ok());
+    TRY_VERIFY(silent.isStarted());
+    QCOMPARE(receiver.waitForData(Deadline::after(1ms)).error().code, ErrorCode::Timeout);
+    const CancelToken token;
+    token.cancel();
+    QCOMPARE(receiver.waitForData(Deadline::after(1h, token)).error().code, ErrorCode::Cancelled);
+}
+
+void TestReceiver::waitingForDataWantsFreshOnes() {
+    VirtualClock clock;
+    RtdePeer peer;
+    ReceiverOptions options = to(peer.port());
+    options.clock = &clock;
+    Receiver receiver(options);
+    QVERIFY(receiver.start().ok());
+    peer.send(1.0);
+    QVERIFY(receiver.waitForData(Deadline::after(60s)).ok());
+    clock.advanceNs(101 * kNsPerMs);
+    QCOMPARE(receiver.waitForData(Deadline::after(1ms)).error().code, ErrorCode::Timeout);
+    peer.send(1.101);
+    const auto sample = receiver.waitForData(Deadline::after(60s));
+    QVERIFY(sample.ok());
+    QCOMPARE(sample->sequence, std::uint64_t(2));
+    // A sample of a connection that is gone is not what the arm does now, however young it is.
+    peer.closeConnection();
+    TRY_VERIFY(receiver.state() == ReceiverState::Waiting);
+    QVERIFY(!receiver.waitForData(Deadline::after(1ms)).ok());
+}
+
+void TestReceiver::subscribersWaitForTheNextOne() {
+    constexpr int kPackages = 200;
+    RtdePeer peer;
+    Receiver receiver(to(peer.port()));
+    Subscription first = receiver.subscribe();
+    Subscription second = receiver.subscribe();
+    QVERIFY(receiver.start().ok());
+    const auto count = [](Subscription& subscription) {
+        Sample sample;
+        for (std::uint64_t i = 1; i <= kPackages; ++i) {
+            if (!subscription.next(sample, Deadline::after(60s)) || sample.sequence != i) {
+                return i;
+            }
+        }
+        return std::uint64_t(0);
+    };
+    auto one = std::async(std::launch::async, [&] { return count(first); });
+    auto other = std::async(std::launch::async, [&] { return count(second); });
+    for (int i = 1; i <= kPackages; ++i) {
+        peer.send(i * 0.002);
+        std::this_thread::yield();
+    }
+    QCOMPARE(one.get(), std::uint64_t(0));
+    QCOMPARE(other.get(), std::uint64_t(0));
+    QCOMPARE(first.next(Deadline::after(1ms)).error().code, ErrorCode::Timeout);
+}
+
+void TestReceiver::waitingEndsWithTheReceiver() {
+    RtdePeer peer;
+    auto receiver = std::make_unique<Receiver>(to(peer.port()));
+    QVERIFY(receiver->start().ok());
+    Subscription subscription = receiver->subscribe();
+    auto waiting =
+        std::async(std::launch::async, [&] { return subscription.next(Deadline::never()).error().code; });
+    receiver.reset();
+    QCOMPARE(waiting.get(), ErrorCode::NotConnected);
+    QCOMPARE(Subscription().next(Deadline::never()).error().code, ErrorCode::NotConnected);
 }
 
 void TestReceiver::samplesCarryTheClocksTime() {
@@ -132,7 +250,7 @@ void TestReceiver::samplesCarryTheClocksTime() {
     ReceiverOptions options = to(peer.port());
     options.clock = &clock;
     Receiver receiver(options);
-    receiver.start();
+    QVERIFY(receiver.start().ok());
     peer.send(1.0);
     TRY_COMPARE(receiver.latest().sequence, std::uint64_t(1));
     QCOMPARE(receiver.latest().hostTimeNs, 5 * kNsPerSecond);
@@ -151,7 +269,7 @@ void TestReceiver::whatLayInABacklogIsNotFresh() {
     ReceiverOptions options = to(peer.port());
     options.clock = &clock;
     Receiver receiver(options);
-    receiver.start();
+    QVERIFY(receiver.start().ok());
     std::uint64_t sent = 0;
     const auto send = [&](double timestamp) {
         peer.send(timestamp);
@@ -184,7 +302,7 @@ void TestReceiver::countsWhatTheControllerSkipped() {
     RtdePeer peer;
     Receiver receiver(to(peer.port()));
     Subscription subscription = receiver.subscribe();
-    receiver.start();
+    QVERIFY(receiver.start().ok());
     for (const double timestamp : {1.000, 1.002, 1.010, 1.012, 1.016}) {
         peer.send(timestamp);
     }
@@ -204,7 +322,7 @@ void TestReceiver::countsWhatCameLate() {
     ReceiverOptions options = to(peer.port());
     options.clock = &clock;
     Receiver receiver(options);
-    receiver.start();
+    QVERIFY(receiver.start().ok());
     const auto sendAfter = [&](std::int64_t ns, double timestamp, std::uint64_t number) {
         clock.advanceNs(ns);
         peer.send(timestamp);
@@ -229,7 +347,7 @@ void TestReceiver::fieldsTheRobotLacksAreAbsent() {
     peer.set("actual_qd", {1, 1, 1, 1, 1, 1});
     peer.set("payload_cog", {7, 8, 9});
     Receiver receiver(to(peer.port()));
-    receiver.start();
+    QVERIFY(receiver.start().ok());
     peer.send(1.0);
     TRY_COMPARE(receiver.latest().sequence, std::uint64_t(1));
     const Sample sample = receiver.latest();
@@ -248,7 +366,7 @@ void TestReceiver::addsTheTimestamp() {
     ReceiverOptions options = to(peer.port());
     options.fields = {"actual_q"};
     Receiver receiver(options);
-    receiver.start();
+    QVERIFY(receiver.start().ok());
     peer.send(2.5);
     TRY_COMPARE(receiver.latest().sequence, std::uint64_t(1));
     QCOMPARE(peer.outputs().names, (std::vector<std::string>{"timestamp", "actual_q"}));
@@ -263,7 +381,7 @@ void TestReceiver::worksWithCb3() {
         robot.highestProtocol = protocol;
         RtdePeer peer(robot);
         Receiver receiver(to(peer.port()));
-        receiver.start();
+        QVERIFY(receiver.start().ok());
         for (const double timestamp : {1.0, 1.008, 1.024}) {
             peer.send(timestamp);
         }
@@ -277,7 +395,7 @@ void TestReceiver::comesBackByItself() {
     RtdePeer peer;
     Receiver receiver(to(peer.port()));
     Subscription subscription = receiver.subscribe();
-    receiver.start();
+    QVERIFY(receiver.start().ok());
     peer.send(1.000);
     TRY_COMPARE(receiver.counters().packets, std::uint64_t(1));
     peer.closeConnection();
@@ -301,7 +419,7 @@ void TestReceiver::comesBackByItself() {
 void TestReceiver::comesBackAfterGarbage() {
     RtdePeer peer;
     Receiver receiver(to(peer.port()));
-    receiver.start();
+    QVERIFY(receiver.start().ok());
     peer.send(1.000);
     TRY_COMPARE(receiver.counters().packets, std::uint64_t(1));
     peer.sendRaw({0, 2, 0});
@@ -318,7 +436,7 @@ void TestReceiver::givesUpASilentConnection() {
     options.clock = &clock;
     options.silenceLimit = 2500ms;
     Receiver receiver(options);
-    receiver.start();
+    QVERIFY(receiver.start().ok());
     peer.send(1.0);
     TRY_COMPARE(receiver.counters().packets, std::uint64_t(1));
     // As long as the clock stands still nobody is silent, however long the test takes.
@@ -336,7 +454,7 @@ void TestReceiver::waitsLongerAfterEveryFailure() {
     // The second wait never ends within the test; stop() ends it.
     options.reconnectDelays = {1ms, 1h};
     Receiver receiver(options);
-    receiver.start();
+    QVERIFY(receiver.start().ok());
     TRY_COMPARE(receiver.state(), ReceiverState::Waiting);
     TRY_COMPARE(receiver.lastError().code, ErrorCode::ConnectionRefused);
     QVERIFY(receiver.lastError().context.contains(QString::number(options.port)));
@@ -347,7 +465,7 @@ void TestReceiver::waitsLongerAfterEveryFailure() {
 void TestReceiver::countersCanBeReset() {
     RtdePeer peer;
     Receiver receiver(to(peer.port()));
-    receiver.start();
+    QVERIFY(receiver.start().ok());
     peer.send(1.000);
     peer.send(1.100);
     TRY_COMPARE(receiver.counters().packets, std::uint64_t(2));
@@ -365,7 +483,7 @@ void TestReceiver::slowSubscriberLosesTheOldestOnly() {
     options.ringCapacity = 64;
     Receiver receiver(options);
     Subscription subscription = receiver.subscribe();
-    receiver.start();
+    QVERIFY(receiver.start().ok());
     for (int i = 1; i <= 200; ++i) {
         peer.send(i * 0.002);
     }
@@ -388,7 +506,7 @@ void TestReceiver::subscriptionOutlivesTheReceiver() {
         RtdePeer peer;
         Receiver receiver(to(peer.port()));
         subscription = receiver.subscribe();
-        receiver.start();
+        QVERIFY(receiver.start().ok());
         peer.send(1.0);
         TRY_COMPARE(receiver.counters().packets, std::uint64_t(1));
     }
@@ -400,8 +518,8 @@ void TestReceiver::startsAgainAfterStop() {
     RtdePeer peer;
     Receiver receiver(to(peer.port()));
     for (std::uint64_t round = 1; round <= 3; ++round) {
-        receiver.start();
-        receiver.start();  // once is enough
+        QVERIFY(receiver.start().ok());
+        QVERIFY(receiver.start().ok());  // once is enough
         peer.send(static_cast<double>(round));
         TRY_COMPARE(receiver.counters().packets, round);
         receiver.stop();
@@ -433,7 +551,7 @@ void TestReceiver::stopsPromptly() {
         options.port = portNobodyListensOn();
     }
     Receiver receiver(options);
-    receiver.start();
+    QVERIFY(receiver.start().ok());
     if (situation == QLatin1String("mute peer")) {
         TRY_COMPARE(mute.connections(), 1);
     } else if (situation == QLatin1String("silent stream")) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 
 #include "robot/receive/receiver.h"
@@ -40,6 +41,9 @@ private Q_SLOTS:
     void absentFieldsAreEmpty();
     void stateReadsWithTypes();
     void absentStateIsTheCautiousOne();
+    void noDataIsNeverANumber_data();
+    void noDataIsNeverANumber();
+    void misspeltNamesAreExplained();
     void registersAreRead();
     void defaultFieldsFitOneRequestAndOnePackage();
 };
@@ -117,7 +121,7 @@ void TestSample::stateReadsWithTypes() {
     QVERIFY(!state.is(SafetyStatusBit::Normal));
     QCOMPARE(state.jointModes()[0], JointMode::Running);
     QCOMPARE(state.jointModes()[5], JointMode::Idle);
-    QCOMPARE(state.digitalOutputs(), (std::uint64_t(1) << 17) | 1);
+    QCOMPARE(state.digitalOutputs().value(), (std::uint64_t(1) << 17) | 1);
     QCOMPARE(state.speedSlider(), 0.25);
     QCOMPARE(state.speedScaling(), 0.5);
     QCOMPARE(state.analogInput(1), 3.5);
@@ -137,16 +141,63 @@ void TestSample::absentStateIsTheCautiousOne() {
     QVERIFY(!state.is(RobotStatusBit::PowerOn));
     QVERIFY(!state.is(SafetyStatusBit::Normal));
     QCOMPARE(state.jointModes()[3], JointMode::PowerOff);
-    QCOMPARE(state.speedSlider(), 1.0);
-    QVERIFY(state.q() == JointPositions());
+}
+
+void TestSample::noDataIsNeverANumber_data() {
+    QTest::addColumn<bool>("received");
+    QTest::newRow("before the first packet") << false;
+    QTest::newRow("not sent by the robot") << true;
+}
+
+void TestSample::noDataIsNeverANumber() {
+    QFETCH(bool, received);
+    const Sample sample = received ? sampleOf({}) : Sample();
+    const RobotState state(sample);
+    const auto none = [](const auto& numbers) {
+        return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isnan(x); });
+    };
+    QVERIFY(none(state.q()));
+    QVERIFY(none(state.qd()));
+    QVERIFY(none(state.targetQ()));
+    QVERIFY(none(state.targetTorque()));
+    QVERIFY(none(state.jointCurrent()));
+    QVERIFY(none(state.tcpPose().array()));
+    QVERIFY(none(state.targetTcpPose().array()));
+    QVERIFY(none(state.tcpOffset().array()));
+    QVERIFY(none(state.tcpSpeed().vector()));
+    QVERIFY(none(state.tcpForce().vector()));
+    QVERIFY(none(state.payloadCentreOfGravity()));
+    QVERIFY(none(std::vector<double>{state.timestamp(), state.speedScaling(), state.speedSlider(),
+                                     state.payloadMass(), state.analogInput(0), state.analogOutput(1),
+                                     state.outputDoubleRegister(24), state.number("no such field")}));
+    QVERIFY(!state.digitalInputs());
+    QVERIFY(!state.digitalOutputs());
+    QVERIFY(!state.analogIoTypes());
+    QVERIFY(!state.robotStatusBits());
+    QVERIFY(!state.safetyStatusBits());
+    QVERIFY(!state.outputIntRegister(24));
+    // What is computed from it stays nothing: no command takes it.
+    JointPositions target = state.q();
+    target[0] += 0.1;
+    QVERIFY(!target.allFinite());
+}
+
+void TestSample::misspeltNamesAreExplained() {
+    QCOMPARE(unknownOutputs({"actual_q", "timestamp"}), QStringList());
+    const QStringList said = unknownOutputs({"actual_qq", "actual_tcp_pose", "Timestamp", "something else"});
+    QCOMPARE(said.size(), 4);
+    QCOMPARE(said[0], "there is no RTDE output \"actual_qq\": did you mean \"actual_q\"?");
+    QVERIFY(said[1].endsWith("did you mean \"actual_TCP_pose\"?"));
+    QVERIFY(said[2].endsWith("did you mean \"timestamp\"?"));
+    QCOMPARE(said[3], "there is no RTDE output \"something else\"");
 }
 
 void TestSample::registersAreRead() {
     const Sample sample = sampleOf({{"output_int_register_12", {-5}}, {"output_double_register_43", {0.75}}});
     const RobotState state(sample);
-    QCOMPARE(state.outputIntRegister(12), -5);
+    QCOMPARE(state.outputIntRegister(12).value(), -5);
     QCOMPARE(state.outputDoubleRegister(43), 0.75);
-    QCOMPARE(state.outputIntRegister(0), 0);
+    QVERIFY(!state.outputIntRegister(0));
 }
 
 void TestSample::defaultFieldsFitOneRequestAndOnePackage() {

@@ -41,7 +41,7 @@ receive::ReceiverOptions to(std::uint16_t port) {
 
 /// A receiver on a peer, and a folder to record into.
 struct Bench {
-    Bench() : receiver(to(peer.port())) { receiver.start(); }
+    Bench() : receiver(to(peer.port())) { receiver.start().value(); }
 
     QString path(const char* name = "recording.csv") const {
         return folder.filePath(QString::fromLatin1(name));
@@ -88,6 +88,8 @@ private Q_SLOTS:
     void rowsReachTheFileWhileRecording();
     void replacesAnOldFile();
     void recordsOnlyWhatIsAskedFor();
+    void fieldsThatDoNotComeAreRefused();
+    void recordsWhatTheReceiverFollows();
     void oneRecordingAtATime();
     void recordsAgainAfterStop();
     void unwritablePlacesAreErrors_data();
@@ -155,7 +157,7 @@ void TestRecorder::ringOverrunIsAGapToo() {
     auto options = to(peer.port());
     options.ringCapacity = 16;
     receive::Receiver receiver(options);
-    receiver.start();
+    QVERIFY(receiver.start().ok());
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("a.csv"));
     Recorder recorder;
@@ -198,7 +200,7 @@ void TestRecorder::replacesAnOldFile() {
     old.write(QByteArray(100000, 'x'));
     old.close();
     Recorder recorder;
-    QVERIFY(recorder.start({bench.path(), {}}, bench.receiver).ok());
+    QVERIFY(recorder.start({bench.path(), {"timestamp"}}, bench.receiver).ok());
     recorder.stop();
     const auto table = readCsv(bench.path());
     QVERIFY2(table.ok(), qPrintable(table.error().toString()));
@@ -209,7 +211,7 @@ void TestRecorder::replacesAnOldFile() {
 void TestRecorder::recordsOnlyWhatIsAskedFor() {
     Bench bench;
     Recorder recorder;
-    QVERIFY(recorder.start({bench.path(), {"robot_mode", "no such field"}}, bench.receiver).ok());
+    QVERIFY(recorder.start({bench.path(), {"robot_mode"}}, bench.receiver).ok());
     bench.send(1, 1);
     TRY_COMPARE(recorder.progress().rows, std::uint64_t(1));
     recorder.stop();
@@ -217,10 +219,43 @@ void TestRecorder::recordsOnlyWhatIsAskedFor() {
              (std::vector<std::string>{"timestamp", "robot_mode", "packages_lost"}));
 }
 
+void TestRecorder::fieldsThatDoNotComeAreRefused() {
+    Bench bench;
+    Recorder recorder;
+    QFile old(bench.path());
+    QVERIFY(old.open(QIODevice::WriteOnly) && old.write("precious") > 0);
+    old.close();
+    const Error error =
+        recorder
+            .start({bench.path(), {"robot_mode", "actual_qq", "tool_mode", "input_int_register_3"}},
+                   bench.receiver)
+            .error();
+    QCOMPARE(error.code, ErrorCode::FieldUnknown);
+    QVERIFY(error.toString().contains("\"actual_qq\": did you mean \"actual_q\"?"));
+    QVERIFY(error.toString().contains("does not follow \"input_int_register_3\""));
+    QVERIFY(!error.toString().contains("tool_mode"));
+    QCOMPARE(QFileInfo(bench.path()).size(), qint64(8));
+    QCOMPARE(recorder.progress().state, RecorderState::Idle);
+}
+
+void TestRecorder::recordsWhatTheReceiverFollows() {
+    RtdePeer peer;
+    receive::ReceiverOptions options = to(peer.port());
+    options.fields = {"robot_mode"};
+    receive::Receiver receiver(options);
+    QVERIFY(receiver.start().ok());
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("few.csv"));
+    Recorder recorder;
+    QVERIFY(recorder.start({.path = path}, receiver).ok());
+    recorder.stop();
+    QCOMPARE(readCsv(path)->columns, (std::vector<std::string>{"timestamp", "robot_mode", "packages_lost"}));
+}
+
 void TestRecorder::oneRecordingAtATime() {
     Bench bench;
     Recorder recorder;
-    QVERIFY(recorder.start({bench.path(), {}}, bench.receiver).ok());
+    QVERIFY(recorder.start({bench.path(), {"timestamp"}}, bench.receiver).ok());
     QCOMPARE(recorder.start({bench.path("other.csv"), {}}, bench.receiver).error().code,
              ErrorCode::InvalidArgument);
     QVERIFY(!QFile::exists(bench.path("other.csv")));
@@ -259,7 +294,7 @@ void TestRecorder::unwritablePlacesAreErrors() {
     QCOMPARE(started.error().code, ErrorCode::FileNotWritable);
     QVERIFY(!started.error().controllerMessage.isEmpty());
     // And everything goes on.
-    QVERIFY(recorder.start({bench.path(), {}}, bench.receiver).ok());
+    QVERIFY(recorder.start({bench.path(), {"timestamp"}}, bench.receiver).ok());
 }
 
 void TestRecorder::fullDiskAtTheStartIsAnError() {
@@ -306,7 +341,7 @@ void TestRecorder::fullDiskKeepsWhatWasWritten() {
     QCOMPARE(table->values[0].back(), static_cast<double>(table->rows()) * 0.002);
     // The receiver has noticed nothing, and there is a life after it.
     QCOMPARE(bench.receiver.state(), receive::ReceiverState::Receiving);
-    QVERIFY(recorder.start({bench.path(), {}}, bench.receiver).ok());
+    QVERIFY(recorder.start({bench.path(), {"timestamp"}}, bench.receiver).ok());
     QCOMPARE(recorder.error().code, ErrorCode::None);
 #else
     QSKIP("needs a small file system");

@@ -35,12 +35,16 @@ int main(int argc, char** argv) {
     tiller::receive::ReceiverOptions receiving;
     receiving.host = options.listenAddress;
     tiller::receive::Receiver receiver(receiving);
-    receiver.start();
-    while (receiver.latest().isEmpty()) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    if (const auto following = receiver.start(); !following) {
+        std::cerr << following.error() << std::endl;
+        return EXIT_FAILURE;
     }
-    const tiller::receive::Sample sample = receiver.latest();
-    const double reached = tiller::receive::RobotState(sample).q()[5];
+    const auto sample = receiver.waitForData(tiller::Deadline::after(std::chrono::seconds(30)));
+    if (!sample) {
+        std::cerr << sample.error() << std::endl;
+        return EXIT_FAILURE;
+    }
+    const double reached = tiller::receive::RobotState(*sample).q()[5];
     receiver.stop();
     control.disconnect();
     robot.stop();
