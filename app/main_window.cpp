@@ -7,6 +7,7 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QMenu>
+#include <QScreen>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabBar>
@@ -77,6 +78,12 @@ QDockWidget* dockFor(QWidget* content, const QString& name, const QString& title
     return dock;
 }
 
+/// STOP must be in sight at once on a small screen too. Title bar and borders come on top.
+QSize startSize() {
+    const QScreen* screen = QGuiApplication::primaryScreen();
+    return screen == nullptr ? kStart : kStart.boundedTo(screen->availableSize() - QSize(16, 48));
+}
+
 }  // namespace
 
 MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* parent)
@@ -90,7 +97,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     setWindowTitle(tr("Tiller"));
     setWindowIcon(applicationIcon());
     setMinimumSize(kSmallest);
-    resize(kStart);
+    resize(startSize());
     setDockOptions(QMainWindow::AllowTabbedDocks | QMainWindow::AnimatedDocks);
     setContextMenuPolicy(Qt::NoContextMenu);
 

@@ -244,6 +244,7 @@ Place DesktopCell::place(const QString& name) {
     place.active = told["active"].toBool();
     place.focus = told["focus"].toBool();
     place.text = told["text"].toString();
+    place.toolTip = told["toolTip"].toString();
     place.area = {told["x"].toInt(), told["y"].toInt(), told["width"].toInt(), told["height"].toInt()};
     place.window = XHand::WindowId(told["window"].toInteger());
     return place;

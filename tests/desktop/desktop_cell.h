@@ -48,6 +48,7 @@ struct Place {
     bool active = false;  ///< its window is the one that has the keyboard
     bool focus = false;
     QString text;
+    QString toolTip;
     QRect area;  ///< on the screen
     XHand::WindowId window = 0;
     QPoint middle() const { return area.center(); }
@@ -67,6 +68,7 @@ public:
     /// Why it did not work: what the parts said.
     QString what() const { return what_; }
 
+    QSize screen() const { return screen_; }
     XHand& hand() { return *hand_; }
     ArmWatch& arm() { return *arm_; }
     QString displayName() const { return displayName_; }

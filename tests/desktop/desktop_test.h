@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QTest>
 #include <cstdio>
+#include <functional>
 #include <memory>
 
 #include "tests/desktop/desktop_cell.h"
@@ -46,6 +47,19 @@ protected:
     /// For tests that leave something broken behind: the next one gets a cell of its own.
     void useUp() { usedUp_ = true; }
 
+    /// Presses, waits until the arm is under way. On a busy machine a press may be refused, because data were
+    /// late: then another one, after `release`.
+    void holdBy(const std::function<void()>& press, const std::function<void()>& release) {
+        for (int attempt = 0; attempt < 5; ++attempt) {
+            QVERIFY(cell().until([&] { return cell().place("jog.X+").enabled; }));
+            press();
+            if (arm().untilMoving(kGetsGoing)) {
+                return;
+            }
+            release();
+        }
+        QFAIL("nothing moved while it was held: this proves nothing");
+    }
     /// The arm stands for good, now that nothing is held. What only came late on a busy machine is told.
     void verifyStands(double contract = kContract) {
         const Standstill stop = arm().standstill(contract);

@@ -29,6 +29,7 @@ QJsonObject describe(const QWidget& widget) {
             {"active", widget.isActiveWindow()},
             {"focus", widget.hasFocus()},
             {"text", widget.property("text").toString()},
+            {"toolTip", widget.toolTip()},
             {"x", place.x()},
             {"y", place.y()},
             {"width", place.width()},

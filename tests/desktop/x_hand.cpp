@@ -179,7 +179,8 @@ QString XHand::writes(int code) const {
     XkbGetState(d_->display, XkbUseCoreKbd, &state);
     KeySym symbol = NoSymbol;
     unsigned used = 0;
-    XkbTranslateKeyCode(map, static_cast<unsigned char>(code), XkbStateFieldFromRec(&state), &used, &symbol);
+    XkbTranslateKeyCode(map, static_cast<unsigned char>(code), XkbBuildCoreState(state.mods, state.group),
+                        &used, &symbol);
     XkbFreeClientMap(map, XkbAllClientInfoMask, True);
     return QString::fromLatin1(XKeysymToString(symbol));
 }

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A key of the pad held with a real mouse button: everything but plain holding ends the motion, and nothing
+// but a new press begins another.
+
+#include <signal.h>
+
+#include "tests/desktop/desktop_test.h"
+
+namespace tiller::test {
+
+class TestPointer : public DesktopTest {
+    Q_OBJECT
+
+    /// Holds this key with the left button until the arm is under way.
+    void hold(const QString& name = "jog.X+") {
+        QVERIFY2(cell().until([&] { return cell().place(name).enabled; }),
+                 qPrintable(cell().place(name).toolTip));
+        area_ = cell().place(name).area;
+        hand().moveTo(area_.center());
+        holdBy([&] { hand().button(1, true); }, [&] { hand().button(1, false); });
+    }
+    /// The arm stands with the button still down, and nothing but a new press moves it again.
+    void verifyEndedForGood() {
+        verifyStands();
+        QVERIFY(cell().toTheFront());
+        hand().moveTo(area_.center() + QPoint(3, 3));
+        QVERIFY2(arm().stays(0.3), "it moved again while the button was still down");
+        hand().button(1, false);
+        QVERIFY2(arm().stays(0.3), "it moved again when the button was let go");
+    }
+
+private Q_SLOTS:
+    // On a screen smaller than the window would like to be.
+    void stopAndThePadAreOnTheScreen() {
+        for (const char* name : {"stopButton", "jog.X+", "homeKey", "backKey"}) {
+            const Place place = cell().place(name);
+            QVERIFY2(QRect({0, 0}, cell().screen()).contains(place.area), name);
+        }
+    }
+
+    void theButtonIsLetGo() {
+        hold();
+        hand().button(1, false);
+        verifyStands();
+    }
+
+    void everyKeyMovesWhileItIsHeldAndNoLonger_data() {
+        QTest::addColumn<QString>("name");
+        for (const char* axis : {"X", "Y", "Z", "Rz", "Ry", "Rx"}) {
+            for (const char* sign : {"-", "+"}) {
+                const QByteArray name = QByteArray("jog.") + axis + sign;
+                QTest::addRow("%s", name.constData()) << QString::fromLatin1(name);
+            }
+        }
+        for (const char* name : {"homeKey", "alignKey"}) {
+            QTest::addRow("%s", name) << QString::fromLatin1(name);
+        }
+    }
+    void everyKeyMovesWhileItIsHeldAndNoLonger() {
+        QFETCH(QString, name);
+        hold(name);
+        hand().button(1, false);
+        verifyStands();
+    }
+
+    void backMovesWhileItIsHeldAndNoLonger() {
+        const Vector6 from = arm().joints();
+        hold();
+        QVERIFY(cell().until([&] { return (arm().joints() - from).cwiseAbs().maxCoeff() > 0.05; }));
+        hand().button(1, false);
+        verifyStands();
+        QVERIFY(cell().until([&] { return cell().place("backKey").enabled; }));
+        hold("backKey");
+        hand().button(1, false);
+        verifyStands();
+    }
+
+    void theButtonIsLetGoOutsideTheWindow() {
+        hold();
+        const Place window = cell().place("mainWindow");
+        hand().moveTo(window.area.bottomRight() + QPoint(10, 10));
+        hand().button(1, false);
+        verifyStands();
+    }
+
+    void thePointerLeavesTheKey() {
+        hold();
+        hand().moveTo({area_.center().x(), area_.bottom() + 20});
+        QVERIFY2(arm().untilMoving(1), "a few pixels beside the key are no leaving");
+        hand().moveTo({area_.center().x(), area_.bottom() + 40});
+        verifyEndedForGood();
+    }
+
+    void anotherButtonIsPressed_data() {
+        QTest::addColumn<int>("number");
+        QTest::newRow("middle") << 2;
+        QTest::newRow("right") << 3;
+        QTest::newRow("backward") << 8;
+    }
+    void anotherButtonIsPressed() {
+        QFETCH(int, number);
+        hold();
+        hand().button(number, true);
+        verifyStands();
+        hand().button(number, false);
+        verifyEndedForGood();
+    }
+
+    void theWheelMovesNothing() {
+        const Place key = cell().place("jog.X+");
+        hand().moveTo(key.middle());
+        for (int i = 0; i < 10; ++i) {
+            for (const int wheel : {4, 5, 6, 7}) {
+                hand().button(wheel, true);
+                hand().button(wheel, false);
+            }
+        }
+        QVERIFY(arm().stays(0.3));
+    }
+
+    void theWheelIsTurnedWhileHeld() {
+        hold();
+        for (int i = 0; i < 5; ++i) {
+            hand().button(5, true);
+            hand().button(5, false);
+        }
+        QCOMPARE(cell().place("jog.X+").area, area_);
+        hand().button(1, false);
+        verifyStands();
+    }
+
+    void onlyTheLeftButtonMoves() {
+        const Place key = cell().place("jog.X+");
+        hand().moveTo(key.middle());
+        for (const int number : {2, 3, 8, 9}) {
+            hand().button(number, true);
+            QVERIFY(arm().stays(0.3));
+            hand().button(number, false);
+        }
+    }
+
+    void aStopKeyIsPressed_data() {
+        QTest::addColumn<int>("code");
+        QTest::newRow("Esc") << int(kEscape);
+        QTest::newRow("Space") << int(kSpace);
+    }
+    void aStopKeyIsPressed() {
+        QFETCH(int, code);
+        hold();
+        hand().press(code);
+        verifyStands();
+        hand().release(code);
+        verifyEndedForGood();
+    }
+
+    void aDialogOpensByItsKey() {
+        hold();
+        hand().press(kControl);
+        hand().tap(kLetterK);
+        hand().release(kControl);
+        QVERIFY(cell().untilShown("commandPalette"));
+        verifyStands();
+        // Just after a motion Esc still means stop.
+        QVERIFY(cell().until([&] {
+            hand().tap(kEscape);
+            return !cell().place("commandPalette").visible;
+        }));
+        verifyEndedForGood();
+    }
+
+    void anotherWindowOpens() {
+        hold();
+        hand().openWindow({500, 300});
+        verifyEndedForGood();
+    }
+
+    void theDesktopIsSwitched() {
+        hold();
+        hand().switchDesktop(1);
+        verifyStands();
+        hand().switchDesktop(0);
+        verifyEndedForGood();
+    }
+
+    void theWindowIsMinimised() {
+        hold();
+        hand().iconify(cell().place("mainWindow").window);
+        verifyEndedForGood();
+    }
+
+    void theProgramIsFrozen() {
+        hold();
+        cell().program().signal(SIGSTOP);
+        verifyStands();
+        cell().program().signal(SIGCONT);
+        verifyEndedForGood();
+    }
+
+    void theProgramIsKilled() {
+        hold();
+        useUp();
+        cell().program().signal(SIGKILL);
+        verifyStands();
+    }
+
+private:
+    QRect area_;
+};
+
+}  // namespace tiller::test
+
+TILLER_DESKTOP_MAIN(tiller::test::TestPointer)
+#include "tst_pointer.moc"
