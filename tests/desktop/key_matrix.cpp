@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/desktop/key_matrix.h"
+
+#include <Eigen/Geometry>
+#include <QMap>
+#include <QSet>
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+
+namespace tiller::test {
+namespace {
+
+constexpr double kContract = 0.25;     // [s], of the robot's time
+constexpr double kGetsGoing = 1.5;     // a motion that is to come has begun by then
+constexpr double kStaysPut = 0.15;     // and one that is not to come has not
+constexpr double kFarEnough = 0.35;    // [rad] to go back or to level out, for many short holds
+constexpr double kNearlyThere = 0.12;  // [rad]
+constexpr int kLongWayMs = 20'000;     // no preparation takes longer
+
+constexpr int kModifierCodes[] = {0, kShift, kControl, kAlt, kAltGr, kNumLock, kCapsLock};
+
+int codeOf(Modifier modifier) {
+    return kModifierCodes[int(modifier)];
+}
+
+/// How far the tool is from the nearest axis of the base [rad].
+double tiltOf(const Vector6& pose) {
+    const Eigen::Vector3d turn = pose.tail<3>();
+    const double angle = turn.norm();
+    const Eigen::Vector3d axis = angle > 0 ? Eigen::Vector3d(turn / angle) : Eigen::Vector3d(0, 0, 1);
+    const Eigen::Vector3d z = Eigen::AngleAxisd(angle, axis) * Eigen::Vector3d(0, 0, 1);
+    return std::acos(std::min(1.0, z.cwiseAbs().maxCoeff()));
+}
+
+bool isLock(Modifier modifier) {
+    return modifier == Modifier::NumLock || modifier == Modifier::CapsLock;
+}
+
+void change(XHand& hand, Modifier modifier, bool down) {
+    if (modifier == Modifier::None) {
+        return;
+    }
+    if (isLock(modifier)) {
+        hand.tap(codeOf(modifier));
+    } else {
+        hand.key(codeOf(modifier), down);
+    }
+}
+
+/// The names of what this key has to write to mean what it stands for; empty where anything will do.
+QStringList symbolsOf(int code, bool numLock) {
+    switch (code) {
+        case kKeypad4:
+            return {numLock ? "KP_4" : "KP_Left"};
+        case kKeypad6:
+            return {"KP_Right"};
+        case kKeypad8:
+            return {"KP_Up"};
+        case kKeypad2:
+            return {"KP_Down"};
+        case kKeypad9:
+            return {"KP_Prior"};
+        case kKeypad3:
+            return {"KP_Next"};
+        case kLetterF:
+            return {"f", "F"};
+        case kLetterG:
+            return {"g", "G"};
+        default:
+            return {};
+    }
+}
+
+QStringList symbolsOf(QChar character) {
+    return character == '+'   ? QStringList{"plus", "equal"}
+           : character == '-' ? QStringList{"minus", "underscore"}
+                              : QStringList{QString(character)};
+}
+
+QList<HeldKey> makeKeys() {
+    QList<HeldKey> keys;
+    const std::pair<const char*, int> directions[] = {{"left", kLeft},      {"right", kRight},
+                                                      {"up", kUp},          {"down", kDown},
+                                                      {"page up", kPageUp}, {"page down", kPageDown}};
+    for (const auto& [name, code] : directions) {
+        keys.append({QLatin1String(name), {code}, {}, "arrow"});
+    }
+    for (const auto& [name, code] : directions) {
+        keys.append({QStringLiteral("Alt %1").arg(QLatin1String(name)), {kAlt, code}, {}, "Alt arrow"});
+    }
+    for (int joint = 1; joint <= 6; ++joint) {
+        keys.append({QStringLiteral("%1 +").arg(joint), {}, QStringLiteral("%1+").arg(joint), "joint"});
+        keys.append({QStringLiteral("%1 -").arg(joint), {}, QStringLiteral("%1-").arg(joint), "joint"});
+    }
+    const std::pair<const char*, int> keypad[] = {
+        {"keypad left", kKeypad4}, {"keypad right", kKeypad6},   {"keypad up", kKeypad8},
+        {"keypad down", kKeypad2}, {"keypad page up", kKeypad9}, {"keypad page down", kKeypad3}};
+    for (const auto& [name, code] : keypad) {
+        keys.append({QLatin1String(name), {code}, {}, "keypad arrow"});
+    }
+    // The sign first: there may be no key for the digit without Shift.
+    keys.append({"keypad + 1", {kKeypadPlus}, "1", "keypad sign"});
+    keys.append({"keypad - 1", {kKeypadMinus}, "1", "keypad sign"});
+    keys.append({"keypad + 6", {kKeypadPlus}, "6", "keypad sign"});
+    keys.append({"keypad - 6", {kKeypadMinus}, "6", "keypad sign"});
+    keys.append({"keypad 4 +", {kKeypad4, kKeypadPlus}, {}, "keypad", true});
+    keys.append({"keypad 4 -", {kKeypad4, kKeypadMinus}, {}, "keypad", true});
+    keys.append({"Home", {kHome}, {}, "Home"});
+    keys.append({"Backspace", {kBackspace}, {}, "Back", false, "back"});
+    keys.append({"End", {kEnd}, {}, "Align", false, "tilt"});
+    keys.append({"F", {kLetterF}, {}, "Freedrive", false, "hand"});
+    keys.append({"G", {kLetterG}, {}, "Go to", false, "waypoint"});
+    return keys;
+}
+
+}  // namespace
+
+const QList<HeldKey>& heldKeys() {
+    static const QList<HeldKey> keys = makeKeys();
+    return keys;
+}
+
+const QStringList& layouts() {
+    static const QStringList names{"us", "de", "fr", "es", "jp", "ru"};
+    return names;
+}
+
+QString nameOf(Modifier modifier) {
+    static const QStringList names{"none", "Shift", "Ctrl", "Alt", "AltGr", "NumLock", "CapsLock"};
+    return names[int(modifier)];
+}
+
+QString nameOf(Order order) {
+    static const QStringList names{"before", "around", "during", "after"};
+    return names[int(order)];
+}
+
+QString nameOf(const MatrixCell& cell) {
+    return QStringLiteral("%1 | %2 | %3 %4")
+        .arg(layouts()[cell.layout], heldKeys()[cell.key].name, nameOf(cell.modifier),
+             cell.modifier == Modifier::None ? QString() : nameOf(cell.order))
+        .trimmed();
+}
+
+QString nameOf(CellOutcome::Kind kind) {
+    static const QStringList names{"stood",      "LATE",         "GOES ON", "DID NOT MOVE",
+                                   "other keys", "no such keys", "BROKEN"};
+    return names[int(kind)];
+}
+
+QList<MatrixCell> wholeMatrix() {
+    QList<MatrixCell> cells;
+    for (int layout = 0; layout < layouts().size(); ++layout) {
+        for (int key = 0; key < heldKeys().size(); ++key) {
+            cells.append({key, Modifier::None, Order::Before, layout});
+            for (int modifier = int(Modifier::Shift); modifier <= int(Modifier::CapsLock); ++modifier) {
+                for (const Order order : {Order::Before, Order::Around, Order::During, Order::After}) {
+                    cells.append({key, Modifier(modifier), order, layout});
+                }
+            }
+        }
+    }
+    return cells;
+}
+
+QList<MatrixCell> everyPair() {
+    // By kind, as the first key of it; then the keys of the kind take turns.
+    QMap<QString, QList<int>> kinds;
+    for (int key = 0; key < heldKeys().size(); ++key) {
+        kinds[heldKeys()[key].kind].append(key);
+    }
+    QList<MatrixCell> candidates;
+    for (const MatrixCell& cell : wholeMatrix()) {
+        if (kinds[heldKeys()[cell.key].kind].first() == cell.key) {
+            candidates.append(cell);
+        }
+    }
+    // One number for each pair of values.
+    const auto pairsOf = [](const MatrixCell& c) {
+        const int values[] = {c.key, 100 + int(c.modifier), 200 + int(c.order), 300 + c.layout};
+        QList<int> pairs;
+        for (int a = 0; a < 4; ++a) {
+            for (int b = a + 1; b < 4; ++b) {
+                // With no modifier the order says nothing.
+                if (c.modifier != Modifier::None || (a != 2 && b != 2)) {
+                    pairs.append(values[a] * 1000 + values[b]);
+                }
+            }
+        }
+        return pairs;
+    };
+    QSet<int> open;
+    for (const MatrixCell& cell : std::as_const(candidates)) {
+        const QList<int> pairs = pairsOf(cell);
+        open.unite(QSet<int>(pairs.begin(), pairs.end()));
+    }
+    QList<MatrixCell> chosen;
+    const auto choose = [&](MatrixCell cell) {
+        const QList<int> pairs = pairsOf(cell);
+        open.subtract(QSet<int>(pairs.begin(), pairs.end()));
+        QList<int>& turns = kinds[heldKeys()[cell.key].kind];
+        cell.key = turns.takeFirst();
+        turns.append(cell.key);
+        chosen.append(cell);
+    };
+    const QMap<QString, QList<int>> firsts = kinds;
+    while (!open.isEmpty()) {
+        // Greedy: always the one that has most pairs not met yet.
+        choose(*std::ranges::max_element(candidates, {}, [&](const MatrixCell& cell) {
+            return std::ranges::count_if(pairsOf(cell), [&](int pair) { return open.contains(pair); });
+        }));
+    }
+    for (const QList<int>& keys : firsts) {
+        // A kind with more keys than it has had turns.
+        for (qsizetype extra = 0; extra < keys.size(); ++extra) {
+            if (std::ranges::none_of(chosen, [&](const MatrixCell& c) { return c.key == keys[extra]; })) {
+                chosen.append(
+                    {keys[extra], Modifier(1 + extra % 6), Order::After, int(extra % layouts().size())});
+            }
+        }
+    }
+    // A layout is set once, not for every cell.
+    std::ranges::stable_sort(chosen, {}, [](const MatrixCell& c) { return std::pair(c.layout, c.key); });
+    return chosen;
+}
+
+// ---- MatrixTrial
+
+bool MatrixTrial::makeReady(int layout) {
+    if (!cell_) {
+        cell_ = std::make_unique<DesktopCell>();
+        layout_ = -1;
+        if (!cell_->bringUp()) {
+            what_ = cell_->what();
+            cell_.reset();
+            return false;
+        }
+        // A waypoint to go to.
+        cell_->hand().tap(kLetterT);
+        if (!cell_->until([&] { return cell_->place("waypoint.goTo").enabled; })) {
+            what_ = "no waypoint could be taught";
+            return false;
+        }
+        waypoint_ = cell_->arm().joints();
+    }
+    if (layout_ != layout) {
+        if (!cell_->setLayout(layouts()[layout])) {
+            what_ = "the layout could not be set";
+            return false;
+        }
+        layout_ = layout;
+    }
+    return cell_->armKeyboard();
+}
+
+bool MatrixTrial::prepare(const QString& preparation) {
+    XHand& hand = cell_->hand();
+    ArmWatch& arm = cell_->arm();
+    const auto turn = [&](int code, const std::function<bool()>& enough) {
+        hand.press(kAlt);
+        hand.press(code);
+        const bool there = cell_->until(enough, kLongWayMs);
+        hand.release(code);
+        hand.release(kAlt);
+        return there && arm.untilStanding(2);
+    };
+    if (preparation == "tilt") {
+        return tiltOf(arm.tcpPose()) > kNearlyThere ||
+               turn(kRight, [&] { return tiltOf(arm.tcpPose()) > kFarEnough; });
+    }
+    if (preparation == "waypoint") {
+        const auto way = [&] { return (arm.joints() - waypoint_).cwiseAbs().maxCoeff(); };
+        return way() > kNearlyThere || turn(kPageUp, [&] { return way() > kFarEnough; });
+    }
+    if (preparation == "back") {
+        const Vector6 from = arm.joints();
+        return turn(kPageDown, [&] { return (arm.joints() - from).cwiseAbs().maxCoeff() > kNearlyThere; });
+    }
+    return true;
+}
+
+QList<Typed> MatrixTrial::strokes(const HeldKey& key) {
+    QList<Typed> strokes;
+    for (const int code : key.codes) {
+        strokes.append({code, false});
+    }
+    for (const QChar character : key.characters) {
+        // "+" without Shift is "=" where both are on one key, and the program takes it for the same.
+        const char wanted = character.toLatin1();
+        std::optional<Typed> typed = cell_->hand().find(wanted);
+        if (wanted == '+' && typed && typed->shift) {
+            const std::optional<Typed> equal = cell_->hand().find('=');
+            if (equal && equal->code == typed->code) {
+                typed = equal;
+            }
+        }
+        if (!typed || std::ranges::any_of(strokes, [&](const Typed& s) { return s.code == typed->code; })) {
+            return {};
+        }
+        strokes.append(*typed);
+    }
+    return strokes;
+}
+
+QString MatrixTrial::put(const HeldKey& key, const QList<Typed>& strokes, bool shiftHeld) {
+    XHand& hand = cell_->hand();
+    QString other;
+    bool shift = false;
+    for (qsizetype i = 0; i < strokes.size(); ++i) {
+        // What is written with Shift is also held with Shift; a modifier that is let go would end the motion.
+        if (strokes[i].shift != shift && !shiftHeld) {
+            shift = strokes[i].shift;
+            hand.key(kShift, shift);
+        }
+        const QStringList meant = i < key.codes.size() ? symbolsOf(key.codes[i], key.numLock)
+                                                       : symbolsOf(key.characters[i - key.codes.size()]);
+        const QString written = hand.writes(strokes[i].code);
+        if (!meant.isEmpty() && !meant.contains(written)) {
+            other = QStringLiteral("one of the keys writes %1").arg(written);
+        }
+        hand.press(strokes[i].code);
+    }
+    return other;
+}
+
+CellOutcome MatrixTrial::judge(const Standstill& stop) {
+    CellOutcome outcome;
+    outcome.seconds = stop.seconds;
+    outcome.kind = stop.verdict == Standstill::Verdict::Stood   ? CellOutcome::Kind::Stood
+                   : stop.verdict == Standstill::Verdict::Late  ? CellOutcome::Kind::Late
+                   : stop.verdict == Standstill::Verdict::Blind ? CellOutcome::Kind::Broken
+                                                                : CellOutcome::Kind::GoesOn;
+    return outcome;
+}
+
+CellOutcome MatrixTrial::run(const MatrixCell& cell) {
+    if (!makeReady(cell.layout)) {
+        return {CellOutcome::Kind::Broken, 0, what_};
+    }
+    const HeldKey& key = heldKeys()[cell.key];
+    XHand& hand = cell_->hand();
+    ArmWatch& arm = cell_->arm();
+    const QList<Typed> keys = strokes(key);
+    if (keys.isEmpty()) {
+        return {CellOutcome::Kind::NoSuchKeys, 0, {}};
+    }
+    if (!prepare(key.preparation) || !arm.untilStanding(2)) {
+        cell_.reset();
+        return {CellOutcome::Kind::Broken, 0, "the arm could not be prepared"};
+    }
+
+    if (key.numLock) {
+        hand.tap(kNumLock);
+    }
+    const bool early = cell.order == Order::Before || cell.order == Order::Around;
+    if (early) {
+        change(hand, cell.modifier, true);
+    }
+    QString other = put(key, keys, early && cell.modifier == Modifier::Shift);
+    if (key.name == "G" && early && hand.hasModifier()) {
+        other = "Go to is G without modifiers";
+    }
+    if (key.preparation == "hand") {
+        cell_->fault("hand 20 0 0");  // somebody pushes; before, the program would have doubted the payload
+    }
+    const bool moved = arm.untilMoving(other.isEmpty() ? kGetsGoing : kStaysPut);
+    if (cell.order == Order::Before) {
+        change(hand, cell.modifier, false);
+    } else if (cell.order == Order::During) {
+        change(hand, cell.modifier, true);
+        change(hand, cell.modifier, false);
+    } else if (cell.order == Order::After) {
+        change(hand, cell.modifier, true);
+    }
+    for (const Typed& stroke : keys) {
+        hand.release(stroke.code);
+    }
+    if (keys.last().shift && cell.modifier != Modifier::Shift) {
+        hand.release(kShift);
+    }
+    CellOutcome outcome = judge(arm.standstill(kContract));
+    if (cell.order == Order::Around || cell.order == Order::After) {
+        change(hand, cell.modifier, false);
+    }
+
+    const bool runsAway = outcome.kind == CellOutcome::Kind::GoesOn;
+    if (!moved && outcome.kind == CellOutcome::Kind::Stood) {
+        outcome.kind = other.isEmpty() ? CellOutcome::Kind::DidNotMove : CellOutcome::Kind::OtherKeys;
+        outcome.note = other;
+    }
+    hand.letGoOfAll();
+    if (key.preparation == "hand") {
+        cell_->fault("hand 0 0 0");
+    }
+    if (runsAway) {
+        // The next cell shall not inherit what is still believed to be held.
+        hand.tap(kEscape);
+        outcome.note = arm.untilStanding(2) ? "Esc ended it" : "Esc did not end it";
+        cell_.reset();
+    }
+    return outcome;
+}
+
+}  // namespace tiller::test
