@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: MIT
+#include "robot/script/program_stopper.h"
+
+#include <algorithm>
+#include <array>
+#include <condition_variable>
+#include <mutex>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+#include "robot/core/native_socket.h"
+#include "robot/core/tcp_connect.h"
+#include "robot/script/primary_parser.h"
+
+namespace tiller::script {
+
+using native_socket::Descriptor;
+using native_socket::Status;
+using std::chrono::milliseconds;
+
+namespace {
+
+constexpr std::string_view kStop = "stop program\n";
+constexpr int kReadOnlySocket = 210;
+constexpr std::int64_t kAskForNs = 2 * kNsPerSecond;
+/// A controller that was told tells within two of its states, 100 ms apart, that it stopped.
+constexpr std::int64_t kAskAgainNs = 300 * kNsPerMs;
+constexpr milliseconds kConnectTime(1000);
+
+}  // namespace
+
+struct ProgramStopper::Private {
+    ProgramStopperOptions options;
+
+    std::thread thread;
+    CancelToken cancel;
+
+    mutable std::mutex mutex;
+    mutable std::condition_variable changed;
+    // All below under the mutex.
+    bool running = false;
+    Descriptor socket = -1;  ///< closed by the thread alone
+    bool anew = false;       ///< this connection is to be given up
+    Error connectionError;
+    bool asked = false;
+    bool sent = false;  ///< on this connection
+    int states = 0;     ///< of the controller, since it was sent
+    int refusals = 0;   ///< since it was asked for
+    std::int64_t askedNs = 0;
+    std::int64_t sentNs = 0;
+    Error outcome;  ///< of the last request; code None: it was carried out, or there was none
+
+    QString context() const {
+        return QStringLiteral("stop the program at %1:%2").arg(options.host).arg(options.port);
+    }
+    std::int64_t now() const { return options.clock->nowNs(); }
+
+    void run();
+    Error listen(Descriptor descriptor);
+    void send();
+    void settle(Error how);
+    void look();
+    void hear(PrimaryParser& parser, std::uint64_t& packages);
+    bool pauseFor(milliseconds time);
+};
+
+// All of these under the mutex.
+
+void ProgramStopper::Private::send() {
+    if (socket < 0 || anew) {
+        return;
+    }
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(kStop.data());
+    const native_socket::Transfer out = native_socket::send(socket, {bytes, kStop.size()});
+    if (out.status != Status::Ok || out.bytes != kStop.size()) {
+        anew = true;  // broken, or full because nobody reads
+        return;
+    }
+    sent = true;
+    sentNs = now();
+    states = 0;
+}
+
+void ProgramStopper::Private::settle(Error how) {
+    asked = false;
+    outcome = std::move(how);
+    changed.notify_all();
+}
+
+void ProgramStopper::Private::look() {
+    if (!asked) {
+        return;
+    }
+    constexpr int kRefusals = 2;  // the first may be due to a connection older than the switch to Remote
+    if (refusals >= kRefusals) {
+        settle({ErrorCode::RemoteControlRequired, context(),
+                QStringLiteral("the robot takes no programs and no stops from here while it is in Local")});
+    } else if (now() - askedNs > kAskForNs) {
+        settle(connectionError.code != ErrorCode::None
+                   ? connectionError
+                   : Error{ErrorCode::Timeout, context(), QStringLiteral("the program goes on")});
+    } else if (sent && now() - sentNs > kAskAgainNs) {
+        anew = true;
+    }
+}
+
+void ProgramStopper::Private::hear(PrimaryParser& parser, std::uint64_t& packages) {
+    const bool waits = asked && sent && !anew;
+    for (const ControllerMessage& message : parser.takeMessages()) {
+        if (waits && !anew && message.kind == MessageKind::ErrorCode && message.code == kReadOnlySocket) {
+            ++refusals;
+            anew = true;
+        }
+    }
+    const PrimaryState& state = parser.state();
+    if (waits && !anew && state.packages != packages) {
+        ++states;
+        constexpr int kFresh = 2;  // the first may have been on its way already
+        if (states >= kFresh && !state.programRunning && !state.programPaused) {
+            settle({});
+        }
+    }
+    packages = state.packages;
+}
+
+// The thread's own.
+
+void ProgramStopper::Private::run() {
+    constexpr std::array<milliseconds, 4> kDelays{milliseconds(500), milliseconds(1000), milliseconds(2000),
+                                                  milliseconds(5000)};
+    // Who is hung up on at once is not to be asked a thousand times a second.
+    constexpr milliseconds kBrief(50);
+    std::size_t attempt = 0;
+    while (!cancel.isCancelled()) {
+        const auto opened = connectTcp(options.host, options.port, Deadline::after(kConnectTime, cancel));
+        const auto since = std::chrono::steady_clock::now();
+        Error ended;
+        if (opened) {
+            attempt = 0;
+            ended = listen(*opened);
+            native_socket::close(*opened);
+        } else {
+            ended = opened.error();
+        }
+        bool atOnce = false;
+        {
+            const std::lock_guard lock(mutex);
+            atOnce = opened.ok() && std::exchange(anew, false) &&
+                     std::chrono::steady_clock::now() - since > kBrief;
+            connectionError = ended;
+            look();
+        }
+        changed.notify_all();
+        if (!atOnce) {
+            pauseFor(kDelays[std::min(attempt++, kDelays.size() - 1)]);
+        }
+    }
+    const std::lock_guard lock(mutex);
+    running = false;
+    if (asked) {
+        settle({ErrorCode::Cancelled, context(), {}});
+    }
+}
+
+// Returns why the connection ended.
+Error ProgramStopper::Private::listen(Descriptor descriptor) {
+    {
+        const std::lock_guard lock(mutex);
+        socket = descriptor;
+        anew = false;
+        sent = false;
+        connectionError = {};
+        if (asked) {
+            send();
+        }
+        changed.notify_all();
+    }
+    std::array<std::uint8_t, 8192> bytes;
+    PrimaryParser parser;
+    std::uint64_t packages = 0;
+    constexpr milliseconds kPoll(10);
+    Error ended{ErrorCode::ConnectionClosed, context(), {}};
+    bool goesOn = true;
+    while (goesOn && !cancel.isCancelled()) {
+        const bool readable = native_socket::waitReadable(descriptor, kPoll);
+        if (readable) {
+            const auto got = native_socket::receive(descriptor, bytes);
+            if (got.status == Status::Ok && !parser.feed(std::span(bytes).first(got.bytes), now())) {
+                ended = {ErrorCode::ProtocolError, context(),
+                         QStringLiteral("a package length that makes no sense")};
+                goesOn = false;
+            }
+            goesOn = goesOn && (got.status == Status::Ok || got.status == Status::WouldBlock);
+        }
+        const std::lock_guard lock(mutex);
+        hear(parser, packages);
+        look();
+        goesOn = goesOn && !anew;
+    }
+    const std::lock_guard lock(mutex);
+    socket = -1;
+    return ended;
+}
+
+bool ProgramStopper::Private::pauseFor(milliseconds time) {
+    // Shorter while a stop waits: the robot may be back any moment.
+    constexpr milliseconds kWhileAsked(50);
+    std::unique_lock lock(mutex);
+    const auto wanted = [this] { return cancel.isCancelled() || anew; };
+    const auto end = std::chrono::steady_clock::now() + time;
+    while (!wanted() && std::chrono::steady_clock::now() < end) {
+        if (asked) {
+            changed.wait_for(lock, kWhileAsked, wanted);
+            break;
+        }
+        changed.wait_until(lock, end, [&] { return wanted() || asked; });
+    }
+    anew = false;
+    return !cancel.isCancelled();
+}
+
+ProgramStopper::ProgramStopper(const ProgramStopperOptions& options) : d_(std::make_unique<Private>()) {
+    d_->options = options;
+}
+
+ProgramStopper::~ProgramStopper() {
+    end();
+}
+
+void ProgramStopper::start() {
+    if (d_->thread.joinable()) {
+        return;
+    }
+    {
+        const std::lock_guard lock(d_->mutex);
+        d_->running = true;
+    }
+    d_->cancel = CancelToken();
+    d_->thread = std::thread([d = d_.get()] { d->run(); });
+}
+
+void ProgramStopper::end() {
+    if (!d_->thread.joinable()) {
+        return;
+    }
+    {
+        const std::lock_guard lock(d_->mutex);
+        d_->cancel.cancel();
+    }
+    d_->changed.notify_all();
+    d_->thread.join();
+}
+
+void ProgramStopper::requestStop() {
+    {
+        const std::lock_guard lock(d_->mutex);
+        d_->asked = true;
+        d_->refusals = 0;
+        d_->askedNs = d_->now();
+        d_->outcome = {};
+        d_->send();
+        if (!d_->running) {
+            d_->settle({ErrorCode::NotConnected, d_->context(), {}});
+        }
+    }
+    d_->changed.notify_all();
+}
+
+void ProgramStopper::withdraw() {
+    const std::lock_guard lock(d_->mutex);
+    if (d_->asked) {
+        d_->settle({ErrorCode::Cancelled, d_->context(), {}});
+    }
+}
+
+Result<void> ProgramStopper::waitUntilStopped(const Deadline& deadline) const {
+    std::unique_lock lock(d_->mutex);
+    while (d_->asked) {
+        if (deadline.hasExpired()) {
+            return Error{
+                deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, d_->context(), {}};
+        }
+        d_->changed.wait_for(lock, std::max(deadline.nextPoll(), milliseconds(1)));
+    }
+    return d_->outcome.code == ErrorCode::None ? Result<void>() : Result<void>(d_->outcome);
+}
+
+bool ProgramStopper::isUnderWay() const {
+    const std::lock_guard lock(d_->mutex);
+    return d_->asked;
+}
+
+Error ProgramStopper::error() const {
+    const std::lock_guard lock(d_->mutex);
+    return d_->outcome;
+}
+
+void ProgramStopper::reconnect() {
+    {
+        const std::lock_guard lock(d_->mutex);
+        d_->anew = true;
+    }
+    d_->changed.notify_all();
+}
+
+bool ProgramStopper::isConnected() const {
+    const std::lock_guard lock(d_->mutex);
+    return d_->socket >= 0;
+}
+
+}  // namespace tiller::script
