@@ -1,26 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "robot/recording/recorder.h"
 
-#include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
 #include <condition_variable>
 #include <filesystem>
 #include <mutex>
 #include <thread>
 
-#ifdef _WIN32
-#include <io.h>
-#else
-#include <unistd.h>
-#endif
-
 #include "robot/realtime/thread_priority.h"
 #include "robot/receive/default_fields.h"
 #include "robot/recording/csv_writer.h"
+#include "robot/recording/recording_file.h"
 
 namespace tiller::recording {
 
@@ -36,28 +28,11 @@ constexpr milliseconds kSyncEvery{500};
 constexpr milliseconds kLookAtDiskEvery{1000};
 constexpr std::size_t kWriteAtBytes = 256 * 1024;
 
-void syncToDisk(const QFile& file) {
-#ifdef _WIN32
-    _commit(file.handle());
-#elif defined(__APPLE__)
-    ::fsync(file.handle());
-#else
-    ::fdatasync(file.handle());
-#endif
-}
-
 std::int64_t freeBytesFor(const QString& path) {
     // Not QStorageInfo: it knows nothing of a place whose mount is not listed, as in a chroot or a container.
     std::error_code failed;
     const auto space = std::filesystem::space(QFileInfo(path).absolutePath().toStdString(), failed);
     return failed ? 0 : static_cast<std::int64_t>(space.available);
-}
-
-Error fileError(const QFile& file, int systemError) {
-    const bool full = systemError == ENOSPC || systemError == EDQUOT;
-    return {full ? ErrorCode::DiskFull : ErrorCode::FileNotWritable,
-            QStringLiteral("record to %1").arg(QDir::toNativeSeparators(file.fileName())),
-            file.errorString()};
 }
 
 /// A sentence for each field that cannot be recorded.
@@ -94,7 +69,7 @@ struct Recorder::Worker {
     std::atomic<std::int64_t> freeBytes{0};
 
     // The thread's own while it runs.
-    std::unique_ptr<QFile> file;
+    std::unique_ptr<RecordingFile> file;
     std::unique_ptr<CsvWriter> writer;
     receive::Subscription subscription;
     receive::Sample sample;
@@ -110,27 +85,23 @@ struct Recorder::Worker {
         if (text.empty()) {
             return {};
         }
-        errno = 0;
-        const qint64 written = file->write(text.data(), static_cast<qint64>(text.size()));
-        const int systemError = errno;
-        if (written == static_cast<qint64>(text.size())) {
-            bytes += written;
-            rows += rowsInText;
-            lost += lostInText;
-            durationNs = lastNs - firstNs;
-        } else {
+        std::size_t got = 0;
+        const Result<void> written = file->write(text, got);
+        if (!written) {
             // Whole rows of a part that did get through are worth keeping.
-            const auto got = static_cast<std::size_t>(std::max<qint64>(written, 0));
             const std::size_t lineEnd = got == 0 ? std::string::npos : text.rfind('\n', got - 1);
             const std::size_t kept = lineEnd == std::string::npos ? 0 : lineEnd + 1;
-            const Error failure = fileError(*file, systemError);
             bytes += static_cast<std::int64_t>(kept);
             rows += static_cast<std::uint64_t>(
                 std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(kept), '\n'));
-            file->resize(bytes);
+            file->cut(bytes);
             text.clear();
-            return failure;
+            return written;
         }
+        bytes += static_cast<std::int64_t>(got);
+        rows += rowsInText;
+        lost += lostInText;
+        durationNs = lastNs - firstNs;
         text.clear();
         rowsInText = 0;
         lostInText = 0;
@@ -172,32 +143,36 @@ struct Recorder::Worker {
                 std::unique_lock lock(mutex);
                 last = wake.wait_for(lock, kWriteEvery, [&] { return stopping; });
             }
-            if (auto drained = drain(); !drained) {
-                const std::lock_guard lock(mutex);
-                error = drained.error();
-                state = RecorderState::Failed;
-                break;
-            }
+            Result<void> result = drain();
             const auto now = steady_clock::now();
-            if (now >= syncDue || last) {
-                syncToDisk(*file);
+            if (result && (now >= syncDue || last)) {
+                // Bytes that were taken may be lost only now, or only at the close.
+                result = file->sync();
                 syncDue = now + kSyncEvery;
+            }
+            if (last || !result) {
+                const Result<void> closed = file->close();
+                freeBytes = freeBytesFor(path);
+                end(result ? closed : result);
+                return;
             }
             if (now >= lookDue) {
                 freeBytes = freeBytesFor(path);
                 lookDue = now + kLookAtDiskEvery;
             }
-            if (last) {
-                state = RecorderState::Finished;
-                break;
-            }
         }
-        file->close();
-        freeBytes = freeBytesFor(path);
+    }
+
+    void end(const Result<void>& result) {
+        const std::lock_guard lock(mutex);
+        error = result.error();
+        state = result ? RecorderState::Finished : RecorderState::Failed;
     }
 };
 
-Recorder::Recorder() : d_(std::make_shared<Worker>()) {}
+Recorder::Recorder() : Recorder(systemFile) {}
+
+Recorder::Recorder(RecordingFileFactory files) : files_(std::move(files)), d_(std::make_shared<Worker>()) {}
 
 Recorder::~Recorder() {
     stop();
@@ -231,10 +206,9 @@ Result<void> Recorder::start(const RecorderOptions& options, receive::Subscripti
     if (next->writer->columns() == 0) {
         return Error{ErrorCode::InvalidArgument, QStringLiteral("no field to record"), {}};
     }
-    next->file = std::make_unique<QFile>(options.path);
-    errno = 0;
-    if (!next->file->open(QIODevice::WriteOnly | QIODevice::Truncate | QIODevice::Unbuffered)) {
-        return fileError(*next->file, errno);
+    next->file = files_();
+    if (auto opened = next->file->open(options.path); !opened) {
+        return opened;
     }
     next->text = next->writer->header();
     if (auto written = next->flush(); !written) {

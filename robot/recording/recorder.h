@@ -12,6 +12,7 @@
 
 #include <QString>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -24,6 +25,8 @@
 namespace tiller::recording {
 
 using tiller::operator<<;  // for the enumerations below
+
+class RecordingFile;
 
 /// Columns written unless others are asked for, as field names.
 std::vector<std::string> defaultRecordedFields();
@@ -42,7 +45,7 @@ struct RecorderOptions {
 enum class RecorderState {
     Idle,
     Recording,
-    Finished,  ///< stop() was called; the file is complete
+    Finished,  ///< stop() was called; the file is complete, and on the disk
     Failed,    ///< see error(); what was written before is kept
 };
 
@@ -60,6 +63,8 @@ struct RecorderProgress {
 class Recorder {
 public:
     Recorder();
+    /// files  makes what a recording is written to; for tests
+    explicit Recorder(std::function<std::unique_ptr<RecordingFile>()> files);
     ~Recorder();  ///< stops
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
@@ -72,7 +77,8 @@ public:
     Result<void> start(const RecorderOptions& options, receive::Subscription subscription,
                        std::shared_ptr<const receive::SampleLayout> layout);
     Result<void> start(const RecorderOptions& options, const receive::Receiver& receiver);
-    /// Writes what is still waiting and closes the file.
+    /// Writes what is still waiting, has it on the disk and closes the file. Finished only if all of that
+    /// went well: a disk or a share that takes the rows and loses them afterwards makes it Failed.
     void stop();
 
     RecorderProgress progress() const;
@@ -84,6 +90,7 @@ private:
     struct Worker;
     std::shared_ptr<Worker> worker() const;
 
+    std::function<std::unique_ptr<RecordingFile>()> files_;
     mutable std::mutex mutex_;  ///< for the pointer: a new recording gets a new worker
     std::shared_ptr<Worker> d_;
 };

@@ -2,9 +2,11 @@
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
+#include <atomic>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <limits>
 
 #ifdef __linux__
 #include <sys/mount.h>
@@ -14,6 +16,7 @@
 
 #include "robot/recording/csv_reader.h"
 #include "robot/recording/recorder.h"
+#include "robot/recording/recording_file.h"
 #include "tests/support/rtde_peer.h"
 
 using namespace tiller;
@@ -57,6 +60,41 @@ struct Bench {
     receive::Receiver receiver;
 };
 
+/// A file on a disk or a share that takes everything and loses it at one of the later steps.
+class TreacherousFile : public RecordingFile {
+public:
+    enum class At { Open, Sync, Close };
+    struct Story {
+        At at = At::Sync;
+        int from = 1;               ///< it fails from this call on
+        std::atomic<int> calls{0};  ///< of that step so far
+        std::atomic<bool> closed{false};
+    };
+    explicit TreacherousFile(Story& story) : story_(story) {}
+
+    Result<void> open(const QString& path) override { return after(At::Open, file_->open(path)); }
+    Result<void> write(std::string_view text, std::size_t& written) override {
+        return file_->write(text, written);
+    }
+    Result<void> sync() override { return after(At::Sync, file_->sync()); }
+    void cut(std::int64_t bytes) override { file_->cut(bytes); }
+    Result<void> close() override {
+        story_.closed = true;
+        return after(At::Close, file_->close());
+    }
+
+private:
+    Result<void> after(At step, Result<void> real) {
+        if (step != story_.at || ++story_.calls < story_.from) {
+            return real;
+        }
+        return Error{ErrorCode::FileNotWritable, QStringLiteral("record to the share"),
+                     QStringLiteral("Input/output error")};
+    }
+    Story& story_;
+    std::unique_ptr<RecordingFile> file_ = systemFile();
+};
+
 /// What the program does when it is started as the one to be killed: records until it is.
 int recordUntilKilled(const QString& path) {
     Bench bench;
@@ -97,6 +135,11 @@ private Q_SLOTS:
     void fullDiskAtTheStartIsAnError();
     void fullDiskKeepsWhatWasWritten();
     void killedWriterLeavesAReadableFile();
+    void anErrorOfWritingBackEndsInFailed();
+    void anErrorOfTheLastWriteBackIsNotARecording();
+    void anErrorOfClosingIsNotARecording();
+    void aFolderThatLosesTheNameIsNoBeginning();
+    void whatCannotBeWrittenBackIsNoError();
 };
 
 void TestRecorder::writesOneRowPerPackage() {
@@ -381,6 +424,77 @@ void TestRecorder::killedWriterLeavesAReadableFile() {
 #else
     QSKIP("needs a signal that kills");
 #endif
+}
+
+void TestRecorder::anErrorOfWritingBackEndsInFailed() {
+    TreacherousFile::Story story{TreacherousFile::At::Sync};
+    Bench bench;
+    Recorder recorder([&] { return std::make_unique<TreacherousFile>(story); });
+    QVERIFY(recorder.start({bench.path(), {}}, bench.receiver).ok());
+    bench.send(1, 3);
+    // Without stop(): nobody shall go on believing that it records.
+    TRY_COMPARE(recorder.progress().state, RecorderState::Failed);
+    QCOMPARE(recorder.error().code, ErrorCode::FileNotWritable);
+    QCOMPARE(recorder.error().controllerMessage, QStringLiteral("Input/output error"));
+    QVERIFY(story.closed);
+    recorder.stop();
+    QCOMPARE(recorder.progress().state, RecorderState::Failed);
+}
+
+void TestRecorder::anErrorOfTheLastWriteBackIsNotARecording() {
+    TreacherousFile::Story story{TreacherousFile::At::Sync};
+    story.from = std::numeric_limits<int>::max();
+    Bench bench;
+    Recorder recorder([&] { return std::make_unique<TreacherousFile>(story); });
+    QVERIFY(recorder.start({bench.path(), {}}, bench.receiver).ok());
+    bench.send(1, 3);
+    TRY_COMPARE(recorder.progress().rows, std::uint64_t(3));
+    TRY_VERIFY(story.calls > 0);
+    recorder.stop();
+    QCOMPARE(recorder.progress().state, RecorderState::Finished);
+
+    // The one that stop() waits for.
+    TreacherousFile::Story last{TreacherousFile::At::Sync};
+    Recorder second([&] { return std::make_unique<TreacherousFile>(last); });
+    QVERIFY(second.start({bench.path(), {}}, bench.receiver).ok());
+    second.stop();
+    QCOMPARE(second.progress().state, RecorderState::Failed);
+    QCOMPARE(second.error().code, ErrorCode::FileNotWritable);
+}
+
+void TestRecorder::anErrorOfClosingIsNotARecording() {
+    TreacherousFile::Story story{TreacherousFile::At::Close};
+    Bench bench;
+    Recorder recorder([&] { return std::make_unique<TreacherousFile>(story); });
+    QVERIFY(recorder.start({bench.path(), {}}, bench.receiver).ok());
+    bench.send(1, 3);
+    TRY_COMPARE(recorder.progress().rows, std::uint64_t(3));
+    recorder.stop();
+    QCOMPARE(recorder.progress().state, RecorderState::Failed);
+    QCOMPARE(recorder.error().code, ErrorCode::FileNotWritable);
+    // What was written is still what it is.
+    QCOMPARE(readCsv(bench.path())->rows(), std::size_t(3));
+}
+
+void TestRecorder::aFolderThatLosesTheNameIsNoBeginning() {
+    TreacherousFile::Story story{TreacherousFile::At::Open};
+    Bench bench;
+    Recorder recorder([&] { return std::make_unique<TreacherousFile>(story); });
+    QCOMPARE(recorder.start({bench.path(), {}}, bench.receiver).error().code, ErrorCode::FileNotWritable);
+    QCOMPARE(recorder.progress().state, RecorderState::Idle);
+}
+
+void TestRecorder::whatCannotBeWrittenBackIsNoError() {
+    if (!QFile::exists(QStringLiteral("/dev/null"))) {
+        QSKIP("no /dev/null here");
+    }
+    Bench bench;
+    Recorder recorder;
+    QVERIFY(recorder.start({QStringLiteral("/dev/null"), {}}, bench.receiver).ok());
+    bench.send(1, 1);
+    TRY_COMPARE(recorder.progress().rows, std::uint64_t(1));
+    recorder.stop();
+    QCOMPARE(recorder.progress().state, RecorderState::Finished);
 }
 
 int main(int argc, char** argv) {

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "robot/recording/recording_file.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <algorithm>
+#include <cerrno>
+
+#ifdef _WIN32
+#include <io.h>
+#else
+#include <fcntl.h>
+#include <unistd.h>
+#endif
+
+namespace tiller::recording {
+
+namespace {
+
+Error fileError(const QFile& file, int systemError, const QString& words) {
+    const bool full = systemError == ENOSPC || systemError == EDQUOT;
+    return {full ? ErrorCode::DiskFull : ErrorCode::FileNotWritable,
+            QStringLiteral("record to %1").arg(QDir::toNativeSeparators(file.fileName())), words};
+}
+
+/// A device, a pipe and some file systems have nothing to write back.
+bool isMeaningless(int systemError) {
+    return systemError == EINVAL || systemError == ENOTSUP || systemError == EROFS;
+}
+
+int writeBack(int descriptor) {
+#ifdef _WIN32
+    return _commit(descriptor);
+#elif defined(__APPLE__)
+    return ::fsync(descriptor);
+#else
+    return ::fdatasync(descriptor);
+#endif
+}
+
+class SystemFile : public RecordingFile {
+public:
+    Result<void> open(const QString& path) override {
+        file_.setFileName(path);
+        errno = 0;
+        if (!file_.open(QIODevice::WriteOnly | QIODevice::Truncate | QIODevice::Unbuffered)) {
+            return fileError(file_, errno, file_.errorString());
+        }
+        return syncFolder();
+    }
+
+    Result<void> write(std::string_view text, std::size_t& written) override {
+        errno = 0;
+        const qint64 got = file_.write(text.data(), static_cast<qint64>(text.size()));
+        const int systemError = errno;
+        written = static_cast<std::size_t>(std::max<qint64>(got, 0));
+        return written == text.size() ? Result<void>() : fileError(file_, systemError, file_.errorString());
+    }
+
+    Result<void> sync() override {
+        errno = 0;
+        if (writeBack(file_.handle()) != 0 && !isMeaningless(errno)) {
+            const int systemError = errno;
+            return fileError(file_, systemError, qt_error_string(systemError));
+        }
+        return {};
+    }
+
+    void cut(std::int64_t bytes) override { file_.resize(bytes); }
+
+    Result<void> close() override {
+        if (!file_.isOpen()) {
+            return {};
+        }
+        file_.unsetError();
+        errno = 0;
+        file_.close();
+        const int systemError = errno;
+        return file_.error() == QFileDevice::NoError ? Result<void>()
+                                                     : fileError(file_, systemError, file_.errorString());
+    }
+
+private:
+    /// Without this a power failure can leave the rows on the disk and no name to find them by.
+    Result<void> syncFolder() {
+#ifndef _WIN32
+        const QByteArray folder = QFile::encodeName(QFileInfo(file_.fileName()).absolutePath());
+        const int descriptor = ::open(folder.constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        if (descriptor < 0) {
+            return {};  // one that may be written to, but not read
+        }
+        errno = 0;
+        const bool failed = ::fsync(descriptor) != 0 && !isMeaningless(errno);
+        const int systemError = errno;
+        ::close(descriptor);
+        if (failed) {
+            return fileError(file_, systemError, qt_error_string(systemError));
+        }
+#endif
+        return {};
+    }
+
+    QFile file_;
+};
+
+}  // namespace
+
+std::unique_ptr<RecordingFile> systemFile() {
+    return std::make_unique<SystemFile>();
+}
+
+}  // namespace tiller::recording
