@@ -288,10 +288,13 @@ Result<void> Outputs::setDigitalOutput(int output, bool on, const Deadline& dead
 }
 
 Result<void> Outputs::setSpeedSlider(double fraction, const Deadline& deadline) {
-    if (!std::isfinite(fraction) || fraction > 1.0) {
-        return invalid(QStringLiteral("speed slider %1; it goes from 0.02 to 1").arg(fraction));
+    if (!std::isfinite(fraction) || fraction > 1.0 || fraction < kLowestSpeedFraction) {
+        return invalid(
+            QStringLiteral("speed slider %1; it goes from %2 to 1, and to hold still is a stop or a "
+                           "pause")
+                .arg(fraction)
+                .arg(kLowestSpeedFraction));
     }
-    fraction = std::max(fraction, kLowestSpeedFraction);
     std::uint64_t before = 0;
     {
         const std::lock_guard lock(d_->mutex);

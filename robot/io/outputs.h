@@ -28,7 +28,9 @@ inline constexpr int kStandardOutputs = 8;    ///< 0 ... 7
 inline constexpr int kFirstConfigurable = 8;  ///< 8 ... 15
 inline constexpr int kFirstTool = 16;         ///< 16, 17
 inline constexpr int kDigitalOutputs = 18;
-/// A slider at zero has caused protective stops, so lower wishes are raised to this.
+/// The lowest place of the slider. Below it the arm would creep, and at zero it has caused protective stops:
+/// such wishes are refused, never carried out as another speed than was asked for. Whoever wants the arm to
+/// hold still stops or pauses it.
 inline constexpr double kLowestSpeedFraction = 0.02;
 
 /// What the robot reports, for confirmation.
@@ -80,8 +82,8 @@ public:
     Result<void> setDigitalOutputs(std::uint32_t mask, std::uint32_t values, const Deadline& deadline);
     Result<void> setDigitalOutput(int output, bool on, const Deadline& deadline);
 
-    /// fraction  0.02 ... 1; smaller values are raised to 0.02
-    /// Errors    as setDigitalOutputs; InvalidArgument when it is no number or above 1
+    /// fraction  0.02 ... 1
+    /// Errors    as setDigitalOutputs; InvalidArgument when it is no number or outside that range, 0 included
     Result<void> setSpeedSlider(double fraction, const Deadline& deadline);
 
     /// output  0 or 1

@@ -301,7 +301,15 @@ void TestReceiveSimulator::outputsAreSetAndConfirmed() {
     QCOMPARE(cell.robot.truth().digitalOutputs, std::uint64_t(0x38081));
     QVERIFY(carryOut([&] { return outputs.setSpeedSlider(0.37, patience()); }).ok());
     QVERIFY(std::abs(cell.robot.truth().speedSlider - 0.37) < 1e-9);
-    QVERIFY(carryOut([&] { return outputs.setSpeedSlider(0, patience()); }).ok());
+    // Who asks for standstill must not get an arm that creeps.
+    for (const double creep : {0.0, -0.5, 0.0001, 0.0199}) {
+        const auto refused = carryOut([&] { return outputs.setSpeedSlider(creep, patience()); });
+        QCOMPARE(refused.error().code, ErrorCode::InvalidArgument);
+        QVERIFY2(refused.error().context.contains(QLatin1String("0.02 to 1")),
+                 qPrintable(refused.error().toString()));
+        QVERIFY(std::abs(cell.robot.truth().speedSlider - 0.37) < 1e-9);
+    }
+    QVERIFY(carryOut([&] { return outputs.setSpeedSlider(0.02, patience()); }).ok());
     QVERIFY(std::abs(cell.robot.truth().speedSlider - 0.02) < 1e-9);
 }
 
