@@ -7,6 +7,13 @@
 
 namespace tiller::control {
 
+namespace {
+
+/// Data that stay away for longer do not tell when the arm stood.
+constexpr std::int64_t kBlindNs = 100 * kNsPerMs;
+
+}  // namespace
+
 void StopMeter::begin(StopCause cause, std::int64_t requestNs) {
     measuring_ = true;
     cause_ = cause;
@@ -19,6 +26,9 @@ bool StopMeter::add(const Sample& sample) {
     const bool still = sample.tcpSpeed < kStillTcpSpeed && sample.jointSpeed < kStillJointSpeed;
     moving_ = !still;
     // What was received before the request does not count, nor does standing still by chance in between.
+    if (measuring_ && hasSample_ && sample.hostNs - previous_.hostNs > kBlindNs) {
+        measuring_ = false;  // how it came to rest nobody saw
+    }
     const bool counts = measuring_ && sample.hostNs >= requestNs_;
     if (counts && hasSample_) {
         path_ += (sample.tcpPosition - previous_.tcpPosition).norm();

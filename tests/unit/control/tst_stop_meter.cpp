@@ -66,6 +66,29 @@ private Q_SLOTS:
         QCOMPARE(meter.last().durationMs, 6.0);
     }
 
+    // Data stayed away while it braked: the time until they came back is no braking time.
+    void aStopThatNobodySawIsNotMeasured() {
+        StopMeter meter;
+        Braking arm{meter, 0, 0, 0.1};
+        arm.step(0);
+        meter.begin(StopCause::DataStale, arm.now);
+        arm.now += 3 * kNsPerSecond;
+        arm.speed = 0;
+        for (int i = 0; i < 20; ++i) {
+            QVERIFY(!arm.step(0));
+        }
+        QCOMPARE(meter.last().count, 0U);
+        // The next one is.
+        arm.speed = 0.1;
+        arm.step(0);
+        meter.begin(StopCause::Released, arm.now);
+        int steps = 0;
+        while (!arm.step(2.0)) {
+            QVERIFY(++steps < 1000);
+        }
+        QCOMPARE(meter.last().count, 1U);
+    }
+
     void aTurningJointIsNotStandstill() {
         StopMeter meter;
         meter.begin(StopCause::Space, 0);
