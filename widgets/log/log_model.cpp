@@ -7,6 +7,10 @@
 
 namespace tiller {
 
+namespace {
+const QString kClock = QStringLiteral("HH:mm:ss");
+}
+
 QString LogModel::severityWord(Severity severity) {
     switch (severity) {
         case Severity::Info:
@@ -33,14 +37,13 @@ QString LogModel::originWord(Origin origin) {
 
 void LogModel::append(const QDateTime& time, Severity severity, const QString& text, Origin origin,
                       const QString& detail) {
-    // What a hand did is listed every time; what comes by itself is counted.
-    const int reach = origin == Origin::Operator ? 1 : kRepeatRows;
-    for (int row = rowCount() - 1; row >= std::max(0, rowCount() - reach); --row) {
-        Entry& entry = entries_[static_cast<std::size_t>(row)];
-        const bool recent = row == rowCount() - 1 || entry.last.secsTo(time) <= kRepeatSeconds;
-        if (entry.severity == severity && entry.origin == origin && entry.text == text && recent) {
+    if (!entries_.empty()) {
+        Entry& entry = entries_.back();
+        if (entry.severity == severity && entry.origin == origin && entry.text == text &&
+            entry.detail == detail) {
             ++entry.count;
             entry.last = time;
+            const int row = rowCount() - 1;
             Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
             return;
         }
@@ -55,33 +58,34 @@ void LogModel::append(const QDateTime& time, Severity severity, const QString& t
     endInsertRows();
 }
 
-QString LogModel::shown(const Entry& entry) const {
-    return entry.count == 1 ? entry.text : QStringLiteral("(×%1) %2").arg(entry.count).arg(entry.text);
+QString LogModel::shown(const Entry& entry, const QString& clock) const {
+    return entry.count == 1
+               ? entry.text
+               : tr("(×%1 until %2) %3").arg(entry.count).arg(entry.last.toString(clock), entry.text);
 }
 
 QString LogModel::details(int row) const {
     const Entry& entry = entries_.at(static_cast<std::size_t>(row));
-    const QString clock = QStringLiteral("HH:mm:ss");
     QString text =
         entry.count == 1
-            ? tr("%1 · from %2").arg(entry.last.toString(clock), originWord(entry.origin))
+            ? tr("%1 · from %2").arg(entry.first.toString(kClock), originWord(entry.origin))
             : tr("%1 times from %2 to %3 · from %4")
                   .arg(entry.count)
-                  .arg(entry.first.toString(clock), entry.last.toString(clock), originWord(entry.origin));
+                  .arg(entry.first.toString(kClock), entry.last.toString(kClock), originWord(entry.origin));
     text += QLatin1Char('\n') + entry.text;
     return entry.detail.isEmpty() ? text : text + QLatin1Char('\n') + entry.detail;
 }
 
 QString LogModel::rowText(int row) const {
     const Entry& entry = entries_.at(static_cast<std::size_t>(row));
-    QString text = shown(entry);
+    QString text = shown(entry, QStringLiteral("HH:mm:ss.zzz"));
     if (!entry.detail.isEmpty()) {
         text += QStringLiteral(". ") + entry.detail;
     }
     text.replace(QLatin1Char('\n'), QLatin1Char(' ')).replace(QLatin1Char('\t'), QLatin1Char(' '));
     static const char* const kWords[] = {"Info", "Warning", "Error"};  // plain: for other programs
     return QStringLiteral("%1\t%2\t%3")
-        .arg(entry.last.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss.zzz")),
+        .arg(entry.first.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss.zzz")),
              QLatin1String(kWords[static_cast<int>(entry.severity)]), text);
 }
 
@@ -100,9 +104,9 @@ QVariant LogModel::data(const QModelIndex& index, int role) const {
     const Entry& entry = entries_.at(static_cast<std::size_t>(index.row()));
     switch (role) {
         case Qt::DisplayRole:
-            return index.column() == Time             ? entry.last.toString(QStringLiteral("HH:mm:ss"))
+            return index.column() == Time             ? entry.first.toString(kClock)
                    : index.column() == SeverityColumn ? severityWord(entry.severity)
-                                                      : shown(entry);
+                                                      : shown(entry, kClock);
         case Qt::ToolTipRole:
             return details(index.row());
         case Qt::FontRole:

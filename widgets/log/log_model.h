@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What happened, oldest first. A message that repeats one of the last few is counted, not listed again, also
-// where two take turns; beyond kCapacity the oldest rows go.
+// What happened, oldest first. A message that repeats the one before it is counted, not listed again: its row
+// tells the first and the last time. Only neighbours are, so that the list is always in the order in which
+// things happened. Beyond kCapacity the oldest rows go.
 
 #include <QAbstractTableModel>
 #include <QDateTime>
@@ -20,9 +21,6 @@ public:
     enum Column { Time, SeverityColumn, Text, ColumnCount };
     enum Role { SeverityRole = Qt::UserRole, TextRole };
     static constexpr int kCapacity = 5000;
-    /// Repeats are looked for among so many rows, and so many seconds back.
-    static constexpr int kRepeatRows = 4;
-    static constexpr int kRepeatSeconds = 60;
 
     explicit LogModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
 
@@ -30,7 +28,8 @@ public:
                 const QString& detail = {});
     /// All there is to say about a row, for people: when, how often, from whom, what it means, what to do.
     QString details(int row) const;
-    /// Row as text, fields separated by tabs: date and time, severity, text with its count.
+    /// Row as text, fields separated by tabs: date and time (the first), severity, text with its count and
+    /// the last time.
     QString rowText(int row) const;
 
     static QString severityWord(Severity severity);
@@ -52,7 +51,7 @@ private:
         QString detail;
         int count = 1;
     };
-    QString shown(const Entry& entry) const;
+    QString shown(const Entry& entry, const QString& clock) const;
 
     std::deque<Entry> entries_;
 };

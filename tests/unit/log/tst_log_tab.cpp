@@ -9,6 +9,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <algorithm>
 #include <memory>
 
 #include "widgets/common/segmented_control.h"
@@ -55,25 +56,38 @@ private Q_SLOTS:
             time_ = time_.addSecs(1);
         }
         QCOMPARE(rows(), 1);
-        QCOMPARE(cell(0, LogModel::Text), QString("(×3) Elbow near its limit"));
-        QCOMPARE(cell(0, LogModel::Time), QString("14:02:13"));
+        QCOMPARE(cell(0, LogModel::Text), QString("(×3 until 14:02:13) Elbow near its limit"));
+        QCOMPARE(cell(0, LogModel::Time), QString("14:02:11"));
         tab_->append(Severity::Error, "Elbow near its limit");
         QCOMPARE(rows(), 2);
     }
 
-    void messagesThatTakeTurnsAreCountedEach() {
-        for (int n = 0; n < 30; ++n) {
-            tab_->append(Severity::Warning, n % 2 == 0 ? "Connecting" : "No answer");
+    // What came later must never stand above what came before it.
+    void onlyNeighboursAreCountedTogether() {
+        const auto say = [this](Severity severity, const char* text) {
+            tab_->append(severity, text, Origin::Robot);
             time_ = time_.addSecs(1);
+        };
+        say(Severity::Info, "Safety is normal again");
+        say(Severity::Error, "Emergency stop");
+        say(Severity::Error, "Emergency stop");
+        say(Severity::Info, "Safety is normal again");
+        QCOMPARE(rows(), 3);
+        QCOMPARE(tab_->shownText(),
+                 QString("2024-09-17 14:02:11.000\tInfo\tSafety is normal again\n"
+                         "2024-09-17 14:02:12.000\tError\t(×2 until 14:02:13.000) Emergency stop\n"
+                         "2024-09-17 14:02:14.000\tInfo\tSafety is normal again\n"));
+        QStringList times;
+        for (int row = 0; row < rows(); ++row) {
+            times << cell(row, LogModel::Time);
         }
+        QVERIFY(std::is_sorted(times.begin(), times.end()));
+    }
+
+    void theSameWordsWithAnotherMeaningAreAnotherLine() {
+        tab_->append(Severity::Error, "C157A1", Origin::Robot, "the elbow");
+        tab_->append(Severity::Error, "C157A1", Origin::Robot, "the base");
         QCOMPARE(rows(), 2);
-        QCOMPARE(cell(0, LogModel::Text), QString("(×15) Connecting"));
-        QCOMPARE(cell(1, LogModel::Text), QString("(×15) No answer"));
-        // Long after it is news again.
-        tab_->append(Severity::Info, "something else");
-        time_ = time_.addSecs(LogModel::kRepeatSeconds + 1);
-        tab_->append(Severity::Warning, "No answer");
-        QCOMPARE(rows(), 4);
     }
 
     void whatTheOperatorDidIsListedEveryTime() {
