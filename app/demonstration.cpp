@@ -223,9 +223,10 @@ QString Demonstration::summary() const {
             << tr("release to standstill ") << jogStop_.durationMs << " ms, " << jogStop_.distanceMm
             << " mm\n";
     }
-    out << tr("packets              ") << state.quality.packets << tr(" received, ") << state.quality.late
-        << tr(" late, ") << state.quality.lost << tr(" lost\n") << tr("recorded             ")
-        << state.recording.rows << tr(" rows, ") << state.recording.seconds << " s\n"
+    out << tr("packets              ") << state.quality.all.packets << tr(" received, ")
+        << state.quality.all.late << tr(" late, ") << state.quality.all.lost << tr(" lost\n")
+        << tr("recorded             ") << state.recording.rows << tr(" rows, ") << state.recording.seconds
+        << " s\n"
         << tr("files                ") << folder_.absolutePath() << '\n';
     return text;
 }

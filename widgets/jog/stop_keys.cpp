@@ -33,25 +33,45 @@ StopKeys::StopKeys(std::function<void(StopCause)> stop, std::function<bool()> mo
 }
 
 StopKeys::StopKeys(RobotSession& session, const Clock& clock, QObject* parent)
-    : StopKeys([&session](StopCause cause) { session.stop(cause); },
-               [this, &session, &clock] {
-                   // The state is a picture some milliseconds old, and none at all without data: a reflex
-                   // just after standstill means stop as well.
-                   const SessionState& state = session.state();
-                   const bool unknown = state.link == LinkState::Stale || state.link == LinkState::Lost;
-                   return unknown || mayMove(state) ||
-                          (lastMotionNs_ && clock.nowNs() - *lastMotionNs_ < kReflexMs * kNsPerMs);
-               },
-               parent) {
-    connect(&session, &RobotSession::stateChanged, this, [this, &clock](const SessionState& state) {
-        if (mayMove(state)) {
-            lastMotionNs_ = clock.nowNs();
-        }
-    });
+    : StopKeys(
+          [this, &session, &clock](StopCause cause) {
+              if (dark_ && !stoppedDarkNs_) {
+                  stoppedDarkNs_ = clock.nowNs();
+              }
+              session.stop(cause);
+          },
+          [this, &clock] {
+              const std::int64_t now = clock.nowNs();
+              if (dark_) {
+                  // What moved then may move on: until the stop has had its time the keys mean nothing else.
+                  return movedBeforeDark_ && (!stoppedDarkNs_ || isReflex(*stoppedDarkNs_, now));
+              }
+              // The state is a picture some milliseconds old: a reflex just after standstill means stop as
+              // well.
+              return lastMotionNs_ && isReflex(*lastMotionNs_, now);
+          },
+          parent) {
+    connect(&session, &RobotSession::stateChanged, this,
+            [this, &clock](const SessionState& state) { follow(state, clock.nowNs()); });
 }
 
-bool StopKeys::mayMove(const SessionState& state) {
-    return state.moving || state.motionActive;
+void StopKeys::follow(const SessionState& state, std::int64_t nowNs) {
+    const bool dark = state.link == LinkState::Stale || state.link == LinkState::Lost;
+    if (dark && !dark_) {
+        movedBeforeDark_ = lastMotionNs_ && isReflex(*lastMotionNs_, nowNs);
+        stoppedDarkNs_.reset();
+    }
+    dark_ = dark;
+    // A program of others, and one that is being replaced by ours, may move the arm any moment.
+    const bool mayMove = state.moving || state.motionActive || state.foreignProgramRuns() ||
+                         state.control == ControlState::Taking;
+    if (!dark && mayMove) {
+        lastMotionNs_ = nowNs;
+    }
+}
+
+bool StopKeys::isReflex(std::int64_t sinceNs, std::int64_t nowNs) const {
+    return nowNs - sinceNs < kReflexMs * kNsPerMs;
 }
 
 StopKeys::~StopKeys() {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Esc and Space stop the arm from anywhere in the application, whatever has the focus. One object serves the
-// whole application; while it lives, it sees every key first.
+// Esc and Space stop the arm from anywhere in the application, whatever has the focus: what moves through us,
+// and a program that is not ours. One object serves the whole application; while it lives, it sees every key
+// first.
 
 #include <QObject>
 #include <functional>
@@ -34,11 +35,15 @@ protected:
 private:
     /// How long after a motion the keys still mean nothing but stop [ms].
     static constexpr int kReflexMs = 1000;
-    static bool mayMove(const SessionState& state);
+    void follow(const SessionState& state, std::int64_t nowNs);
+    bool isReflex(std::int64_t sinceNs, std::int64_t nowNs) const;
 
     std::function<void(control::StopCause)> stop_;
     std::function<bool()> moving_;
     std::optional<std::int64_t> lastMotionNs_;
+    bool dark_ = false;                          ///< no data come: what the arm does is not known
+    bool movedBeforeDark_ = false;               ///< it moved when they ended, or a moment before
+    std::optional<std::int64_t> stoppedDarkNs_;  ///< the first stop since
 };
 
 }  // namespace tiller

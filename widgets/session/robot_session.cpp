@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/session/robot_session.h"
 
-#include <algorithm>
-
 #include "robot/control/compliance.h"
 #include "widgets/common/notation.h"
 #include "widgets/session/controller_codes.h"
@@ -110,6 +108,10 @@ void RobotSession::connectTo(const RobotAddress& address) {
     link->service =
         std::make_unique<dashboard::ServiceWorker>(dashboard::serviceAt(address.host, address.portOffset));
     link->service->start();
+    link->watch =
+        std::make_unique<dashboard::ServiceWorker>(dashboard::serviceAt(address.host, address.portOffset));
+    link->watch->start();
+    link->foreignStop = std::make_unique<ForeignStop>(*this, address.host, address.portOffset, *d_->clock);
 
     script::PrimaryClientOptions primaryOptions;
     primaryOptions.host = address.host;
@@ -132,6 +134,7 @@ void RobotSession::disconnectFromRobot() {
     stop(control::StopCause::ControlLost);
     stopRecording();
     ++d_->generation;
+    d_->controlling.cancelAll();
     d_->worker.cancelAll();
     // Joining the link's threads takes some tenths of a second: not here.
     d_->worker.postCleanup([link = std::shared_ptr<RobotLink>(std::move(d_->link))]() mutable {
@@ -146,10 +149,16 @@ void RobotSession::disconnectFromRobot() {
     d_->outputHolders = {};
     d_->report = {};
     d_->reportAsked = false;
+    d_->remoteSeen = false;
+    d_->primarySeen = false;
+    d_->history.clear();
     d_->sampleConnection = 0;
     d_->sliderBusy = false;
     d_->sliderWanted.reset();
     d_->stopsSeen = 0;
+    d_->ownStops = 0;
+    d_->stopInControl.reset();
+    d_->foreignStops = 0;
     d_->linkSeen = LinkState::Disconnected;
     Q_EMIT message(Severity::Info, tr("Disconnected from %1").arg(d_->address.name));
     refresh();
@@ -169,9 +178,19 @@ void RobotSession::takeControl() {
     }
     d_->takingControl = true;
     d_->refusal.clear();
+    d_->stopInControl.reset();
+    d_->link->foreignStop->withdraw();
+    const CancelToken stopped;
+    d_->taking = stopped;
     const std::uint64_t generation = d_->generation;
-    d_->worker.post(this, [this, generation, controller = d_->link->controller](const CancelToken& token) {
-        const Result<void> result = controller->takeControl(Deadline::after(kTakeControlTime, token));
+    d_->controlling.post(this, [this, generation, stopped,
+                                controller = d_->link->controller](const CancelToken& token) {
+        const CancelToken either([token, stopped] { return token.isCancelled() || stopped.isCancelled(); });
+        Result<void> result = controller->takeControl(Deadline::after(kTakeControlTime, either));
+        if (result && stopped.isCancelled()) {
+            controller->release();
+            result = Error{ErrorCode::Cancelled, QStringLiteral("take control"), {}};
+        }
         return std::function<void()>([this, generation, result] {
             if (generation != d_->generation) {
                 return;
@@ -179,6 +198,8 @@ void RobotSession::takeControl() {
             d_->takingControl = false;
             if (result) {
                 Q_EMIT message(Severity::Info, tr("In control"), Origin::Operator);
+            } else if (result.error().code == ErrorCode::Cancelled) {
+                Q_EMIT message(Severity::Info, tr("Taking control was ended by a stop"));
             } else {
                 d_->refusal = texts::errorText(result.error());
                 Q_EMIT message(Severity::Error, d_->refusal);
@@ -193,7 +214,9 @@ void RobotSession::releaseControl() {
     if (!d_->link) {
         return;
     }
-    d_->worker.post(this, [controller = d_->link->controller](const CancelToken&) {
+    d_->stopInControl.reset();
+    d_->taking.cancel();
+    d_->controlling.post(this, [controller = d_->link->controller](const CancelToken&) {
         controller->release();
         return std::function<void()>();
     });
@@ -206,16 +229,16 @@ void RobotSession::setSpeedSlider(double fraction) {
     if (!d_->link) {
         return;
     }
-    const double wanted = std::clamp(fraction, io::kLowestSpeedFraction, 1.0);
     if (d_->sliderBusy) {
         // A slider is dragged faster than the robot confirms: only the newest wish counts.
-        d_->sliderWanted = wanted;
+        d_->sliderWanted = fraction;
         return;
     }
     d_->sliderBusy = true;
     const std::uint64_t generation = d_->generation;
-    d_->worker.post(this, [this, generation, wanted, outputs = d_->link->outputs](const CancelToken& token) {
-        const Result<void> result = outputs->setSpeedSlider(wanted, Deadline::after(kConfirmTime, token));
+    d_->worker.post(this, [this, generation, fraction,
+                           outputs = d_->link->outputs](const CancelToken& token) {
+        const Result<void> result = outputs->setSpeedSlider(fraction, Deadline::after(kConfirmTime, token));
         return std::function<void()>([this, generation, result] {
             if (generation != d_->generation) {
                 return;
@@ -305,13 +328,7 @@ void RobotSession::stop(control::StopCause cause) {
         return;
     }
     d_->link->controller->stop(cause);
-    const bool foreignProgram =
-        !d_->link->controller->status().inControl && !d_->takingControl &&
-        (d_->state.runtimeState == RuntimeState::Playing || d_->state.runtimeState == RuntimeState::Resuming);
-    if (cause == control::StopCause::StopButton && foreignProgram) {
-        // Somebody else's program moves the arm: the operator who presses STOP means that too.
-        stopForeignProgram();
-    }
+    stopForeignProgram(cause);
 }
 
 // ---- recording
@@ -353,6 +370,8 @@ void RobotSession::stopRecording() {
             if (progress.state == recording::RecorderState::Finished) {
                 Q_EMIT message(Severity::Info,
                                tr("Recorded %1 rows to %2").arg(progress.rows).arg(d_->recorder.path()));
+            } else if (progress.state == recording::RecorderState::Failed) {
+                Q_EMIT message(Severity::Error, texts::errorText(d_->recorder.error()));
             }
             refresh();
         });
@@ -366,6 +385,7 @@ void RobotSession::refresh() {
     d_->read();
     reportChanges();
     if (d_->link) {
+        followForeignStop();
         keepOutputsConnected();
         askService();
     }

@@ -26,6 +26,9 @@ class Receiver;
 namespace control {
 struct Freedrive;
 }
+namespace dashboard {
+struct ServiceReport;
+}
 
 struct RobotAddress {
     QString name;  ///< shown in the robot selector
@@ -75,7 +78,7 @@ public:
     /// Ends the control program; the robot is free for others.
     void releaseControl();
 
-    /// fraction  0.02 ... 1 (smaller values are raised to 0.02: a slider at 0 has caused protective stops)
+    /// fraction  0.02 ... 1; others are refused with a message
     void setSpeedSlider(double fraction);
     /// output  0-7 standard, 8-15 configurable, 16-17 tool
     void setDigitalOutput(int output, bool on);
@@ -96,7 +99,8 @@ public:
     bool hold(MotionId motion);
     bool hold(MotionId motion, const control::JogTarget& target);
     void endMotion(MotionId motion, control::StopCause cause);
-    /// Stops whatever moves, whoever began it. Safe to call at any time.
+    /// Stops whatever moves, whoever began it. STOP, Esc and Space (by their causes) also stop a program that
+    /// is not ours, and end the taking of control. Safe to call at any time.
     void stop(control::StopCause cause);
     const control::MotionLimits& limits() const;
     /// The fastest that TCP and elbow may get [m/s], above 0. Holds at once; another one than before stops
@@ -131,7 +135,10 @@ private:
     void keepOutputsConnected();
     void report(std::uint64_t generation, const QString& done, const Result<void>& result);
     void askService();
-    void stopForeignProgram();
+    void followService(const dashboard::ServiceReport& report);
+    void leaveForLocal();
+    void stopForeignProgram(control::StopCause cause);
+    void followForeignStop();
     void reportChanges();
     void reportControllerMessages();
 

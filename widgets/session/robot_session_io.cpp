@@ -33,6 +33,7 @@ void RobotSession::keepOutputsConnected() {
     }
     // The first data of a connection: the robot is there, so the outputs can be connected (again).
     d_->sampleConnection = connection;
+    d_->link->foreignStop->warmUp();
     const std::uint64_t generation = d_->generation;
     d_->worker.post(this, [this, generation, outputs = d_->link->outputs](const CancelToken& token) {
         const Result<void> result = outputs->connect(Deadline::after(kConnectTime, token));

@@ -33,7 +33,11 @@ void RobotSession::Backend::read() {
         readRecording();
         return;
     }
+    const bool mayMove = state.link == LinkState::Live && (state.moving || state.motionActive);
     readLink();
+    if (mayMove && state.link != LinkState::Live) {
+        state.lastStopSeen = false;
+    }
     readSample();
     readControl();
     readRecording();
@@ -59,9 +63,8 @@ void RobotSession::Backend::readLink() {
                                                        : texts::errorText(error);
     const receive::ReceiverCounters counters = receiver.counters();
     state.quality.rateHz = counters.rateHz;
-    state.quality.packets = counters.packets;
-    state.quality.late = counters.late;
-    state.quality.lost = counters.lost;
+    state.quality.all = {counters.packets, counters.late, counters.lost};
+    state.quality.recent = history.add(clock->nowNs(), state.quality.all);
     state.quality.ageMs = everReceived ? static_cast<double>(age) / kNsPerMs : 0.0;
     state.robotName = address.name;
     state.address = address.host;
@@ -115,7 +118,8 @@ void RobotSession::Backend::readControl() {
     state.speedCap = limits.tcpSpeed;
     state.quality.roundTripMs = status.roundTripMs;
     state.limiter = status.limiter;
-    state.lastStop = status.lastStop;
+    noteStop(status.lastStop, ownStops);
+    noteStop(link->foreignStop->last(), foreignStops);
     state.motionActive = status.motion != control::kNoMotion;
     state.jogActive = status.motion != control::kNoMotion && status.motion == jogMotion;
     // Standing still is judged by the robot's own data, with or without control: 0.1 deg/s is above its
@@ -132,6 +136,16 @@ void RobotSession::Backend::readControl() {
         state.control = refusal.isEmpty() ? ControlState::None : ControlState::Refused;
     }
     lossSeen = status.loss;
+}
+
+void RobotSession::Backend::noteStop(const control::StopMeasurement& stop, std::uint64_t& seen) {
+    if (stop.count > seen) {
+        const std::uint64_t count = state.lastStop.count + stop.count - seen;
+        seen = stop.count;
+        state.lastStop = stop;
+        state.lastStop.count = count;
+        state.lastStopSeen = true;
+    }
 }
 
 void RobotSession::Backend::readRecording() {

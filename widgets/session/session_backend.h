@@ -16,6 +16,8 @@
 #include "robot/recording/recorder.h"
 #include "robot/script/primary_client.h"
 #include "robot/script/script_client.h"
+#include "widgets/session/foreign_stop.h"
+#include "widgets/session/link_history.h"
 #include "widgets/session/robot_session.h"
 #include "widgets/session/session_worker.h"
 
@@ -27,6 +29,8 @@ struct RobotLink {
     std::shared_ptr<control::Controller> controller;
     std::shared_ptr<io::Outputs> outputs;
     std::unique_ptr<dashboard::ServiceWorker> service;
+    std::unique_ptr<dashboard::ServiceWorker> watch;  ///< only looks: never behind a command
+    std::unique_ptr<ForeignStop> foreignStop;
     std::unique_ptr<script::PrimaryClient> primary;
 };
 
@@ -41,12 +45,16 @@ struct RobotSession::Backend {
     recording::Recorder recorder;
     QTimer refreshTimer;
 
+    LinkHistory history;
     receive::Sample sample;
     std::uint64_t sampleConnection = 0;  ///< the receiver's connection the outputs were connected for
     dashboard::ServiceReport report;     ///< asked for about once a second; Unknown until it was answered
     std::int64_t reportAskedNs = 0;
     bool reportAsked = false;
+    bool remoteSeen = false;   ///< the robot was in Remote control when it was asked last
+    bool primarySeen = false;  ///< its primary interface was connected in the last frame
     bool takingControl = false;
+    CancelToken taking;  ///< ends the taking under way
     control::MotionLimits limits;
     QString refusal;  ///< why taking control failed last
     QString linkReason;
@@ -54,6 +62,10 @@ struct RobotSession::Backend {
     RobotSession::MotionId moveMotion = 0;  ///< the newest motion that is a move, to refresh it as one
     RobotSession::MotionId jogMotion = 0;
     std::uint64_t stopsSeen = 0;
+    std::uint64_t ownStops = 0;  ///< measured by the controller, of those shown
+    std::uint64_t foreignStops = 0;
+    /// A stop by hand while in control: another program may have thrown ours out a moment before.
+    std::optional<std::pair<control::StopCause, std::int64_t>> stopInControl;
 
     OutputHolders outputHolders;
     std::optional<double> sliderWanted;  ///< newest wish while one is being carried out
@@ -66,6 +78,7 @@ struct RobotSession::Backend {
 
     // Last: their jobs use what stands above.
     SessionWorker files;
+    SessionWorker controlling;  ///< takes control and gives it back
     SessionWorker worker;
 
     /// Fills `state` from the newest sample and the controller's status.
@@ -75,6 +88,7 @@ private:
     void readLink();
     void readSample();
     void readControl();
+    void noteStop(const control::StopMeasurement& stop, std::uint64_t& seen);
     void readRecording();
     QString obstacle() const;
 };

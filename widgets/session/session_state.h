@@ -34,11 +34,17 @@ enum class ControlState {
     Refused,    ///< see SessionState::controlReason
 };
 
+/// Packets of a stretch of time.
+struct PacketCounts {
+    std::uint64_t packets = 0;
+    std::uint64_t late = 0;  ///< came more than half a period after their time
+    std::uint64_t lost = 0;  ///< the controller skipped, by its own time stamps
+};
+
 struct LinkQuality {
     double rateHz = 0;
-    std::uint64_t packets = 0;
-    std::uint64_t late = 0;  ///< packets that came more than half a period late
-    std::uint64_t lost = 0;  ///< packets the controller skipped, by its own time stamps
+    PacketCounts all;        ///< since the connection was made
+    PacketCounts recent;     ///< of the last ten seconds: what the link is like now
     double roundTripMs = 0;  ///< command out to echo back; 0 = not known
     double ageMs = 0;        ///< of the newest sample
 };
@@ -94,6 +100,7 @@ struct SessionState {
     Vector6 jointCurrent = Vector6::Zero();      ///< [A]
     Vector6 jointTemperature = Vector6::Zero();  ///< [deg C]
     control::StopMeasurement lastStop;
+    bool lastStopSeen = true;  ///< false: data ended while the arm moved, how it stopped nobody knows
     control::Limiter limiter;  ///< what holds the asked-for speed down
 
     // I/O: bits 0-7 standard, 8-15 configurable, 16-17 tool
@@ -110,6 +117,11 @@ struct SessionState {
     bool canMove() const { return control == ControlState::InControl && controlReason.isEmpty(); }
     /// The safety value to show and to act on, of the two the controller sends.
     SafetyStatus safety() const { return shownSafety(safetyMode, safetyStatus); }
+    /// A program that is not ours runs, or will in a moment: it may move the arm.
+    bool foreignProgramRuns() const {
+        return hasData() && control != ControlState::InControl && runtimeState != RuntimeState::Stopped &&
+               runtimeState != RuntimeState::Paused;
+    }
     bool hasData() const {
         return sequence != 0 && link != LinkState::Lost && link != LinkState::Disconnected;
     }

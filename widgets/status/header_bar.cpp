@@ -162,7 +162,10 @@ void HeaderBar::applyState(const SessionState& state) {
 
 void HeaderBar::showLastStop() {
     const control::StopMeasurement& last = state_.lastStop;
-    if (last.count > 0) {
+    if (!state_.lastStopSeen) {
+        lastStop_->setState(tr("not seen"), StateChip::Shape::None, StateChip::Emphasis::Muted,
+                            tr("Data ended while the arm moved: how it stopped is not known."));
+    } else if (last.count > 0) {
         lastStop_->setState(
             tr("%1 ms · %2").arg(last.durationMs, 0, 'f', 0).arg(format::length(last.distanceMm / 1e3, 1)),
             StateChip::Shape::None, StateChip::Emphasis::Normal,

@@ -122,6 +122,10 @@ ModeLook controlLook(const SessionState& state) {
         told << tr("Automatic");
     }
     const QString place = told.join(dot);
+    if (state.link == LinkState::Lost) {
+        // Who is in control, and what runs, was true once.
+        return {tr("NO DATA"), Shape::None, Emphasis::Muted, state.linkReason};
+    }
     switch (state.control) {
         case ControlState::Taking:
             return {tr("Taking control…"), Shape::Bars, Emphasis::Normal, {}};
@@ -159,7 +163,8 @@ Worth worthOf(const LinkQuality& q) {
     // recurs.
     constexpr std::uint64_t kLostOf = 1000;
     constexpr std::uint64_t kLateOf = 5;
-    if (q.lost * kLostOf > q.packets || (q.packets > 1000 && q.late * kLateOf > q.packets)) {
+    const PacketCounts& now = q.recent;
+    if (now.lost * kLostOf > now.packets || (now.packets > 1000 && now.late * kLateOf > now.packets)) {
         return Worth::Gaps;
     }
     constexpr double kNoticeableMs = 20;
@@ -184,7 +189,17 @@ QString linkConsequence(const LinkQuality& q) {
 
 ModeLook linkLook(const SessionState& state) {
     const LinkQuality& q = state.quality;
-    const QString more = tr("%1 packets, %2 late, %3 lost").arg(q.packets).arg(q.late).arg(q.lost);
+    const QString more = tr("Last 10 s: %1 packets, %2 late, %3 lost")
+                             .arg(q.recent.packets)
+                             .arg(q.recent.late)
+                             .arg(q.recent.lost) +
+                         QLatin1Char('\n') +
+                         tr("Since connecting: %1 packets, %2 late, %3 lost")
+                             .arg(q.all.packets)
+                             .arg(q.all.late)
+                             .arg(q.all.lost) +
+                         QLatin1Char('\n') +
+                         tr("Late is a packet that comes more than half a period after its time.");
     switch (state.link) {
         case LinkState::Disconnected:
             return {QStringLiteral("–"), Shape::None, Emphasis::Muted, tr("No robot connected")};
@@ -198,9 +213,13 @@ ModeLook linkLook(const SessionState& state) {
         case LinkState::Live:
             break;
     }
-    QString text = tr("%1 Hz · %2 late").arg(q.rateHz, 0, 'f', 0).arg(q.late);
-    if (q.lost > 0) {
-        text += tr(" · %1 lost").arg(q.lost);
+    QString text = tr("%1 Hz").arg(q.rateHz, 0, 'f', 0);
+    if (worthOf(q) == Worth::Gaps) {
+        // Named only when they matter to the hand on the key.
+        text += tr(" · %1 late").arg(q.recent.late);
+        if (q.recent.lost > 0) {
+            text += tr(" · %1 lost").arg(q.recent.lost);
+        }
     }
     if (q.roundTripMs > 0) {
         text += QStringLiteral(" · %1 ms").arg(q.roundTripMs, 0, 'f', 1);

@@ -36,6 +36,48 @@ private:
         }
     };
 
+    /// A session that tells what the test says, and a line to type in.
+    struct Dark {
+        VirtualClock clock;
+        RobotSession session{clock};
+        StopKeys keys{session, clock};
+        SessionState state;
+        QList<int> passed;  ///< to the line
+        class Line : public QLineEdit {
+        public:
+            explicit Line(QList<int>& passed) : passed_(passed) {}
+
+        protected:
+            void keyPressEvent(QKeyEvent* event) override {
+                if (event->key() == Qt::Key_Escape) {
+                    passed_.append(event->key());
+                    event->accept();
+                    return;
+                }
+                QLineEdit::keyPressEvent(event);
+            }
+
+        private:
+            QList<int>& passed_;
+        } edit{passed};
+
+        Dark() {
+            state.sequence = 1;
+            edit.show();
+            edit.activateWindow();
+            if (!QTest::qWaitForWindowActive(&edit)) {
+                qFatal("the window did not become active");
+            }
+            edit.setFocus();
+        }
+        void tell(LinkState link, bool moving) {
+            state.link = link;
+            state.moving = moving;
+            Q_EMIT session.stateChanged(state);
+        }
+        void press(Qt::Key key) { QTest::keyClick(&edit, key); }
+    };
+
 private Q_SLOTS:
     void escapeAndSpaceStopWhateverHasTheFocus() {
         Scene s;
@@ -101,6 +143,49 @@ private Q_SLOTS:
         clock.advanceNs(2 * kNsPerMs);
         QTest::keyClick(&button, Qt::Key_Space);
         QCOMPARE(clicked.count(), 1);
+    }
+    // The palette can be closed and a name typed while the robot is switched off.
+    void withoutDataTheKeysGoOnWhenNothingMovedBefore() {
+        Dark s;
+        s.tell(LinkState::Live, false);
+        s.clock.advanceNs(2 * kNsPerSecond);
+        s.tell(LinkState::Stale, false);
+        s.tell(LinkState::Lost, false);
+        s.press(Qt::Key_Escape);
+        QCOMPARE(s.passed, QList<int>{Qt::Key_Escape});
+        QTest::keyClicks(&s.edit, QStringLiteral("a b"));
+        QCOMPARE(s.edit.text(), QStringLiteral("a b"));
+    }
+    void withoutDataTheFirstStopIsAStopWhenSomethingMovedBefore() {
+        Dark s;
+        s.tell(LinkState::Live, true);
+        s.tell(LinkState::Stale, true);
+        s.clock.advanceNs(10 * kNsPerSecond);  // and still nobody knows
+        s.tell(LinkState::Lost, true);
+        s.press(Qt::Key_Escape);
+        s.press(Qt::Key_Escape);
+        QCOMPARE(s.passed, QList<int>{});
+        QTest::keyClicks(&s.edit, QStringLiteral("a b"));
+        QCOMPARE(s.edit.text(), QStringLiteral("ab"));
+        s.clock.advanceNs(1001 * kNsPerMs);
+        s.press(Qt::Key_Escape);
+        QCOMPARE(s.passed, QList<int>{Qt::Key_Escape});
+    }
+    void aProgramOfOthersMakesTheKeysStop() {
+        for (const RuntimeState runtime :
+             {RuntimeState::Playing, RuntimeState::Resuming, RuntimeState::Pausing}) {
+            Dark s;
+            s.state.runtimeState = runtime;
+            s.tell(LinkState::Live, false);
+            QTest::keyClicks(&s.edit, QStringLiteral("a b"));
+            QCOMPARE(s.edit.text(), QStringLiteral("ab"));
+        }
+        Dark ours;
+        ours.state.runtimeState = RuntimeState::Playing;
+        ours.state.control = ControlState::InControl;
+        ours.tell(LinkState::Live, false);
+        QTest::keyClicks(&ours.edit, QStringLiteral("a b"));
+        QCOMPARE(ours.edit.text(), QStringLiteral("a b"));
     }
     void autoRepeatIsIgnored() {
         Scene s;

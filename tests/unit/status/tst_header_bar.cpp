@@ -58,8 +58,7 @@ SessionState longestState() {
     state.moving = false;
     state.jogActive = false;
     state.control = ControlState::None;
-    state.quality.late = 12345;
-    state.quality.lost = 678;
+    state.quality.recent = {5000, 12345, 678};
     state.quality.roundTripMs = 104.2;
     state.lastStop = {StopCause::Released, 1062, 103.1, 1};
     state.robotName = QStringLiteral("UR10e at the far end of hall 12");
@@ -85,9 +84,21 @@ private Q_SLOTS:
         QCOMPARE(text("robotModeChip"), QStringLiteral("MOVING"));
         QCOMPARE(text("safetyChip"), QStringLiteral("Normal"));
         QCOMPARE(text("controlChip"), QStringLiteral("Remote · Jog"));
-        QCOMPARE(text("linkChip"), QStringLiteral("500 Hz · 0 late · 4.0 ms"));
+        QCOMPARE(text("linkChip"), QStringLiteral("500 Hz · 4.0 ms"));
         QCOMPARE(text("lastStopChip"), QStringLiteral("62 ms · 3.1 mm"));
         QCOMPARE(header.findChild<SpeedChip*>()->value(), 35);
+    }
+
+    void aStopThatNobodySawHasNoFigure() {
+        FakeSession session;
+        HeaderBar header(session.port());
+        SessionState state = movingState();
+        state.lastStopSeen = false;
+        header.applyState(state);
+        QCOMPARE(header.findChild<StateChip*>("lastStopChip")->text(), QStringLiteral("not seen"));
+        state.lastStopSeen = true;
+        header.applyState(state);
+        QCOMPARE(header.findChild<StateChip*>("lastStopChip")->text(), QStringLiteral("62 ms · 3.1 mm"));
     }
 
     void everyModeReachesItsChip() {

@@ -151,12 +151,12 @@ private Q_SLOTS:
         state.link = LinkState::Live;
         state.quality.rateHz = 499.7;
         state.quality.roundTripMs = 4.0;
-        QCOMPARE(linkLook(state).text, QStringLiteral("500 Hz · 0 late · 4.0 ms"));
+        QCOMPARE(linkLook(state).text, QStringLiteral("500 Hz · 4.0 ms"));
         QCOMPARE(linkLook(state).emphasis, Emphasis::Normal);
         QCOMPARE(linkCaption(state), QStringLiteral("LINK · GOOD"));
         state.quality.roundTripMs = 25;
         QCOMPARE(linkCaption(state), QStringLiteral("LINK · ARM LAGS"));
-        state.quality.lost = 3;
+        state.quality.recent.lost = 3;
         QCOMPARE(linkCaption(state), QStringLiteral("LINK · JOG MAY STOP"));
         QVERIFY(linkLook(state).text.contains(QStringLiteral("3 lost")));
         state.link = LinkState::Stale;
@@ -166,6 +166,38 @@ private Q_SLOTS:
         QCOMPARE(linkCaption(state), QStringLiteral("LINK"));
         QCOMPARE(linkLook(state).text, QStringLiteral("NO DATA"));
         QCOMPARE(linkLook(state).emphasis, Emphasis::Alarm);
+    }
+
+    // What was late an hour ago says nothing about the link as it is now.
+    void onlyWhatIsLateNowIsNamed() {
+        SessionState state;
+        state.link = LinkState::Live;
+        state.quality.rateHz = 500;
+        state.quality.all = {90'000, 33'220, 40};
+        state.quality.recent = {5000, 3, 0};
+        QCOMPARE(linkLook(state).text, QStringLiteral("500 Hz"));
+        QCOMPARE(linkCaption(state), QStringLiteral("LINK · GOOD"));
+        for (const char* part : {"33220", "90000", "Last 10 s: 5000 packets, 3 late", "half a period"}) {
+            QVERIFY2(linkLook(state).advice.contains(QLatin1String(part)), part);
+        }
+        state.quality.recent = {5000, 2500, 0};
+        QCOMPARE(linkLook(state).text, QStringLiteral("500 Hz · 2500 late"));
+        QCOMPARE(linkCaption(state), QStringLiteral("LINK · JOG MAY STOP"));
+    }
+
+    // Neither who controls nor what runs is known without data.
+    void withoutDataControlIsNotReady() {
+        for (const ControlState control :
+             {ControlState::InControl, ControlState::None, ControlState::Taking, ControlState::Refused}) {
+            SessionState state;
+            state.sequence = 1;
+            state.remoteControl = true;
+            state.control = control;
+            state.runtimeState = RuntimeState::Playing;
+            state.link = LinkState::Lost;
+            QCOMPARE(controlLook(state).text, QStringLiteral("NO DATA"));
+            QCOMPARE(controlLook(state).emphasis, Emphasis::Muted);
+        }
     }
 
     void controlSaysWhoAndWhatFor() {

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which stops mean a program that is not ours, too.
+#include <QTest>
+#include <algorithm>
+
+#include "widgets/session/foreign_stop.h"
+
+using namespace tiller;
+using control::StopCause;
+
+namespace {
+
+SessionState live(RuntimeState runtime, ControlState control = ControlState::None) {
+    SessionState state;
+    state.link = LinkState::Live;
+    state.sequence = 7;
+    state.runtimeState = runtime;
+    state.control = control;
+    return state;
+}
+
+constexpr StopCause kByKey[] = {StopCause::Escape, StopCause::Space};
+
+bool meansIt(const SessionState& state) {
+    return std::all_of(std::begin(kByKey), std::end(kByKey),
+                       [&](StopCause cause) { return ForeignStop::isMeant(cause, state); }) &&
+           ForeignStop::isMeant(StopCause::StopButton, state);
+}
+bool meansNothing(const SessionState& state) {
+    return std::none_of(std::begin(kByKey), std::end(kByKey),
+                        [&](StopCause cause) { return ForeignStop::isMeant(cause, state); }) &&
+           !ForeignStop::isMeant(StopCause::StopButton, state);
+}
+
+}  // namespace
+
+class TestForeignStopRules : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void whateverMayMoveIsMeant() {
+        for (const RuntimeState state :
+             {RuntimeState::Playing, RuntimeState::Pausing, RuntimeState::Resuming, RuntimeState::Stopping}) {
+            QVERIFY(meansIt(live(state)));
+            QVERIFY(meansIt(live(state, ControlState::Refused)));
+        }
+    }
+    void whereNothingRunsNothingIsSent() {
+        QVERIFY(meansNothing(live(RuntimeState::Stopped)));
+        QVERIFY(meansNothing(live(RuntimeState::Stopped, ControlState::Refused)));
+    }
+    void ourOwnProgramIsNotMeant() {
+        QVERIFY(meansNothing(live(RuntimeState::Playing, ControlState::InControl)));
+    }
+    void whileControlIsTakenAnythingMayCome() {
+        QVERIFY(meansIt(live(RuntimeState::Playing, ControlState::Taking)));
+        QVERIFY(meansIt(live(RuntimeState::Stopped, ControlState::Taking)));
+    }
+    void aPausedProgramIsMeantByStopAlone() {
+        const SessionState paused = live(RuntimeState::Paused);
+        QVERIFY(ForeignStop::isMeant(StopCause::StopButton, paused));
+        QVERIFY(!ForeignStop::isMeant(StopCause::Escape, paused));
+        QVERIFY(!ForeignStop::isMeant(StopCause::Space, paused));
+    }
+    void whatIsNotKnownIsMeant() {
+        SessionState never = live(RuntimeState::Stopped);
+        never.link = LinkState::Lost;
+        never.sequence = 0;
+        QVERIFY(meansIt(never));
+        SessionState played = live(RuntimeState::Playing);
+        played.link = LinkState::Lost;
+        QVERIFY(meansIt(played));
+        SessionState stood = live(RuntimeState::Stopped);
+        stood.link = LinkState::Lost;
+        QVERIFY(meansNothing(stood));
+    }
+    void noOtherStopIsMeant() {
+        for (int cause = 0; cause <= static_cast<int>(StopCause::TargetTooFar); ++cause) {
+            const auto which = static_cast<StopCause>(cause);
+            const bool byHand =
+                which == StopCause::Escape || which == StopCause::Space || which == StopCause::StopButton;
+            QCOMPARE(ForeignStop::isMeant(which, live(RuntimeState::Playing)), byHand);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestForeignStopRules)
+#include "tst_foreign_stop_rules.moc"

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/session/foreign_stop.h"
+
+#include "robot/receive/robot_state.h"
+
+namespace tiller {
+namespace {
+
+using control::StopCause;
+using dashboard::RobotService;
+
+constexpr std::int64_t kGiveUpNs = 3 * kNsPerSecond;
+
+control::StopMeter::Sample measured(const receive::Sample& sample) {
+    const receive::RobotState robot(sample);
+    return {sample.hostTimeNs, robot.tcpPose().position, robot.tcpSpeed().linear.norm(),
+            robot.qd().values.cwiseAbs().maxCoeff()};
+}
+
+script::ProgramStopperOptions stopperOptions(const QString& host, int portOffset, const Clock& clock) {
+    script::ProgramStopperOptions options;
+    options.host = host;
+    options.port = script::kPrimaryPort + portOffset;
+    options.clock = &clock;
+    return options;
+}
+
+}  // namespace
+
+ForeignStop::ForeignStop(QObject& context, const QString& host, int portOffset, const Clock& clock)
+    : context_(context)
+    , clock_(clock)
+    , stopper_(stopperOptions(host, portOffset, clock))
+    , service_(dashboard::serviceAt(host, portOffset)) {
+    stopper_.start();
+    service_.start();
+}
+
+ForeignStop::~ForeignStop() {
+    *wanted_ = false;
+}
+
+bool ForeignStop::isMeant(StopCause cause, const SessionState& state) {
+    const bool button = cause == StopCause::StopButton;
+    if (!button && cause != StopCause::Escape && cause != StopCause::Space) {
+        return false;
+    }
+    if (state.control == ControlState::Taking) {
+        return true;  // one that is being replaced by ours, or ours on its way
+    }
+    if (state.control == ControlState::InControl) {
+        return false;
+    }
+    if (state.link != LinkState::Live) {
+        return state.sequence == 0 || state.runtimeState != RuntimeState::Stopped;
+    }
+    return state.foreignProgramRuns() || (button && state.runtimeState == RuntimeState::Paused);
+}
+
+void ForeignStop::warmUp() {
+    service_.post([](RobotService&, const Deadline&) { return Result<void>(); }, &context_,
+                  [](const Result<void>&) {});
+}
+
+void ForeignStop::request(StopCause cause, const receive::Receiver& receiver) {
+    stopper_.requestStop();
+    *wanted_ = true;
+    const receive::Sample newest = receiver.latest();
+    request_ = Request{clock_.nowNs(), newest.isEmpty() ? 0 : newest.sequence};
+    askService();
+    if (!newest.isEmpty() && !meter_.isMeasuring()) {
+        if (sample_.isEmpty()) {
+            sample_ = receive::Sample(receiver.layout());
+        }
+        stream_ = receiver.subscribe();
+        meter_.add(measured(newest));
+        if (meter_.isMoving()) {
+            meter_.begin(cause, clock_.nowNs());
+        }
+    }
+}
+
+void ForeignStop::askService() {
+    if (answer_->busy) {
+        return;
+    }
+    answer_->busy = true;
+    answer_->error = {};
+    service_.post(
+        [wanted = wanted_](RobotService& service, const Deadline& deadline) -> Result<void> {
+            // It may have waited for a connection meanwhile: nothing is stopped that was begun since.
+            return *wanted ? service.perform(dashboard::RobotCommand::StopProgram, deadline) : Result<void>();
+        },
+        &context_,
+        [answer = answer_](const Result<void>& result) {
+            answer->busy = false;
+            answer->error = result.error();
+        });
+}
+
+void ForeignStop::withdraw() {
+    *wanted_ = false;
+    request_.reset();
+    stopper_.withdraw();
+}
+
+void ForeignStop::measure() {
+    while (meter_.isMeasuring() && stream_.next(sample_)) {
+        meter_.add(measured(sample_));
+    }
+}
+
+bool ForeignStop::isStopped(const SessionState& state) const {
+    if (state.link == LinkState::Live) {
+        return state.sequence > request_->sequence && state.runtimeState == RuntimeState::Stopped;
+    }
+    return !stopper_.isUnderWay() && stopper_.error().code == ErrorCode::None;
+}
+
+std::optional<Error> ForeignStop::failure() const {
+    const bool answered = !stopper_.isUnderWay() && !answer_->busy;
+    const Error primary = stopper_.error();
+    const bool bothRefuse = answered && primary.code != ErrorCode::None &&
+                            answer_->error.code != ErrorCode::None && request_->askedAgain;
+    if (!bothRefuse && clock_.nowNs() - request_->ns < kGiveUpNs) {
+        return std::nullopt;
+    }
+    const bool local = answer_->error.code == ErrorCode::RemoteControlRequired;
+    return local || primary.code == ErrorCode::None ? answer_->error : primary;
+}
+
+ForeignStop::Outcome ForeignStop::follow(const SessionState& state) {
+    measure();
+    if (!request_) {
+        return Outcome::None;
+    }
+    if (state.control == ControlState::InControl) {
+        withdraw();
+        return Outcome::None;
+    }
+    // While control is being taken our own program may still come.
+    if (state.control != ControlState::Taking && isStopped(state)) {
+        withdraw();
+        return Outcome::Stopped;
+    }
+    // A connection that was made in Local is refused for ever: once more on a new one.
+    if (!answer_->busy && answer_->error.code != ErrorCode::None && !request_->askedAgain) {
+        request_->askedAgain = true;
+        askService();
+    }
+    if (const auto failed = failure()) {
+        error_ = *failed;
+        withdraw();
+        return Outcome::Failed;
+    }
+    return Outcome::None;
+}
+
+}  // namespace tiller
