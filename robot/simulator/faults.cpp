@@ -2,8 +2,11 @@
 #include "robot/simulator/faults.h"
 
 #include <QStringList>
+#include <algorithm>
 #include <limits>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "robot/simulator/machine.h"
 #include "robot/simulator/program_runner.h"
@@ -62,6 +65,8 @@ public:
                                              : complaint_;
     }
     bool good() { return complaint().isEmpty(); }
+    /// Nothing was wrong so far; more may follow.
+    bool goodSoFar() const { return complaint_.isEmpty(); }
 
 private:
     QStringList words_;
@@ -224,6 +229,62 @@ QString answer(Machine& machine, Words& words) {
     return {};
 }
 
+/// All words that are left, at least one.
+std::vector<std::int32_t> modbusValues(Words& words) {
+    std::vector<std::int32_t> values;
+    do {
+        const QString given = words.peek();
+        const bool word = given == QLatin1String("on") || given == QLatin1String("off");
+        values.push_back(word ? (words.on() ? 1 : 0) : words.integer(0, 65535));
+    } while (words.has() && words.goodSoFar());
+    return values;
+}
+
+QString modbusMemory(Machine& machine, Words& words) {
+    using Kind = ModbusDevice::Kind;
+    static const std::pair<const char*, Kind> kKinds[] = {{"input", Kind::Input},
+                                                          {"coil", Kind::Coil},
+                                                          {"input-register", Kind::InputRegister},
+                                                          {"register", Kind::Register}};
+    const QString given = words.word();
+    const auto kind = std::ranges::find_if(
+        kKinds, [&given](const auto& entry) { return given == QLatin1String(entry.first); });
+    if (kind == std::end(kKinds)) {
+        words.complain(QStringLiteral("'%1' is neither input, coil, input-register nor register").arg(given));
+        return {};
+    }
+    const int address = words.integer(0, 65535);
+    const std::vector<std::int32_t> values = modbusValues(words);
+    if (words.good()) {
+        machine.plant.scriptHost().modbus().write(kind->second, address, values);
+    }
+    return {};
+}
+
+void complainOf(const Result<void>& outcome, Words& words) {
+    if (!outcome) {
+        words.complain(outcome.error().controllerMessage);
+    }
+}
+
+QString modbusSignal(Machine& machine, Words& words) {
+    const std::string name = words.word().toStdString();
+    const std::vector<std::int32_t> values = modbusValues(words);
+    if (words.good()) {
+        complainOf(machine.plant.scriptHost().modbus().writeSignal(name, values), words);
+    }
+    return {};
+}
+
+QString modbusError(Machine& machine, Words& words) {
+    const std::string name = words.word().toStdString();
+    const int code = words.integer(0, 255);
+    if (words.good()) {
+        complainOf(machine.plant.scriptHost().modbus().setDeviceError(name, code), words);
+    }
+    return {};
+}
+
 QString operationalMode(Machine& machine, Words& words) {
     const QString mode = words.word();
     const bool manual = mode == QLatin1String("manual");
@@ -373,6 +434,11 @@ const Verb kVerbs[] = {
              w.complain(QStringLiteral("'%1' is neither none nor a position from 0 to 255").arg(given)); }
          if (w.good()) { m.services.gripper().setObject(ok ? std::optional(position) : std::nullopt); }
          return QString(); }},
+    {"modbus-signal", "NAME VALUE...", "what that signal of the simulated Modbus device reads, as a program added it: 0 to 65535, on, off", &modbusSignal},
+    {"modbus-memory", "KIND ADDRESS VALUE...", "the same by its address; KIND input, coil, input-register or register", &modbusMemory},
+    {"modbus-error", "NAME CODE", "the device's answer to that signal: 0 none, 1 illegal function, 2 address, 3 value, 4 failure, 6 busy", &modbusError},
+    {"modbus-link", "on|off", "off: the Modbus device cannot be reached",
+     [](Machine& m, Words& w) { const bool on = w.on(); if (w.good()) { m.plant.scriptHost().modbus().setConnected(on); } return QString(); }},
     {"status", "", "modes and faults now", &status},
     {"clear", "", "no silence, a plain link, no held registers, the right calibration", &clear},
 };

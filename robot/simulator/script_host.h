@@ -15,6 +15,7 @@
 
 #include "robot/simulator/arm/arm.h"
 #include "robot/simulator/encoders.h"
+#include "robot/simulator/modbus_device.h"
 #include "robot/simulator/script_sockets.h"
 #include "robot/simulator/terminal_rules.h"
 #include "robot/simulator/urscript/host.h"
@@ -163,6 +164,23 @@ public:
     Result<int> requestValue(urscript::RequestKind kind, std::string_view text) override;
     std::optional<urscript::RequestAnswer> requestedValue(int id) override;
 
+    // ModbusHost
+    Result<void> addModbusSignal(const urscript::ModbusSignal& signal) override;
+    Result<void> deleteModbusSignal(std::string_view name) override;
+    Result<urscript::ModbusStatus> modbusStatus(std::string_view name) const override;
+    Result<std::int32_t> modbusError(std::string_view name,
+                                     urscript::ModbusErrorSource source) const override;
+    Result<double> modbusInvalidTime(std::string_view name) const override;
+    Result<void> setModbusOutput(std::string_view name, bool digital,
+                                 std::span<const std::int32_t> values) override;
+    Result<void> setModbusFrequency(std::string_view name, double hertz) override;
+    Result<void> setModbusWatchdog(std::string_view name, double seconds) override;
+    Result<void> setModbusFreedrive(std::string_view name, bool freedrive) override;
+    Result<void> setModbusRunState(std::string_view name, int state) override;
+    Result<void> sendModbusCommand(int function, std::span<const std::uint8_t> data) override;
+    bool isModbusConnected() const override;
+    ModbusDevice& modbus() { return modbus_; }
+
     // ProgramHost
     double stepTime() const override;
     std::int64_t controllerTimeNs() const override;
@@ -190,6 +208,7 @@ private:
     Encoders encoders_;
     int trackedEncoder_ = 0;  ///< which of them moves the conveyor that is tracked
     TerminalRules rules_;
+    ModbusDevice modbus_;
     bool wasRunning_ = false;
     bool freedriveWanted_ = false;
     Eigen::Vector3d baseAcceleration_ = Eigen::Vector3d::Zero();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The equipment part of ScriptHost: terminals with rules, Modbus map, values asked of people.
+// The equipment part of ScriptHost: terminals with rules, Modbus map and devices, values asked of people.
 
 #include "robot/simulator/plant.h"
 #include "robot/simulator/program_runner.h"
@@ -22,8 +22,11 @@ void ScriptHost::beginPeriod() {
     if (const bool running = plant_.programs().isActive(); running != wasRunning_) {
         wasRunning_ = running;
         rules_.programChanged(running, plant_.pins(), plant_.registers());
+        modbus_.programChanged(running);
     }
-    if (const bool wanted = rules_.freedriveWanted(plant_.pins(), plant_.registers());
+    modbus_.step(plant_.stepTime());
+    if (const bool wanted =
+            rules_.freedriveWanted(plant_.pins(), plant_.registers()) || modbus_.freedriveWanted();
         wanted != freedriveWanted_) {
         freedriveWanted_ = wanted;
         plant_.setFreedriveButton(wanted);
@@ -88,6 +91,49 @@ std::int16_t ScriptHost::portRegister(int address) const {
 }
 void ScriptHost::setPortRegister(int address, std::int16_t value) {
     portRegisters_[at(address)] = value;
+}
+
+// ---- Modbus devices -------------------------------------------------------------------------------------
+
+Result<void> ScriptHost::addModbusSignal(const urscript::ModbusSignal& signal) {
+    return modbus_.add(signal);
+}
+Result<void> ScriptHost::deleteModbusSignal(std::string_view name) {
+    modbus_.remove(name);
+    return {};
+}
+Result<urscript::ModbusStatus> ScriptHost::modbusStatus(std::string_view name) const {
+    return modbus_.status(name);
+}
+Result<std::int32_t> ScriptHost::modbusError(std::string_view name,
+                                             urscript::ModbusErrorSource source) const {
+    return modbus_.error(name, source);
+}
+Result<double> ScriptHost::modbusInvalidTime(std::string_view name) const {
+    return modbus_.invalidTime(name);
+}
+Result<void> ScriptHost::setModbusOutput(std::string_view name, bool digital,
+                                         std::span<const std::int32_t> values) {
+    return modbus_.setOutput(name, digital, values);
+}
+Result<void> ScriptHost::setModbusFrequency(std::string_view name, double hertz) {
+    return modbus_.setFrequency(name, hertz);
+}
+Result<void> ScriptHost::setModbusWatchdog(std::string_view name, double seconds) {
+    return modbus_.setWatchdog(name, seconds);
+}
+Result<void> ScriptHost::setModbusFreedrive(std::string_view name, bool freedrive) {
+    return modbus_.setFreedrive(name, freedrive);
+}
+Result<void> ScriptHost::setModbusRunState(std::string_view name, int state) {
+    return modbus_.setRunState(name, static_cast<RunState>(state));
+}
+Result<void> ScriptHost::sendModbusCommand(int function, std::span<const std::uint8_t> data) {
+    modbus_.command(function, data);
+    return {};
+}
+bool ScriptHost::isModbusConnected() const {
+    return modbus_.isConnected();
 }
 
 // ---- values asked of people -----------------------------------------------------------------------------

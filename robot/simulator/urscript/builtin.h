@@ -73,6 +73,7 @@ public:
     std::int64_t consumedNs = 0;  ///< physical time taken from the thread's slice
     bool endFrame = false;        ///< takes the rest of the slice
     std::int64_t cost = 0;        ///< extra operations, for builtins that work on much data
+    bool readSocket = false;      ///< found data there; after many such in a frame the frame is over
 
     const Limits& limits() const { return context_.limits; }
     std::int64_t stepNs() const { return context_.stepNs; }
@@ -162,7 +163,7 @@ struct BuiltinRow {
     BuiltinFunction function;
     unsigned flags = kPlain;
     Since since = {};
-    const char* needs = nullptr;  ///< with absent(): the equipment, "a Modbus device"
+    const char* needs = nullptr;  ///< with absent(): the equipment, "a ROS network"
 };
 
 struct Builtin {
@@ -199,6 +200,7 @@ std::span<const BuiltinRow> ioBuiltins();
 std::span<const BuiltinRow> worldBuiltins();
 std::span<const BuiltinRow> interpreterBuiltins();
 std::span<const BuiltinRow> rpcBuiltins();
+std::span<const BuiltinRow> modbusBuiltins();
 std::span<const BuiltinRow> absentBuiltins();
 
 }  // namespace tiller::simulator::urscript

@@ -76,7 +76,7 @@ std::vector<Builtin> allRows() {
          {motionBuiltins(), forceBuiltins(), superpositionBuiltins(), stateBuiltins(), kinematicsBuiltins(),
           setupBuiltins(), programBuiltins(), stringBuiltins(), mathBuiltins(), listBuiltins(),
           poseBuiltins(), socketBuiltins(), registerBuiltins(), ioBuiltins(), worldBuiltins(),
-          interpreterBuiltins(), rpcBuiltins(), absentBuiltins()}) {
+          interpreterBuiltins(), rpcBuiltins(), modbusBuiltins(), absentBuiltins()}) {
         for (const BuiltinRow& row : table) {
             out.push_back(parseRow(row));
         }

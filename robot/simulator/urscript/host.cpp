@@ -95,6 +95,40 @@ std::int16_t RegisterHost::portRegister(int) const {
 }
 void RegisterHost::setPortRegister(int, std::int16_t) {}
 
+Result<void> ModbusHost::addModbusSignal(const ModbusSignal&) {
+    return notSimulated("A Modbus device");
+}
+Result<void> ModbusHost::deleteModbusSignal(std::string_view) {
+    return notSimulated("A Modbus device");
+}
+Result<ModbusStatus> ModbusHost::modbusStatus(std::string_view) const {
+    return notSimulated("A Modbus device");
+}
+Result<std::int32_t> ModbusHost::modbusError(std::string_view, ModbusErrorSource) const {
+    return notSimulated("A Modbus device");
+}
+Result<double> ModbusHost::modbusInvalidTime(std::string_view) const {
+    return notSimulated("A Modbus device");
+}
+Result<void> ModbusHost::setModbusOutput(std::string_view, bool, std::span<const std::int32_t>) {
+    return notSimulated("A Modbus device");
+}
+Result<void> ModbusHost::setModbusFrequency(std::string_view, double) {
+    return notSimulated("A Modbus device");
+}
+Result<void> ModbusHost::setModbusWatchdog(std::string_view, double) {
+    return notSimulated("A Modbus device");
+}
+Result<void> ModbusHost::setModbusFreedrive(std::string_view, bool) {
+    return notSimulated("A Modbus device");
+}
+Result<void> ModbusHost::setModbusRunState(std::string_view, int) {
+    return notSimulated("A Modbus device");
+}
+Result<void> ModbusHost::sendModbusCommand(int, std::span<const std::uint8_t>) {
+    return notSimulated("A Modbus device");
+}
+
 Result<int> MessageHost::requestValue(RequestKind, std::string_view) {
     return notSimulated("Requesting a value from a primary client");
 }

@@ -370,6 +370,51 @@ public:
     virtual std::optional<RequestAnswer> requestedValue(int id);
 };
 
+/// A signal of a Modbus device, which the controller reads, or writes and reads, again and again.
+struct ModbusSignal {
+    enum class Kind { Input, Coil, InputRegister, Register };
+    std::string name;
+    std::string device;  ///< IP address
+    Kind kind = Kind::Input;
+    int address = 0;
+    int count = 1;      ///< of inputs, coils or registers
+    bool list = false;  ///< its status is a list of `count` values
+    int writeAddress = 0;
+    int writeCount = 1;
+
+    bool isDigital() const { return kind == Kind::Input || kind == Kind::Coil; }
+    bool isOutput() const { return kind == Kind::Coil || kind == Kind::Register; }
+};
+struct ModbusStatus {
+    std::vector<std::int32_t> values;  ///< 0 or 1, or 0..65535
+    bool digital = false;
+    bool list = false;
+};
+enum class ModbusErrorSource { Combined, Device, Connection };
+
+/// Modbus devices the controller is the client of. May be left out. Signals stay when the program ends.
+/// Errors of all: there is no signal of that name.
+class ModbusHost {
+public:
+    virtual ~ModbusHost() = default;
+    virtual Result<void> addModbusSignal(const ModbusSignal& signal);  ///< in place of one of that name
+    virtual Result<void> deleteModbusSignal(std::string_view name);
+    /// The last values that were read. Error: none for longer than the signal's watchdog.
+    virtual Result<ModbusStatus> modbusStatus(std::string_view name) const;
+    virtual Result<std::int32_t> modbusError(std::string_view name, ModbusErrorSource source) const;
+    virtual Result<double> modbusInvalidTime(std::string_view name) const;  ///< [s], 0: valid
+    /// Of an output; fewer values than it has leave the others. Error: it is none, or of another kind.
+    virtual Result<void> setModbusOutput(std::string_view name, bool digital,
+                                         std::span<const std::int32_t> values);
+    virtual Result<void> setModbusFrequency(std::string_view name,
+                                            double hertz);  ///< 0 and below: not cyclic
+    virtual Result<void> setModbusWatchdog(std::string_view name, double seconds);
+    virtual Result<void> setModbusFreedrive(std::string_view name, bool freedrive);
+    virtual Result<void> setModbusRunState(std::string_view name, int state);  ///< as IoHost::setRunState
+    virtual Result<void> sendModbusCommand(int function, std::span<const std::uint8_t> data);
+    virtual bool isModbusConnected() const { return true; }
+};
+
 enum class WatchdogAction { Pause, Stop, Ignore };
 enum class ProgramKind { Main, Secondary };
 
@@ -409,6 +454,7 @@ class Host : public MotionHost,
              public IoHost,
              public SocketHost,
              public MessageHost,
+             public ModbusHost,
              public ProgramHost,
              public WorldHost {
 public:

@@ -164,6 +164,31 @@ QString callOf(const Builtin& b) {
         {"socket_open", "socket_open(\"127.0.0.1\", PORT)"},
         {"rpc_factory", "rpc_factory(\"xmlrpc\", \"http://127.0.0.1:PORT\")"},
         {"eip_writer_factory", "eip_writer_factory(1)"},
+        {"modbus_get_signal_status",
+         "modbus_add_signal(\"192.168.0.5\", 255, 1, 3, \"s\")\nx = modbus_get_signal_status(\"s\")"},
+        {"modbus_get_error", "modbus_add_signal(\"192.168.0.5\", 255, 1, 3, \"s\")\nmodbus_get_error(\"s\")"},
+        {"modbus_get_time_since_signal_invalid",
+         "modbus_add_signal(\"192.168.0.5\", 255, 1, 3, \"s\")\nmodbus_get_time_since_signal_invalid(\"s\")"},
+        {"modbus_set_output_register",
+         "modbus_add_signal(\"192.168.0.5\", 255, 1, 3, \"s\")\nmodbus_set_output_register(\"s\", 7)"},
+        {"modbus_set_signal_update_frequency",
+         "modbus_add_signal(\"192.168.0.5\", 255, 1, 3, \"s\")\nmodbus_set_signal_update_frequency(\"s\", "
+         "20)"},
+        {"modbus_set_signal_watchdog",
+         "modbus_add_signal(\"192.168.0.5\", 255, 1, 3, \"s\")\nmodbus_set_signal_watchdog(\"s\", 5)"},
+        {"modbus_set_digital_input_action",
+         "modbus_add_signal(\"192.168.0.5\", 255, 1, 3, \"s\")\nmodbus_set_digital_input_action(\"s\", "
+         "\"default\")"},
+        {"modbus_set_runstate_dependent_choice",
+         "modbus_add_signal(\"192.168.0.5\", 255, 1, 3, \"s\")\nmodbus_set_runstate_dependent_choice(\"s\", "
+         "1)"},
+        {"modbus_add_signal", "modbus_add_signal(\"192.168.0.5\", 255, 1, 3, \"s\")\n"},
+        {"modbus_set_output_signal",
+         "modbus_add_signal(\"192.168.0.5\", 255, 1, 1, \"c\")\nmodbus_set_output_signal(\"c\", True)"},
+        {"modbus_add_rw_signal", "modbus_add_rw_signal(\"192.168.0.5\", 255, 1, 2, 3, 4, \"rw\")"},
+        {"modbus_delete_signal", "modbus_delete_signal(\"s\")"},
+        {"modbus_reset_connection", "modbus_reset_connection(\"192.168.0.5\")"},
+        {"modbus_send_custom_command", "modbus_send_custom_command(\"192.168.0.5\", 255, 6, [0,1,0,1])"},
     };
     if (const auto it = kCalls.find(b.name); it != kCalls.end()) {
         return it->second;
