@@ -1,12 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "robot/simulator/script_sockets.h"
 
+#include <QHostAddress>
+
 namespace tiller::simulator {
 
 namespace {
-/// A peer that sends without end is stopped by TCP once this much lies unread [bytes].
+/// What is kept at each of three places: the system's, the socket's and here [bytes].
+constexpr qsizetype kShare = 16 << 10;
+/// Here, when the program waits for the end of something longer [bytes].
 constexpr qsizetype kMostUnread = 4 << 20;
 }  // namespace
+
+void ScriptSockets::Connection::takeIn() {
+    const qsizetype room = (wantsMore ? kMostUnread : kShare) - received.size();
+    if (room > 0 && socket->bytesAvailable() > 0) {
+        received += socket->read(room);
+    }
+}
 
 const ScriptSockets::Connection* ScriptSockets::find(std::string_view name) const {
     const auto it = sockets_.find(name);
@@ -25,7 +36,7 @@ bool ScriptSockets::open(std::string_view name, std::string_view address, int po
     }
     Connection connection;
     connection.socket = std::make_unique<QTcpSocket>();
-    connection.socket->setReadBufferSize(kMostUnread);
+    connection.socket->setReadBufferSize(kShare);
     auto host = QString::fromUtf8(address.data(), static_cast<qsizetype>(address.size()));
     const auto own = ownPorts_.find(port);
     if (own != ownPorts_.end() && (address == "127.0.0.1" || address == "localhost")) {
@@ -35,6 +46,11 @@ bool ScriptSockets::open(std::string_view name, std::string_view address, int po
     QTcpSocket* socket = connection.socket.get();
     QObject::connect(socket, &QTcpSocket::connected, socket,
                      [socket] { socket->setSocketOption(QAbstractSocket::LowDelayOption, 1); });
+    // The size of the system's buffer is settled when the connection is made.
+    const bool is6 = QHostAddress(host).protocol() == QAbstractSocket::IPv6Protocol;
+    if (socket->bind(is6 ? QHostAddress::AnyIPv6 : QHostAddress::AnyIPv4)) {
+        socket->setSocketOption(QAbstractSocket::ReceiveBufferSizeSocketOption, static_cast<int>(kShare));
+    }
     socket->connectToHost(host, static_cast<quint16>(port));
     sockets_.insert_or_assign(std::string(name), std::move(connection));
     return true;
@@ -52,7 +68,8 @@ ScriptSockets::State ScriptSockets::state(std::string_view name) const {
         case QAbstractSocket::ConnectingState:
             return State::Connecting;
         default:
-            return State::Closed;
+            // What came before the end may still be read.
+            return connection->socket->bytesAvailable() > 0 ? State::Open : State::Closed;
     }
 }
 
@@ -79,23 +96,27 @@ bool ScriptSockets::send(std::string_view name, std::string_view bytes) {
 
 std::string_view ScriptSockets::received(std::string_view name) const {
     const Connection* connection = find(name);
-    return connection == nullptr ? std::string_view()
-                                 : std::string_view(connection->received.constData(),
-                                                    static_cast<std::size_t>(connection->received.size()));
+    if (connection == nullptr) {
+        return {};
+    }
+    connection->wantsMore = true;
+    return {connection->received.constData(), static_cast<std::size_t>(connection->received.size())};
 }
 
 void ScriptSockets::consume(std::string_view name, std::size_t count) {
     const auto it = sockets_.find(name);
     if (it != sockets_.end()) {
         it->second.received.remove(0, static_cast<qsizetype>(count));
+        it->second.wantsMore = false;
+        if (it->second.received.size() < kShare / 2) {
+            it->second.takeIn();
+        }
     }
 }
 
 void ScriptSockets::service() {
     for (auto& [name, connection] : sockets_) {
-        if (connection.received.size() < kMostUnread && connection.socket->bytesAvailable() > 0) {
-            connection.received += connection.socket->readAll();
-        }
+        connection.takeIn();
     }
 }
 

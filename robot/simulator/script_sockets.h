@@ -2,6 +2,10 @@
 #pragma once
 
 // TCP client sockets of a running program, by name.
+//
+// Little is kept of what a program has not read: about what it reads in a period or two. A client that writes
+// faster than the program reads is held up by TCP then, and its newest command is not far behind. Only when
+// the program waits for the rest of something long is more of it kept.
 
 #include <QByteArray>
 #include <QString>
@@ -38,6 +42,9 @@ private:
     struct Connection {
         std::unique_ptr<QTcpSocket> socket;
         QByteArray received;
+        mutable bool wantsMore = false;  ///< the program has looked and taken nothing
+
+        void takeIn();
     };
     const Connection* find(std::string_view name) const;
 

@@ -37,6 +37,14 @@ bool over(Call& c, const std::string& socket, std::size_t timeoutArgument) {
     return ended;
 }
 
+// Takes what has been read.
+void consume(Call& c, const std::string& socket, std::size_t bytes) {
+    constexpr std::int64_t kCost = 20;
+    c.host.consumeBytes(socket, bytes);
+    c.readSocket = true;
+    c.cost += kCost;
+}
+
 Status socketOpen(Call& c) {
     const std::string& name = socketName(c, 2);
     if (c.first && !c.host.openSocket(name, c.string(0), c.integerIn(1, 1, 65535))) {
@@ -80,7 +88,7 @@ Status readBinaryInteger(Call& c) {
             }
             out[i + 1] = static_cast<std::int32_t>(value);
         }
-        c.host.consumeBytes(name, 4 * count);
+        consume(c, name, 4 * count);
     } else if (!over(c, name, 2)) {
         return Status::Again;
     } else {
@@ -99,7 +107,7 @@ Status readByteList(Call& c) {
         out[0] = static_cast<std::int32_t>(count);
         std::transform(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(count), out.begin() + 1,
                        [](char b) { return static_cast<unsigned char>(b); });
-        c.host.consumeBytes(name, count);
+        consume(c, name, count);
     } else if (!over(c, name, 2)) {
         return Status::Again;
     } else {
@@ -133,7 +141,7 @@ Status readAsciiFloat(Call& c) {
             out[++got] = value;
         }
         out[0] = static_cast<double>(got);
-        c.host.consumeBytes(name, close + 1);
+        consume(c, name, close + 1);
     } else if (!over(c, name, 2)) {
         return Status::Again;
     }
@@ -170,7 +178,7 @@ Status readString(Call& c) {
             // What is longer than a string may be is left for the next read.
             const std::size_t taken =
                 end - text > kMaxStringLength ? text + kMaxStringLength : end + suffix.size();
-            c.host.consumeBytes(name, taken);
+            consume(c, name, taken);
             return Status::Done;
         }
     }
@@ -191,7 +199,7 @@ Status readLine(Call& c) {
             line.remove_suffix(1);
         }
         c.result = Value(std::string(line.substr(0, kMaxStringLength)));
-        c.host.consumeBytes(name, newline + 1);
+        consume(c, name, newline + 1);
         return Status::Done;
     }
     if (!over(c, name, 1)) {
@@ -247,7 +255,7 @@ Status getVar(Call& c) {
         std::from_chars(line.data(), line.data() + line.size(), value);
         c.result = value;
     }
-    c.host.consumeBytes(name, newline + 1);
+    consume(c, name, newline + 1);
     return Status::Done;
 }
 

@@ -30,7 +30,10 @@ struct RuntimeError {
 
 struct Limits {
     std::int64_t threadOperationsPerFrame = 1'000'000;  ///< more is an infinite loop
-    std::int64_t frameOperations = 4'000'000;           ///< of all threads together
+    /// A thread that reads a socket after so many has used up its frame: however much there is to be read,
+    /// reading it takes time.
+    std::int64_t readingOperationsPerFrame = 100'000;
+    std::int64_t frameOperations = 4'000'000;  ///< of all threads together
     int callDepth = 200;
     int threads = 128;
     std::size_t listLength = 100'000;

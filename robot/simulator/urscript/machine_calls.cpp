@@ -73,6 +73,10 @@ Interpreter::Machine::After Interpreter::Machine::callBuiltin(Thread& thread,
         forgetLines();
     }
     thread.operations -= 8 + call.cost;
+    // However much a client sends, and however often the program asks for more: reading takes time.
+    call.endFrame =
+        call.endFrame || (call.readSocket && limits_.threadOperationsPerFrame - thread.operations >=
+                                                 limits_.readingOperationsPerFrame);
     const bool secondary = program->kind() == ProgramKind::Secondary;
     if (secondary && (status == Status::Again || call.consumedNs > 0 || call.endFrame)) {
         fault(kTooMuchBehind);

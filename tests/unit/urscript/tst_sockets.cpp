@@ -92,6 +92,55 @@ private Q_SLOTS:
         run.socket().state = SocketHost::State::Closed;
         QCOMPARE(run.frames(10), State::Running);
     }
+    // Reading takes time; only what neither waits nor reads is endless. The limits of a frame are small here,
+    // so that little data suffice.
+    void aLoopThatAlwaysFindsDataGoesOn_data() {
+        QTest::addColumn<QString>("read");
+        QTest::addColumn<QString>("unit");
+        QTest::newRow("integers") << "a = socket_read_binary_integer(1)"
+                                  << "abcd";
+        QTest::newRow("bytes") << "a = socket_read_byte_list(1)"
+                               << "x";
+        QTest::newRow("floats") << "a = socket_read_ascii_float(1)"
+                                << "(1)";
+        QTest::newRow("lines") << "a = socket_read_line()"
+                               << "x\n";
+        QTest::newRow("text") << "a = socket_read_string(suffix=\"x\")"
+                              << "x";
+        QTest::newRow("variables") << "a = socket_get_var(\"P\")"
+                                   << "P 1\n";
+    }
+    void aLoopThatAlwaysFindsDataGoesOn() {
+        QFETCH(QString, read);
+        QFETCH(QString, unit);
+        Limits limits;
+        limits.threadOperationsPerFrame = 20'000;
+        limits.readingOperationsPerFrame = 2'000;
+        ScriptRun run;
+        run.host.sockets["socket_0"].state = SocketHost::State::Open;
+        run.load("def m():\nglobal n = 0\nwhile True:\n" + read.toStdString() + "\nn = n + 1\nend\nend\n",
+                 limits);
+        int before = 0;
+        for (int frame = 0; frame < 10; ++frame) {
+            run.host.sockets["socket_0"].in = unit.repeated(4000).toStdString();
+            QCOMPARE(run.frames(1), State::Running);
+            const int after = std::stoi(run.value("n"));
+            // Some are read in each frame, and not all of it is for them.
+            QVERIFY2(after - before > 10 && after - before < 2'000 / 20, qPrintable(QString::number(after)));
+            before = after;
+        }
+    }
+    void anEndlessLoopIsOneThoughItReadBefore() {
+        SocketRun run("a = socket_read_byte_list(1)\nwhile True:\nb = 1\nend", "xx");
+        QCOMPARE(run.frames(3), State::Failed);
+        QVERIFY(run.error().starts_with("Runtime is too much behind"));
+    }
+    void aFewReadsTakeNoFrame() {
+        SocketRun run("n = 0\nwhile n < 50:\na = socket_read_byte_list(1)\nn = n + 1\nend",
+                      std::string(100, 'x'));
+        QCOMPARE(run.frames(1), State::Finished);
+        QCOMPARE(run.socket().in.size(), 50u);
+    }
     void textReads() {
         SocketRun floats("a = socket_read_ascii_float(3)", "( 1.4 , -3.1e1 )");
         floats.frames(1);

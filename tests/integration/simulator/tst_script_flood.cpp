@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// A client that writes commands to a program as fast as it can: the program goes on, the newest command acts
+// soon, and what nobody can read yet stays with the client.
+#include <QTcpServer>
+#include <QTest>
+#include <atomic>
+#include <thread>
+
+#include "tests/support/primary_listener.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+namespace {
+
+constexpr int kNumbers = 8;  ///< in a command, as the vendor's library sends them
+constexpr qsizetype kCommand = 4 * kNumbers;
+
+QByteArray command(qint32 number) {
+    return bigEndian(number).repeated(kNumbers);
+}
+
+/// A robot whose program reads commands in a loop without sync() and shows the last in a register.
+struct Cell {
+    explicit Cell(const simulator::ControllerOptions& options = VirtualRobot::options()) : robot(options) {
+        server.listen(QHostAddress::LocalHost);
+        primary.send("def p():\n  socket_open(\"127.0.0.1\", " + QByteArray::number(server.serverPort()) +
+                     ")\n  while True:\n    c = socket_read_binary_integer(8, timeout=0)\n    if c[0] == 8:\n"
+                     "      write_output_integer_register(0, c[8])\n    end\n  end\nend\n");
+        rtde.useVersion();
+        rtde.setupOutputs(500, "output_int_register_0");
+        rtde.start();
+    }
+    /// The client's end of the program's socket.
+    QTcpSocket* client() {
+        for (int i = 0; i < 1000 && !server.waitForNewConnection(1); ++i) {
+            robot.controller.step();
+        }
+        QTcpSocket* const socket = server.nextPendingConnection();
+        robot.controller.step(5);
+        return socket;
+    }
+    /// The command that acts now.
+    qint32 acting() {
+        for (const RawRtde::Package& package : rtde.packages()) {
+            last = package.type == 'U' ? intAt(package.payload, 1) : last;
+        }
+        return last;
+    }
+
+    QTcpServer server;
+    VirtualRobot robot;
+    RawPrimary primary = robot.primary();
+    RawRtde rtde = robot.rtde();
+    qint32 last = 0;
+};
+
+}  // namespace
+
+class TestScriptFlood : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void theNewestOfManyCommandsActsWithinTwoPeriods() {
+        Cell cell;
+        QTcpSocket* const client = cell.client();
+        QVERIFY(client != nullptr);
+        qint32 newest = 0;
+        for (int round = 0; round < 20; ++round) {
+            QByteArray burst;
+            for (int i = 0; i < 300; ++i) {
+                burst += command(++newest);
+            }
+            client->write(burst);
+            while (client->bytesToWrite() > 0 && client->waitForBytesWritten(kPatienceMs)) {
+            }
+            cell.robot.controller.drainSockets();  // the network is quicker than a period
+            cell.robot.controller.step(2);
+            QCOMPARE(cell.acting(), newest);
+        }
+        QCOMPARE(cell.robot.programState(), RuntimeState::Playing);
+    }
+
+    // Time stands still for the program while the client writes: TCP holds the client up.
+    void whatTheProgramHasNoTimeForStaysWithTheClient() {
+        Cell cell;
+        QTcpSocket* const client = cell.client();
+        QVERIFY(client != nullptr);
+        // What is not taken stays in the client's own buffers.
+        constexpr qsizetype kFlood = 64 << 20;
+        client->write(command(1).repeated(kFlood / kCommand));
+        for (int i = 0; i < 200; ++i) {
+            client->waitForBytesWritten(5);
+            cell.robot.controller.drainSockets();
+        }
+        QVERIFY2(client->bytesToWrite() > kFlood / 2, qPrintable(QString::number(client->bytesToWrite())));
+        // And goes on as the program reads.
+        const qint64 before = client->bytesToWrite();
+        for (int i = 0; i < 500 && client->bytesToWrite() == before; ++i) {
+            cell.robot.controller.step();
+            client->waitForBytesWritten(1);
+        }
+        QVERIFY(client->bytesToWrite() < before);
+        QCOMPARE(cell.robot.programState(), RuntimeState::Playing);
+    }
+
+    // In real time, from a thread that does nothing else.
+    void aFloodDoesNotEndTheProgram() {
+        auto options = VirtualRobot::options();
+        options.time = simulator::Time::Real;
+        Cell cell(options);
+        QVERIFY(cell.server.waitForNewConnection(kPatienceMs));
+        QTcpSocket* const client = cell.server.nextPendingConnection();
+        QByteArray many;
+        for (qint32 i = 1; i <= 1000; ++i) {
+            many += command(i);
+        }
+        const double begin = cell.robot.controller.truth().timestamp;
+        // Long enough in the robot's own time, however slow the machine is.
+        while (cell.robot.controller.truth().timestamp < begin + 1.0) {
+            client->write(many);
+            while (client->bytesToWrite() > (1 << 20) && client->waitForBytesWritten(100)) {
+            }
+        }
+        QCOMPARE(cell.robot.programState(), RuntimeState::Playing);
+        QCOMPARE(cell.robot.controller.truth().safetyMode, SafetyMode::Normal);
+        while (client->bytesToWrite() > 0 && client->waitForBytesWritten(kPatienceMs)) {
+        }
+        client->write(command(424242));
+        client->waitForBytesWritten(kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(cell.acting(), 424242, kPatienceMs);
+        QVERIFY(!Heard(cell.primary).texts.contains("Runtime"));
+    }
+
+    // A text longer than what is kept of a flood arrives whole.
+    void aLongTextArrivesWhole() {
+        Cell cell;
+        cell.primary.send("stop program\n");
+        cell.robot.controller.drainSockets();
+        cell.robot.controller.stepSeconds(0.2);
+        cell.primary.send(
+            "def p():\n  socket_open(\"127.0.0.1\", " + QByteArray::number(cell.server.serverPort()) +
+            ")\n  n = 0\n  while n < 200:\n    s = socket_read_string(suffix=\"!\", timeout=0)\n"
+            "    n = n + 1\n  end\n  textmsg(socket_read_line(timeout=0))\nend\n");
+        while (cell.server.hasPendingConnections()) {
+            delete cell.server.nextPendingConnection();
+        }
+        QTcpSocket* const client = cell.client();
+        QVERIFY(client != nullptr);
+        client->write(QByteArray(1023, 'x').append('!').repeated(200) + QByteArray(100'000, 'y') + "end\n");
+        QByteArrayList texts;
+        for (int i = 0; i < 2000 && texts.isEmpty(); ++i) {
+            client->waitForBytesWritten(1);
+            cell.robot.controller.step();
+            texts = i % 10 == 0 ? Heard(cell.primary).texts : texts;
+        }
+        QCOMPARE(texts.size(), qsizetype(1));
+        QVERIFY(texts[0].startsWith("yyyy"));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestScriptFlood)
+#include "tst_script_flood.moc"
