@@ -24,6 +24,8 @@ def main(folder, output, version):
         for ending in (suffix, ".pyi"):
             with open(os.path.join(folder, module + ending), "rb") as file:
                 files[module + ending] = file.read()
+        # Where type checkers look for the stubs of a module that is not a package.
+        files[f"{module}-stubs/__init__.pyi"] = files[module + ".pyi"]
     files[f"{info}/METADATA"] = (
         f"Metadata-Version: 2.1\nName: {NAME.replace('_', '-')}\nVersion: {version}\n"
         "Summary: Control and monitor Universal Robots arms; the Python interface of ur_rtde\n"

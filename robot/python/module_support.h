@@ -2,11 +2,15 @@
 #pragma once
 
 // What all Python modules of this room share: calls that wait let other Python threads run and end on Ctrl-C,
-// and the keywords of the paper's listings are understood beside the released ones.
+// the keywords of the paper's listings are understood beside the released ones, and every object explains
+// itself: docstring, signature, repr, `with`.
 
 #include <pybind11/chrono.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+
+#include <string>
+#include <utility>
 
 namespace tiller::python {
 
@@ -15,11 +19,48 @@ namespace py = pybind11;
 /// For every call that may wait.
 using Unlocked = py::call_guard<py::gil_scoped_release>;
 
-/// To be called once by each module.
+/// To be called first by each module.
 void prepareModule();
+/// To be called last: gives classes and methods the texts of docstrings.cpp and a signature that
+/// inspect.signature() understands, and the module its __version__.
+void finishModule(py::module_& module);
 
 /// The robot's address has two names.
 inline constexpr const char* kHostNames[] = {"hostname", "ip"};
+
+/// An interface that knows whom it was made for.
+template <class Interface>
+struct Shown : Interface {
+    template <class... Arguments>
+    explicit Shown(std::string hostname, Arguments&&... arguments)
+        : Interface(hostname, std::forward<Arguments>(arguments)...), host(std::move(hostname)) {}
+    std::string host;
+};
+
+/// repr(), and `with`: `begin` is called at its beginning, `end` at its end, whatever happened between.
+template <class Class, class Begin, class End>
+void defineShowing(Class& cls, Begin begin, End end) {
+    using Interface = typename Class::type;
+    cls.def("__repr__", [](py::object self) {
+        auto& interface = self.cast<Interface&>();
+        const auto type = py::type::of(self);
+        return py::str("<{}.{} {}, {}>")
+            .format(type.attr("__module__"), type.attr("__name__"), interface.host,
+                    interface.isConnected() ? "connected" : "not connected");
+    });
+    cls.def("__enter__", [begin](py::object self) {
+        auto& interface = self.cast<Interface&>();
+        {
+            const py::gil_scoped_release released;
+            begin(interface);
+        }
+        return self;
+    });
+    cls.def("__exit__", [end](Interface& interface, const py::args&) {
+        const py::gil_scoped_release released;
+        end(interface);
+    });
+}
 
 /// A motion with speed and acceleration, which have two names each.
 template <class Class, class Function>

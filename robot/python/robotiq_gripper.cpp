@@ -6,11 +6,12 @@
 
 using namespace tiller::python;
 using ur_rtde::RobotiqGripper;
+using Gripper = Shown<RobotiqGripper>;
 
 PYBIND11_MODULE(robotiq_gripper, module) {
     prepareModule();
     module.doc() = "A Robotiq gripper at the wrist of a Universal Robots arm.";
-    py::class_<RobotiqGripper> cls(module, "RobotiqGripper");
+    py::class_<Gripper> cls(module, "RobotiqGripper");
     py::enum_<RobotiqGripper::eStatus>(cls, "eStatus", py::arithmetic())
         .value("RESET", RobotiqGripper::RESET)
         .value("ACTIVATING", RobotiqGripper::ACTIVATING)
@@ -41,10 +42,10 @@ PYBIND11_MODULE(robotiq_gripper, module) {
         .value("OPEN", RobotiqGripper::OPEN)
         .value("CLOSE", RobotiqGripper::CLOSE)
         .export_values();
-    cls.def(py::init<const std::string&, int, bool>(), py::arg("Hostname"), py::arg("Port") = 63352,
+    cls.def(py::init<std::string, int, bool>(), py::arg("Hostname"), py::arg("Port") = 63352,
             py::arg("verbose") = false);
     for (const char* host : kHostNames) {
-        cls.def(py::init<const std::string&, int, bool>(), py::arg(host), py::arg("port") = 63352,
+        cls.def(py::init<std::string, int, bool>(), py::arg(host), py::arg("port") = 63352,
                 py::arg("verbose") = false);
     }
     cls.def("connect", &RobotiqGripper::connect, py::arg("timeout_ms") = 2000, Unlocked());
@@ -67,24 +68,34 @@ PYBIND11_MODULE(robotiq_gripper, module) {
     cls.def("emergencyRelease", &RobotiqGripper::emergencyRelease, py::arg("Direction"),
             py::arg("MoveMode") = RobotiqGripper::WAIT_FINISHED, Unlocked());
     cls.def("faultStatus", &RobotiqGripper::faultStatus, Unlocked());
-    cls.def("setUnit", &RobotiqGripper::setUnit, Unlocked());
-    cls.def("setPositionRange_mm", &RobotiqGripper::setPositionRange_mm, Unlocked());
-    cls.def("setSpeed", &RobotiqGripper::setSpeed, Unlocked());
-    cls.def("setForce", &RobotiqGripper::setForce, Unlocked());
+    cls.def("setUnit", &RobotiqGripper::setUnit, py::arg("Param"), py::arg("Unit"), Unlocked());
+    cls.def("setPositionRange_mm", &RobotiqGripper::setPositionRange_mm, py::arg("Range"), Unlocked());
+    cls.def("setSpeed", &RobotiqGripper::setSpeed, py::arg("Speed"), Unlocked());
+    cls.def("setForce", &RobotiqGripper::setForce, py::arg("Force"), Unlocked());
     cls.def("objectDetectionStatus", &RobotiqGripper::objectDetectionStatus, Unlocked());
     cls.def("waitForMotionComplete", &RobotiqGripper::waitForMotionComplete, Unlocked());
-    cls.def("setVars", &RobotiqGripper::setVars, Unlocked());
-    cls.def("setVar", &RobotiqGripper::setVar, Unlocked());
-    cls.def("getVar", &RobotiqGripper::getVar, Unlocked());
-    cls.def("getVars", &RobotiqGripper::getVars, Unlocked());
+    cls.def("setVars", &RobotiqGripper::setVars, py::arg("Vars"), Unlocked());
+    cls.def("setVar", &RobotiqGripper::setVar, py::arg("Var"), py::arg("Value"), Unlocked());
+    cls.def("getVar", &RobotiqGripper::getVar, py::arg("var"), Unlocked());
+    cls.def("getVars", &RobotiqGripper::getVars, py::arg("Vars"), Unlocked());
     cls.def(
         "getNativePositionRange",
-        [](RobotiqGripper& gripper) {
+        [](Gripper& gripper) {
             int lowest = 0;
             int highest = 0;
             gripper.getNativePositionRange(lowest, highest);
             return std::pair(lowest, highest);
         },
         Unlocked());
-    cls.def("setNativePositionRange", &RobotiqGripper::setNativePositionRange, Unlocked());
+    cls.def("setNativePositionRange", &RobotiqGripper::setNativePositionRange, py::arg("MinPosition"),
+            py::arg("MaxPosition"), Unlocked());
+    defineShowing(
+        cls,
+        [](Gripper& gripper) {
+            if (!gripper.isConnected()) {
+                gripper.connect();
+            }
+        },
+        [](Gripper& gripper) { gripper.disconnect(); });
+    finishModule(module);
 }

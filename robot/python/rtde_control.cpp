@@ -2,13 +2,19 @@
 // Python module rtde_control.
 #include <ur_rtde/rtde_control_interface.h>
 
+#include <algorithm>
+#include <memory>
+#include <sstream>
+
 #include "robot/python/module_support.h"
+#include "robot/ur_rtde/waiting.h"
 
 using namespace tiller::python;
 using ur_rtde::AsyncOperationStatus;
 using ur_rtde::Path;
 using ur_rtde::PathEntry;
 using Control = ur_rtde::RTDEControlInterface;
+using ShownControl = Shown<Control>;
 using List = std::vector<double>;
 
 namespace {
@@ -52,42 +58,102 @@ void definePaths(py::module_& module) {
         .def("__eq__", &AsyncOperationStatus::equals);
 }
 
-void defineLife(py::class_<Control>& cls) {
-    py::enum_<Control::Flags>(cls, "Flags", py::arithmetic())
-        .value("FLAG_UPLOAD_SCRIPT", Control::FLAG_UPLOAD_SCRIPT)
-        .value("FLAG_USE_EXT_UR_CAP", Control::FLAG_USE_EXT_UR_CAP)
-        .value("FLAG_VERBOSE", Control::FLAG_VERBOSE)
-        .value("FLAG_UPPER_RANGE_REGISTERS", Control::FLAG_UPPER_RANGE_REGISTERS)
-        .value("FLAG_NO_WAIT", Control::FLAG_NO_WAIT)
-        .value("FLAG_CUSTOM_SCRIPT", Control::FLAG_CUSTOM_SCRIPT)
-        .value("FLAGS_DEFAULT", Control::FLAGS_DEFAULT)
-        .export_values();
-    py::enum_<Control::Feature>(cls, "Feature", py::arithmetic())
-        .value("FEATURE_BASE", Control::FEATURE_BASE)
-        .value("FEATURE_TOOL", Control::FEATURE_TOOL)
-        .value("FEATURE_CUSTOM", Control::FEATURE_CUSTOM)
-        .export_values();
-    for (const char* host : kHostNames) {
-        cls.def(py::init<std::string, double, uint16_t, int, int>(), py::arg(host),
-                py::arg("frequency") = -1.0, py::arg("flags") = static_cast<uint16_t>(Control::FLAGS_DEFAULT),
-                py::arg("ur_cap_port") = 50002, py::arg("rt_priority") = RT_PRIORITY_UNDEFINED, Unlocked());
+/// Those who still have control, for the one who cannot get it. Guarded by the interpreter's lock.
+std::vector<const ShownControl*>& living() {
+    static std::vector<const ShownControl*> all;
+    return all;
+}
+
+struct Deleter {
+    void operator()(ShownControl* control) const {
+        std::erase(living(), control);
+        const py::gil_scoped_release released;
+        delete control;
     }
+};
+
+using Holder = std::unique_ptr<ShownControl, Deleter>;
+using ControlClass = py::class_<ShownControl, Holder>;
+
+Holder makeControl(const std::string& hostname, double frequency, uint16_t flags, int urCapPort,
+                   int priority) {
+    Holder made;
+    try {
+        const py::gil_scoped_release released;
+        made.reset(new ShownControl(hostname, frequency, flags, urCapPort, priority));
+    } catch (const std::exception& error) {
+        for (const ShownControl* other : living()) {
+            const bool holds = other->host == hostname && const_cast<ShownControl*>(other)->isConnected();
+            if (holds && dynamic_cast<const tiller::urrtde::Interrupted*>(&error) == nullptr) {
+                std::ostringstream said;
+                said << error.what() << ". An RTDEControlInterface of this program (" << other
+                     << ") is still connected "
+                     << "to " << hostname
+                     << " and holds its registers: call disconnect() on it, or use it in a `with` block.";
+                throw std::runtime_error(said.str());
+            }
+        }
+        throw;
+    }
+    living().push_back(made.get());
+    return made;
+}
+
+/// An enumeration of Python's own, its members in the class too.
+void defineInts(ControlClass& cls, const char* kind, const char* name,
+                const std::vector<std::pair<std::string, int>>& members) {
+    const py::object made = py::module_::import("enum").attr(kind)(name, members);
+    made.attr("__module__") = cls.attr("__module__");
+    made.attr("__qualname__") = std::string("RTDEControlInterface.") + name;
+    cls.attr(name) = made;
+    for (const auto& [member, value] : members) {
+        cls.attr(member.c_str()) = made.attr(member.c_str());
+    }
+}
+
+void defineLife(ControlClass& cls) {
+    defineInts(cls, "IntFlag", "Flags",
+               {{"FLAG_UPLOAD_SCRIPT", Control::FLAG_UPLOAD_SCRIPT},
+                {"FLAG_USE_EXT_UR_CAP", Control::FLAG_USE_EXT_UR_CAP},
+                {"FLAG_VERBOSE", Control::FLAG_VERBOSE},
+                {"FLAG_UPPER_RANGE_REGISTERS", Control::FLAG_UPPER_RANGE_REGISTERS},
+                {"FLAG_NO_WAIT", Control::FLAG_NO_WAIT},
+                {"FLAG_CUSTOM_SCRIPT", Control::FLAG_CUSTOM_SCRIPT},
+                {"FLAGS_DEFAULT", Control::FLAGS_DEFAULT}});
+    defineInts(cls, "IntEnum", "Feature",
+               {{"FEATURE_BASE", Control::FEATURE_BASE},
+                {"FEATURE_TOOL", Control::FEATURE_TOOL},
+                {"FEATURE_CUSTOM", Control::FEATURE_CUSTOM}});
+    for (const char* host : kHostNames) {
+        cls.def(py::init(&makeControl), py::arg(host), py::arg("frequency") = -1.0,
+                py::arg("flags") = static_cast<uint16_t>(Control::FLAGS_DEFAULT),
+                py::arg("ur_cap_port") = 50002, py::arg("rt_priority") = RT_PRIORITY_UNDEFINED);
+    }
+    defineShowing(
+        cls, [](ShownControl&) {},
+        [](ShownControl& control) {
+            if (control.isConnected()) {
+                control.stopScript();
+            }
+            control.disconnect();
+        });
     cls.def("disconnect", &Control::disconnect, Unlocked());
     cls.def("reconnect", &Control::reconnect, Unlocked());
     cls.def("isConnected", &Control::isConnected, Unlocked());
-    cls.def("sendCustomScriptFunction", &Control::sendCustomScriptFunction, Unlocked());
-    cls.def("sendCustomScript", &Control::sendCustomScript, Unlocked());
-    cls.def("sendCustomScriptFile", &Control::sendCustomScriptFile, Unlocked());
-    cls.def("setCustomScriptFile", &Control::setCustomScriptFile, Unlocked());
+    cls.def("sendCustomScriptFunction", &Control::sendCustomScriptFunction, py::arg("function_name"),
+            py::arg("script"), Unlocked());
+    cls.def("sendCustomScript", &Control::sendCustomScript, py::arg("script"), Unlocked());
+    cls.def("sendCustomScriptFile", &Control::sendCustomScriptFile, py::arg("file_path"), Unlocked());
+    cls.def("setCustomScriptFile", &Control::setCustomScriptFile, py::arg("file_path"), Unlocked());
     cls.def("stopScript", &Control::stopScript, Unlocked());
     cls.def("reuploadScript", &Control::reuploadScript, Unlocked());
     cls.def("isProgramRunning", &Control::isProgramRunning, Unlocked());
     cls.def("getRobotStatus", &Control::getRobotStatus, Unlocked());
     cls.def("initPeriod", &Control::initPeriod, Unlocked());
-    cls.def("waitPeriod", &Control::waitPeriod, Unlocked());
+    cls.def("waitPeriod", &Control::waitPeriod, py::arg("t_cycle_start"), Unlocked());
 }
 
-void defineMoves(py::class_<Control>& cls) {
+void defineMoves(ControlClass& cls) {
     using Rows = std::vector<List>;
     cls.def("moveJ", py::overload_cast<const Rows&, bool>(&Control::moveJ), py::arg("path"),
             py::arg("asynchronous") = false, Unlocked());
@@ -119,18 +185,21 @@ void defineMoves(py::class_<Control>& cls) {
     cls.def("jogStart", &Control::jogStart, py::arg("speeds"),
             py::arg("feature") = static_cast<int>(Control::FEATURE_BASE), py::arg("acc") = 0.5,
             py::arg("custom_frame") = kZeros6, Unlocked());
-    cls.def("servoJ", &Control::servoJ, Unlocked());
-    cls.def("servoL", &Control::servoL, Unlocked());
+    cls.def("servoJ", &Control::servoJ, py::arg("q"), py::arg("speed"), py::arg("acceleration"),
+            py::arg("time"), py::arg("lookahead_time"), py::arg("gain"), Unlocked());
+    cls.def("servoL", &Control::servoL, py::arg("pose"), py::arg("speed"), py::arg("acceleration"),
+            py::arg("time"), py::arg("lookahead_time"), py::arg("gain"), Unlocked());
     cls.def("jogStop", &Control::jogStop, Unlocked());
     cls.def("getAsyncOperationProgress", &Control::getAsyncOperationProgress, Unlocked());
     cls.def("getAsyncOperationProgressEx", &Control::getAsyncOperationProgressEx, Unlocked());
-    cls.def("forceMode", &Control::forceMode, Unlocked());
+    cls.def("forceMode", &Control::forceMode, py::arg("task_frame"), py::arg("selection_vector"),
+            py::arg("wrench"), py::arg("type"), py::arg("limits"), Unlocked());
     cls.def("forceModeStop", &Control::forceModeStop, Unlocked());
-    cls.def("forceModeSetDamping", &Control::forceModeSetDamping, Unlocked());
-    cls.def("forceModeSetGainScaling", &Control::forceModeSetGainScaling, Unlocked());
+    cls.def("forceModeSetDamping", &Control::forceModeSetDamping, py::arg("damping"), Unlocked());
+    cls.def("forceModeSetGainScaling", &Control::forceModeSetGainScaling, py::arg("scaling"), Unlocked());
 }
 
-void defineRest(py::class_<Control>& cls) {
+void defineRest(ControlClass& cls) {
     cls.def("setPayload", &Control::setPayload, py::arg("mass"), py::arg("cog") = List(), Unlocked());
     cls.def("getInverseKinematics", &Control::getInverseKinematics, py::arg("x"), py::arg("qnear") = List(),
             py::arg("max_position_error") = 1e-10, py::arg("max_orientation_error") = 1e-10, Unlocked());
@@ -148,26 +217,28 @@ void defineRest(py::class_<Control>& cls) {
     cls.def("enableExternalFtSensor", &Control::enableExternalFtSensor, py::arg("enable"),
             py::arg("sensor_mass") = 0.0, py::arg("sensor_measuring_offset") = kZeros3,
             py::arg("sensor_cog") = kZeros3, Unlocked());
-    cls.def("toolContact", &Control::toolContact, Unlocked());
+    cls.def("toolContact", &Control::toolContact, py::arg("direction"), Unlocked());
     cls.def("getTargetWaypoint", &Control::getTargetWaypoint, Unlocked());
-    cls.def("getActualJointPositionsHistory", &Control::getActualJointPositionsHistory, Unlocked());
+    cls.def("getActualJointPositionsHistory", &Control::getActualJointPositionsHistory, py::arg("steps") = 0,
+            Unlocked());
     cls.def("getStepTime", &Control::getStepTime, Unlocked());
     cls.def("teachMode", &Control::teachMode, Unlocked());
     cls.def("endTeachMode", &Control::endTeachMode, Unlocked());
     cls.def("zeroFtSensor", &Control::zeroFtSensor, Unlocked());
-    cls.def("setTcp", &Control::setTcp, Unlocked());
+    cls.def("setTcp", &Control::setTcp, py::arg("tcp_offset"), Unlocked());
     cls.def("triggerProtectiveStop", &Control::triggerProtectiveStop, Unlocked());
     cls.def("kickWatchdog", &Control::kickWatchdog, Unlocked());
-    cls.def("isPoseWithinSafetyLimits", &Control::isPoseWithinSafetyLimits, Unlocked());
-    cls.def("isJointsWithinSafetyLimits", &Control::isJointsWithinSafetyLimits, Unlocked());
+    cls.def("isPoseWithinSafetyLimits", &Control::isPoseWithinSafetyLimits, py::arg("pose"), Unlocked());
+    cls.def("isJointsWithinSafetyLimits", &Control::isJointsWithinSafetyLimits, py::arg("q"), Unlocked());
     cls.def("getJointTorques", &Control::getJointTorques, Unlocked());
     cls.def("getTCPOffset", &Control::getTCPOffset, Unlocked());
     cls.def("isSteady", &Control::isSteady, Unlocked());
     cls.def("endFreedriveMode", &Control::endFreedriveMode, Unlocked());
     cls.def("getFreedriveStatus", &Control::getFreedriveStatus, Unlocked());
-    cls.def("setExternalForceTorque", &Control::setExternalForceTorque, Unlocked());
+    cls.def("setExternalForceTorque", &Control::setExternalForceTorque, py::arg("external_force_torque"),
+            Unlocked());
     cls.def("getActualToolFlangePose", &Control::getActualToolFlangePose, Unlocked());
-    cls.def("setGravity", &Control::setGravity, Unlocked());
+    cls.def("setGravity", &Control::setGravity, py::arg("direction"), Unlocked());
 }
 
 }  // namespace
@@ -176,8 +247,9 @@ PYBIND11_MODULE(rtde_control, module) {
     prepareModule();
     module.doc() = "Moves a Universal Robots arm through RTDE.";
     definePaths(module);
-    py::class_<Control> cls(module, "RTDEControlInterface");
+    ControlClass cls(module, "RTDEControlInterface");
     defineLife(cls);
     defineMoves(cls);
     defineRest(cls);
+    finishModule(module);
 }

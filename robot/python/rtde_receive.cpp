@@ -6,11 +6,12 @@
 
 using namespace tiller::python;
 using ur_rtde::RTDEReceiveInterface;
+using Receive = Shown<RTDEReceiveInterface>;
 
 PYBIND11_MODULE(rtde_receive, module) {
     prepareModule();
     module.doc() = "Reads and records what a Universal Robots arm sends over RTDE.";
-    py::class_<RTDEReceiveInterface> cls(module, "RTDEReceiveInterface");
+    py::class_<Receive> cls(module, "RTDEReceiveInterface");
     for (const char* host : kHostNames) {
         cls.def(py::init<std::string, double, std::vector<std::string>, bool, bool, int>(), py::arg(host),
                 py::arg("frequency") = -1.0, py::arg("variables") = std::vector<std::string>(),
@@ -19,7 +20,7 @@ PYBIND11_MODULE(rtde_receive, module) {
     }
     cls.def("startFileRecording", &RTDEReceiveInterface::startFileRecording, py::arg("filename"),
             py::arg("variables") = std::vector<std::string>(), Unlocked());
-    cls.def("waitPeriod", &RTDEReceiveInterface::waitPeriod, Unlocked());
+    cls.def("waitPeriod", &RTDEReceiveInterface::waitPeriod, py::arg("t_cycle_start"), Unlocked());
     cls.def("disconnect", &RTDEReceiveInterface::disconnect, Unlocked());
     cls.def("reconnect", &RTDEReceiveInterface::reconnect, Unlocked());
     cls.def("stopFileRecording", &RTDEReceiveInterface::stopFileRecording, Unlocked());
@@ -40,7 +41,7 @@ PYBIND11_MODULE(rtde_receive, module) {
     cls.def("getTargetTCPPose", &RTDEReceiveInterface::getTargetTCPPose, Unlocked());
     cls.def("getTargetTCPSpeed", &RTDEReceiveInterface::getTargetTCPSpeed, Unlocked());
     cls.def("getActualDigitalInputBits", &RTDEReceiveInterface::getActualDigitalInputBits, Unlocked());
-    cls.def("getDigitalInState", &RTDEReceiveInterface::getDigitalInState, Unlocked());
+    cls.def("getDigitalInState", &RTDEReceiveInterface::getDigitalInState, py::arg("input_id"), Unlocked());
     cls.def("getJointTemperatures", &RTDEReceiveInterface::getJointTemperatures, Unlocked());
     cls.def("getActualExecutionTime", &RTDEReceiveInterface::getActualExecutionTime, Unlocked());
     cls.def("getRobotMode", &RTDEReceiveInterface::getRobotMode, Unlocked());
@@ -56,7 +57,8 @@ PYBIND11_MODULE(rtde_receive, module) {
     cls.def("getActualRobotCurrent", &RTDEReceiveInterface::getActualRobotCurrent, Unlocked());
     cls.def("getActualJointVoltage", &RTDEReceiveInterface::getActualJointVoltage, Unlocked());
     cls.def("getActualDigitalOutputBits", &RTDEReceiveInterface::getActualDigitalOutputBits, Unlocked());
-    cls.def("getDigitalOutState", &RTDEReceiveInterface::getDigitalOutState, Unlocked());
+    cls.def("getDigitalOutState", &RTDEReceiveInterface::getDigitalOutState, py::arg("output_id"),
+            Unlocked());
     cls.def("getRuntimeState", &RTDEReceiveInterface::getRuntimeState, Unlocked());
     cls.def("getRobotStatus", &RTDEReceiveInterface::getRobotStatus, Unlocked());
     cls.def("getStandardAnalogInput0", &RTDEReceiveInterface::getStandardAnalogInput0, Unlocked());
@@ -65,12 +67,17 @@ PYBIND11_MODULE(rtde_receive, module) {
     cls.def("getStandardAnalogOutput1", &RTDEReceiveInterface::getStandardAnalogOutput1, Unlocked());
     cls.def("isProtectiveStopped", &RTDEReceiveInterface::isProtectiveStopped, Unlocked());
     cls.def("isEmergencyStopped", &RTDEReceiveInterface::isEmergencyStopped, Unlocked());
-    cls.def("getOutputIntRegister", &RTDEReceiveInterface::getOutputIntRegister, Unlocked());
-    cls.def("getOutputDoubleRegister", &RTDEReceiveInterface::getOutputDoubleRegister, Unlocked());
+    cls.def("getOutputIntRegister", &RTDEReceiveInterface::getOutputIntRegister, py::arg("output_id"),
+            Unlocked());
+    cls.def("getOutputDoubleRegister", &RTDEReceiveInterface::getOutputDoubleRegister, py::arg("output_id"),
+            Unlocked());
     cls.def("getSpeedScalingCombined", &RTDEReceiveInterface::getSpeedScalingCombined, Unlocked());
     cls.def("getFtRawWrench", &RTDEReceiveInterface::getFtRawWrench, Unlocked());
     cls.def("getPayload", &RTDEReceiveInterface::getPayload, Unlocked());
     cls.def("getPayloadCog", &RTDEReceiveInterface::getPayloadCog, Unlocked());
     cls.def("getPayloadInertia", &RTDEReceiveInterface::getPayloadInertia, Unlocked());
     cls.def("initPeriod", &RTDEReceiveInterface::initPeriod, Unlocked());
+    defineShowing(
+        cls, [](Receive&) {}, [](Receive& receive) { receive.disconnect(); });
+    finishModule(module);
 }

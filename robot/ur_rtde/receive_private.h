@@ -29,7 +29,7 @@ struct ur_rtde::RTDEReceiveInterface::Private {
     double number(std::string_view field) const;
     double registerValue(const std::string& field) const;
     double speed();
-    /// Starts and waits for the first package.
+    /// Starts and waits for the first package. The receiver goes on trying when none came.
     void start();
     bool waitForPackage(std::chrono::milliseconds atMost);
 };

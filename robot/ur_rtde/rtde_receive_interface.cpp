@@ -128,7 +128,6 @@ void RTDEReceiveInterface::Private::start() {
         const bool failed = receiver.state() == ReceiverState::Waiting;
         if (failed || deadline.hasExpired()) {
             const tiller::Error error = receiver.lastError();
-            receiver.stop();
             if (deadline.isCancelled()) {
                 throw tiller::urrtde::Interrupted();
             }

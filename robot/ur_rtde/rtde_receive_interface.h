@@ -2,7 +2,8 @@
 #pragma once
 
 // Reads what the robot sends over RTDE, and records it to CSV files. A thread of its own follows the stream
-// and connects again when it breaks; the getters give values of the newest package.
+// and goes on trying to connect when it breaks, until disconnect(); the getters give values of the newest
+// package, however old that is: isConnected() tells whether new ones come.
 //
 // Errors of the getters: std::runtime_error naming the field when it is not followed (see `variables`) or the
 // robot does not have it.
@@ -155,6 +156,8 @@ public:
     RTDEReceiveInterface& operator=(const RTDEReceiveInterface&) = delete;
 
     void disconnect();
+    /// Connects anew and waits for data. Returns  false when none came within 3 s; attempts go on by
+    /// themselves
     bool reconnect();
     bool isConnected();
 

@@ -63,6 +63,22 @@ class TestControl(unittest.TestCase):
         self.assertTrue(self.control.moveJ(START, vel=1.0, acc=1.4))
         self.assertTrue(self.control.moveJ(START, 1.0, acc=1.4))
 
+    def test_a_second_one_is_told_who_holds_the_registers(self):
+        self.assertEqual(repr(self.control), f"<rtde_control.RTDEControlInterface {self.robot.host}, connected>")
+        try:
+            second = RTDEControlInterface(self.robot.host)
+        except RuntimeError as error:
+            self.assertIn("still connected", str(error))
+            self.assertIn("disconnect()", str(error))
+        else:
+            second.disconnect()
+            self.fail("two objects have the same registers")
+        self.control.disconnect()
+        with RTDEControlInterface(self.robot.host) as control:
+            self.assertTrue(control.isProgramRunning())
+        self.assertFalse(control.isConnected())
+        self.assertTrue(self.control.reconnect())
+
     def test_custom_scripts(self):
         control = self.control
         self.assertTrue(control.sendCustomScriptFunction("mine", "set_standard_digital_out(1, True)\nsync()"))

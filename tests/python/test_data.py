@@ -32,6 +32,27 @@ class TestData(unittest.TestCase):
         with self.assertRaisesRegex(RuntimeError, "target_q"):
             receive.getTargetQ()
 
+    def test_a_failed_reconnect_leaves_the_automatic_one_running(self):
+        receive = RTDEReceiveInterface(self.robot.host)
+        self.robot.tell("freeze")
+        try:
+            self.assertFalse(receive.reconnect())
+        finally:
+            self.robot.tell("thaw")
+        self.assertTrue(until(receive.isConnected))
+        before = receive.getTimestamp()
+        self.assertTrue(until(lambda: receive.getTimestamp() > before))
+        receive.disconnect()
+        self.assertFalse(receive.isConnected())
+
+    def test_interfaces_end_with_their_block_and_show_themselves(self):
+        with RTDEReceiveInterface(self.robot.host) as receive:
+            self.assertEqual(repr(receive), f"<rtde_receive.RTDEReceiveInterface {self.robot.host}, connected>")
+        self.assertFalse(receive.isConnected())
+        with RTDEIOInterface(self.robot.host) as io:
+            self.assertTrue(io.setStandardDigitalOut(output_id=4, signal_level=False))
+        self.assertIn("not connected", repr(io))
+
     def test_vectors(self):
         receive = self.receive
         self.assertTrue(near(receive.getActualQ(), START))

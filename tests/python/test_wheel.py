@@ -47,7 +47,8 @@ class TestWheel(unittest.TestCase):
                 compile(text, module + ".pyi", "exec")
                 self.assertIn(f"class {name}:", text)
             with open(os.path.join(folder, "rtde_control.pyi"), encoding="utf-8") as stub:
-                self.assertIn("def moveJ(self, q: List[float], speed: float = 1.05", stub.read())
+                self.assertIn("def moveJ(self, q: _Floats, speed: float = 1.05", stub.read())
+            self.assertTrue(os.path.exists(os.path.join(folder, "rtde_control-stubs", "__init__.pyi")))
 
 
 if __name__ == "__main__":
