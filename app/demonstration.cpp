@@ -58,6 +58,8 @@ void Demonstration::start() {
         finish();
         return;
     }
+    // Its hand presses keys on the screen only: no button is down for a witness to see.
+    window_.setHoldWitness(HoldWitness::none());
     timer_.start();
 }
 

@@ -17,6 +17,7 @@
 #include "app/action_table.h"
 #include "app/connect_dialog.h"
 #include "app/sleep_watch.h"
+#include "widgets/common/hold_button.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/panel.h"
 #include "widgets/common/theme.h"
@@ -112,6 +113,12 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     status_ = new StatusLine(*session_, this);
     stopKeys_ = new StopKeys(*session_, clock, this);
     jog_->axisJog().setClock(clock);
+    jog_->setHoldTerms(holdTerms_);
+    for (HoldButton* key : findChildren<HoldButton*>()) {
+        key->guard().setTerms(holdTerms_);
+    }
+    setHoldWitness(HoldWitness::ofThisPlatform());
+    header_->setHoldNote([this] { return witness_->isThere() ? QString() : witness_->description(); });
     keyboard_ = new KeyboardJog(jog_->axisJog(), *this, this);
     keyboard_->setClock(clock);
     jog_->addHoldKeys(*keyboard_);
@@ -317,6 +324,15 @@ void MainWindow::connectDevices(const Clock& clock) {
         }
     });
     connect(devices_, &DeviceJog::stopPressed, this, [this] { stopMotion(control::StopCause::StopButton); });
+}
+
+void MainWindow::setHoldWitness(std::unique_ptr<HoldWitness> witness) {
+    for (HoldButton* key : findChildren<HoldButton*>()) {
+        key->guard().stop(control::StopCause::SelectionChanged);
+    }
+    jog_->axisJog().stop(control::StopCause::SelectionChanged);
+    holdTerms_.witness = witness.get();
+    witness_ = std::move(witness);
 }
 
 void MainWindow::lookForDevices() {

@@ -10,6 +10,8 @@
 
 #include "app/local_simulator.h"
 #include "app/settings.h"
+#include "widgets/common/hold_rules.h"
+#include "widgets/common/hold_witness.h"
 #include "widgets/session/robot_session.h"
 
 class QDockWidget;
@@ -56,6 +58,8 @@ public:
     WaypointsTab& waypoints() { return *waypoints_; }
     FramesTab& frames() { return *frames_; }
     DeviceJog& devices() { return *devices_; }
+    /// Who is asked whether a button or a key is still down. At first the one of this platform.
+    void setHoldWitness(std::unique_ptr<HoldWitness> witness);
     /// Looks for gamepads and a SpaceMouse from now on.
     void lookForDevices();
 
@@ -117,6 +121,8 @@ private:
     Preferences preferences_;  ///< as they hold now
     LocalSimulator simulator_;
     std::unique_ptr<RobotSession> session_;
+    std::unique_ptr<HoldWitness> witness_;
+    HoldTerms holdTerms_;
     std::unique_ptr<ProjectDocument> document_;
     std::unique_ptr<ProjectFiles> files_;  ///< saves on its way out what the document holds
 

@@ -382,6 +382,7 @@ void MainWindow::showSettings() {
     const QString theme = Theme::current().isDark() ? "dark" : "light";
     auto* page = new SettingsPage(preferences_, theme, *actions_, *devices_, this);
     page->setAttribute(Qt::WA_DeleteOnClose);
+    page->setHoldNote(witness_->description());
     connect(page, &SettingsPage::themeChosen, this, [this](const QString& chosen) {
         setTheme(chosen);
         settings_.setTheme(chosen);
@@ -409,6 +410,7 @@ void MainWindow::applyPreferences(const Preferences& preferences) {
             preferences.speedCap > Preferences::kOrdinaryCap ? Severity::Warning : Severity::Info,
             tr("Speed cap %1").arg(format::speed(preferences.speedCap)), Origin::Operator);
     }
+    holdTerms_.longestNs = preferences.longestHold * kNsPerSecond;
     // A copy: whoever hears of it may write into the original.
     const QMap<QString, DeviceTuning> tunings = preferences.devices;
     for (auto it = tunings.constBegin(); it != tunings.constEnd(); ++it) {

@@ -48,6 +48,12 @@ Preferences readPreferences(const QString& file) {
         // A file cannot raise it: only a hand on the settings page can.
         preferences.speedCap = std::clamp(cap, Preferences::kLowestCap, Preferences::kOrdinaryCap);
     }
+    bool isNumber = false;
+    const int hold = settings.value("motion/longestHold", Preferences::kUsualLongestHold).toInt(&isNumber);
+    if (isNumber) {
+        preferences.longestHold =
+            std::clamp(hold, Preferences::kShortestLongestHold, Preferences::kLongestLongestHold);
+    }
     for (const auto& [kind, first] :
          {std::pair{kGamepadKind, kGamepadTuning}, {kSpaceMouseKind, kSpaceMouseTuning}}) {
         settings.beginGroup("devices/" + kind);
@@ -74,6 +80,7 @@ void writePreferences(const QString& file, const Preferences& preferences) {
     settings.setValue("look/lengths", kLengths[static_cast<int>(preferences.notation.length)]);
     settings.setValue("look/rotations", kRotations[static_cast<int>(preferences.notation.rotation)]);
     settings.setValue("motion/speedCap", std::min(preferences.speedCap, Preferences::kOrdinaryCap));
+    settings.setValue("motion/longestHold", preferences.longestHold);
     for (auto it = preferences.devices.constBegin(); it != preferences.devices.constEnd(); ++it) {
         settings.beginGroup("devices/" + it.key());
         settings.setValue("deadZone", it->deadZone);

@@ -19,6 +19,8 @@ struct Preferences {
     Notation notation;
     /// Of the TCP and the elbow [m/s]. Above kOrdinaryCap it holds until the program ends and is not written.
     double speedCap = kOrdinaryCap;
+    /// After this time a held jog needs a new press [s].
+    int longestHold = kUsualLongestHold;
     /// By action id; only those that differ from the built-in ones. An empty one: no key.
     QMap<QString, QKeySequence> shortcuts;
 
@@ -28,6 +30,9 @@ struct Preferences {
     static constexpr double kOrdinaryCap = 0.250;
     static constexpr double kLowestCap = 0.010;
     static constexpr double kHighestCap = 1.0;
+    static constexpr int kUsualLongestHold = 20;
+    static constexpr int kShortestLongestHold = 5;
+    static constexpr int kLongestLongestHold = 120;
 
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };

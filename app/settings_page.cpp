@@ -92,6 +92,20 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
     capNote_ = note({}, "secondary");
     capNote_->setObjectName("settings.speedCapNote");
 
+    longestHold_ = new FigureBox;
+    longestHold_->setObjectName("settings.longestHold");
+    longestHold_->setAccessibleName(tr("Longest hold"));
+    longestHold_->setDecimals(0);
+    longestHold_->setRange(Preferences::kShortestLongestHold, Preferences::kLongestLongestHold);
+    longestHold_->setSingleStep(5);
+    longestHold_->setSuffix(tr(" s"));
+    longestHold_->setValue(preferences_.longestHold);
+    longestHold_->setToolTip(
+        tr("After this time a jog ends and its key has to be pressed again. Freedrive "
+           "has five minutes, a move to a place the time it takes and 5 s."));
+    holdNote_ = note({}, "secondary");
+    holdNote_->setObjectName("settings.holdNote");
+
     auto* form = new QFormLayout(page);
     form->setContentsMargins(0, 16, 0, 0);
     form->setVerticalSpacing(12);
@@ -106,6 +120,8 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
                       "secondary"));
     form->addRow(tr("Speed cap"), cap_);
     form->addRow(QString(), capNote_);
+    form->addRow(tr("Longest hold"), longestHold_);
+    form->addRow(QString(), holdNote_);
     showCap();
 
     connect(theme_, &QComboBox::activated, this,
@@ -121,6 +137,10 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
     });
     connect(rotations_, &QComboBox::activated, this, [this](int index) {
         preferences_.notation.rotation = static_cast<RotationNotation>(index);
+        Q_EMIT preferencesChanged(preferences_);
+    });
+    connect(longestHold_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        preferences_.longestHold = static_cast<int>(value);
         Q_EMIT preferencesChanged(preferences_);
     });
     connect(cap_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
@@ -277,6 +297,10 @@ bool SettingsPage::setShortcut(const QString& id, const QKeySequence& keys) {
     hint_->clear();
     Q_EMIT preferencesChanged(preferences_);
     return true;
+}
+
+void SettingsPage::setHoldNote(const QString& text) {
+    holdNote_->setText(text);
 }
 
 QString SettingsPage::hint() const {

@@ -35,6 +35,8 @@ public:
     /// Returns  false when the key is taken or reserved; hint() says by what
     bool setShortcut(const QString& id, const QKeySequence& keys);
     QString hint() const;
+    /// Says who confirms that a key is held, or that nobody does.
+    void setHoldNote(const QString& text);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -63,6 +65,8 @@ private:
     QComboBox* rotations_ = nullptr;
     FigureBox* cap_ = nullptr;
     QLabel* capNote_ = nullptr;
+    FigureBox* longestHold_ = nullptr;
+    QLabel* holdNote_ = nullptr;
     QTableWidget* shortcuts_ = nullptr;
     QLabel* hint_ = nullptr;
 };

@@ -176,6 +176,36 @@ private Q_SLOTS:
         bench.cell.advanceMs(200);
     }
 
+    void theLongestHoldIsChosenAndHoldsAtOnce() {
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        driveKeys(bench.cell, bench.window.jogColumn().holdKeys());
+        app::SettingsPage* page = bench.open();
+        auto* longest = page->findChild<QDoubleSpinBox*>("settings.longestHold");
+        QCOMPARE(longest->value(), 20.0);
+        longest->setFocus();
+        longest->selectAll();
+        QTest::keyClicks(longest, "6");
+        QTest::keyClick(longest, Qt::Key_Return);
+        QCOMPARE(page->preferences().longestHold, 6);
+        QVERIFY2(page->findChild<QLabel*>("settings.holdNote")->text().contains("witness"),
+                 "there is none on this screen");
+        page->close();
+        QCOMPARE(app::Settings(bench.file).preferences().longestHold, 6);
+        QVERIFY(bench.window.findChild<QWidget*>("lastStopChip")->toolTip().contains("witness"));
+        auto* key = bench.window.findChild<HoldButton*>("jog.Z+");
+        bench.window.jogColumn().setSpeedClass(0);
+        press(*key);
+        bench.cell.advanceMs(5900);
+        QVERIFY(!standsStill(bench.cell));
+        bench.cell.advanceMs(400);
+        QVERIFY(standsStill(bench.cell));
+        QVERIFY(!key->isHolding());
+        bench.cell.advanceMs(300);
+        QCOMPARE(bench.window.session().state().lastStop.cause, control::StopCause::HeldTooLong);
+        release(*key);
+    }
+
     void aLoweredCapStays() {
         QTemporaryDir folder;
         app::Settings settings(folder.filePath("settings.ini"));
@@ -198,6 +228,10 @@ private Q_SLOTS:
                                       << "-1";
         QTest::newRow("cap words") << "motion/speedCap"
                                    << "fast";
+        QTest::newRow("hold for ever") << "motion/longestHold"
+                                       << "1e9";
+        QTest::newRow("hold no number") << "motion/longestHold"
+                                        << "long";
         QTest::newRow("density") << "look/density"
                                  << "huge";
         QTest::newRow("lengths") << "look/lengths"
@@ -217,6 +251,8 @@ private Q_SLOTS:
         QSettings(file, QSettings::IniFormat).setValue(key, value);
         const Preferences read = app::readPreferences(file);
         QVERIFY(read.speedCap >= Preferences::kLowestCap && read.speedCap <= Preferences::kOrdinaryCap);
+        QVERIFY(read.longestHold >= Preferences::kShortestLongestHold &&
+                read.longestHold <= Preferences::kLongestLongestHold);
         QVERIFY(static_cast<int>(read.density) >= 0 && static_cast<int>(read.density) <= 2);
         QVERIFY(static_cast<int>(read.notation.length) <= 1);
         for (const DeviceTuning& tuning : read.devices) {

@@ -4,6 +4,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPointingDevice>
 #include <QTouchEvent>
 #include <QWheelEvent>
 
@@ -99,9 +100,12 @@ void HoldButton::paintEvent(QPaintEvent*) {
 void HoldButton::mousePressEvent(QMouseEvent* event) {
     event->accept();
     if (event->button() == Qt::LeftButton && event->buttons() == Qt::LeftButton) {
-        guard_.press();
+        // Where the window system makes a mouse of a finger, it is a finger still.
+        const bool finger =
+            event->device() != nullptr && event->device()->type() == QInputDevice::DeviceType::TouchScreen;
+        guard_.press({finger ? Grip::By::Touch : Grip::By::Mouse});
     } else {
-        guard_.stop(control::StopCause::SecondButton);
+        guard_.tell(HoldNews::Kind::PressedAgain);
     }
 }
 
@@ -158,9 +162,9 @@ bool HoldButton::touchEvent(QEvent* event) {
     if (event->type() == QEvent::TouchCancel) {
         guard_.stop(control::StopCause::DeviceLost);
     } else if (touch->points().size() != 1) {
-        guard_.stop(control::StopCause::SecondButton);
+        guard_.tell(HoldNews::Kind::PressedAgain);
     } else if (event->type() == QEvent::TouchBegin) {
-        guard_.press();
+        guard_.press({Grip::By::Touch});
     } else if (event->type() == QEvent::TouchEnd) {
         guard_.release();
     } else {

@@ -2,8 +2,8 @@
 #pragma once
 
 // A key that moves the arm while it is held: jog keys, joint keys, "Go to (hold)", "Home (hold)". It listens
-// to the left mouse button or one touch point only; keyboard and wheel never press it. The rules are
-// HoldGuard's.
+// to the left mouse button or one touch point only; keyboard and wheel never press it by themselves. The
+// rules are those of HoldRules.
 
 #include <QAbstractButton>
 
@@ -21,6 +21,8 @@ public:
     void setMotion(HoldMotion motion) { guard_.setMotion(std::move(motion)); }
     HoldGuard& guard() { return guard_; }
     bool isHolding() const { return guard_.active(); }
+    /// What is left of the longest hold [ns].
+    std::int64_t holdLeftNs() const { return guard_.leftNs(); }
 
     /// True while the robot confirms the motion this key asked for: blue border and tint.
     void setConfirmed(bool confirmed);

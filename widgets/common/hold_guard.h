@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The one place with the rules by which a held key moves the arm and, above all, stops it. A guard belongs to
-// one key. While its motion runs it watches the key, the window and the whole application, and the first
-// thing that is not plain holding ends the motion for good: a stopped motion needs a new press.
+// What stands between a key on the screen and the motion it holds. A guard belongs to one key; it begins the
+// motion at a press, keeps it alive while the rule book (HoldRules) finds nothing, and ends it for good at
+// the first thing that is not plain holding: a stopped motion needs a new press.
 
 #include <QObject>
 #include <QPoint>
@@ -14,6 +14,7 @@
 #include "robot/control/motion_types.h"
 #include "robot/core/clock.h"
 #include "robot/core/result.h"
+#include "widgets/common/hold_rules.h"
 
 class QWidget;
 
@@ -30,6 +31,8 @@ struct HoldMotion {
     /// Asked at the press: true for a short bounded step, which runs to its end after the key is let go.
     /// Every other rule still ends it. May be empty: then letting go ends the motion.
     std::function<bool()> runsToEnd;
+    /// Asked once the motion has begun: how far the hold reaches. May be empty: a motion without an end.
+    std::function<HoldBounds()> bounds = {};
 };
 
 class HoldGuard : public QObject {
@@ -37,7 +40,7 @@ class HoldGuard : public QObject {
 
 public:
     /// key    the widget that is held; must outlive the guard
-    /// clock  for noticing that the event loop stood still
+    /// clock  for everything that takes time
     explicit HoldGuard(QWidget& key, const Clock& clock = SteadyClock::shared());
     ~HoldGuard() override;
 
@@ -46,27 +49,30 @@ public:
 
     void setMotion(HoldMotion motion);
     void setClock(const Clock& clock);
+    /// terms  must outlive the guard
+    void setTerms(HoldTerms& terms);
 
-    bool active() const { return active_; }
+    bool active() const { return rules_.isActive(); }
     HoldMotion::Id motionId() const { return id_; }
 
     /// The key was pressed. Returns false when no motion began; refused() then says why.
-    bool press();
+    bool press(const Grip& grip = {});
     /// The key was let go.
     void release();
-    /// The pointer is at this place of the key while it is pressed.
+    /// The pointer or the finger is at this place of the key while it is pressed.
     void pointerMoved(const QPoint& position);
+    /// The keyboard that holds the key says something the key itself does not see.
+    void tell(HoldNews::Kind kind) { rules_.happen(kind); }
     /// Ends the motion, if there is one.
     void stop(control::StopCause cause);
     /// One refresh: calls hold(). A timer does this every 20 ms; tests in virtual time do it themselves.
     void pump();
 
+    /// What is left of the longest hold [ns].
+    std::int64_t leftNs() const { return rules_.leftNs(); }
+
     /// Period of the refresh. [ms]
-    static constexpr int kRefreshMs = 20;
-    /// How far the pointer may leave the key. [px]
-    static constexpr int kPointerSlack = 30;
-    /// A pause in the refresh after which the motion is given up. [ms]
-    static constexpr int kStallMs = 100;
+    static constexpr int kRefreshMs = HoldRules::kRefreshMs;
 
 Q_SIGNALS:
     void began();
@@ -75,23 +81,14 @@ Q_SIGNALS:
     /// A press that moved nothing, and why.
     void refused(const tiller::Error& error);
 
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
-    void watch(bool on);
-    bool filterKey(QEvent* event);
-    bool filterSecondPress(QObject* watched, QEvent* event);
-    void filterOwnKey(QEvent* event);
-    void filterWindow(QObject* watched, QEvent* event);
+    void finish();
 
     QWidget& key_;
-    const Clock* clock_;
+    HoldRules rules_;
     HoldMotion motion_;
     QTimer timer_;
     HoldMotion::Id id_ = 0;
-    std::int64_t lastPumpNs_ = 0;
-    bool active_ = false;
     bool pressed_ = false;
     bool runsToEnd_ = false;
 };

@@ -18,7 +18,7 @@ PhysicalKeys::Change PhysicalKeys::take(const QKeyEvent& event, int meaning) {
     const KeyCode code = codeOf(event);
     const bool known = down_.contains(code);
     if (event.isAutoRepeat()) {
-        return Change::Repeat;
+        return Change::Repeat;  // rule: auto-repeat
     }
     if (event.type() == QEvent::KeyRelease) {
         releasedCode_ = code;
@@ -28,7 +28,7 @@ PhysicalKeys::Change PhysicalKeys::take(const QKeyEvent& event, int meaning) {
     const bool pair = event.timestamp() != 0 && code == releasedCode_ && event.timestamp() == releasedAt_;
     down_.insert(code, meaning);
     if (pair) {
-        return Change::Repeat;
+        return Change::Repeat;  // rule: a keyboard that repeats in pairs
     }
     return known ? Change::DownAgain : Change::Down;
 }

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/jog/axis_jog.h"
 
-#include <QApplication>
-#include <QWidget>
 #include <algorithm>
 #include <utility>
 
-#include "widgets/common/hold_guard.h"
 #include "widgets/session/texts.h"
 
 namespace tiller {
@@ -36,11 +33,21 @@ control::JogTarget deflectionTarget(const JogSelection& selection, const Deflect
     return target;
 }
 
+std::int64_t jogSilenceNs(const control::JogTarget& target) {
+    return target.kind == control::JogTarget::Kind::Joint
+               ? HoldRules::silenceAt(0, target.qd.values.cwiseAbs().maxCoeff())
+               : HoldRules::silenceAt(target.twist.linear.norm(), target.twist.angular.norm());
+}
+
 AxisJog::AxisJog(const JogPort& port, const JogSelection& selection, std::function<QString()> obstacle,
                  QObject* parent)
-    : QObject(parent), port_(port), selection_(selection), obstacle_(std::move(obstacle)) {
+    : QObject(parent)
+    , port_(port)
+    , selection_(selection)
+    , obstacle_(std::move(obstacle))
+    , rules_([this](StopCause cause) { stop(cause); }) {
     timer_.setTimerType(Qt::PreciseTimer);
-    timer_.setInterval(HoldGuard::kRefreshMs);
+    timer_.setInterval(HoldRules::kRefreshMs);
     connect(&timer_, &QTimer::timeout, this, &AxisJog::pump);
 }
 
@@ -50,133 +57,108 @@ AxisJog::~AxisJog() {
 
 void AxisJog::setClock(const Clock& clock) {
     stop(StopCause::SelectionChanged);
-    clock_ = &clock;
+    rules_.setClock(clock);
+}
+
+void AxisJog::setTerms(HoldTerms& terms) {
+    stop(StopCause::SelectionChanged);
+    rules_.setTerms(terms);
+}
+
+control::JogTarget AxisJog::target() const {
+    return deflectionTarget(selection_, input_, factor_, port_.limits());
 }
 
 void AxisJog::setInput(const Deflection& deflection, double factor) {
-    input_ = deflection;
-    factor_ = factor;
-    inputNs_ = clock_->nowNs();
-    if (id_ != 0) {
-        endIfStalled(inputNs_);
-    }
-    if (deflection.isNeutral() || !deflection.deadMan) {
-        if (id_ != 0) {
-            stop(StopCause::Released);
+    const bool released = deflection.isNeutral() || !deflection.deadMan;
+    if (isActive() && deflection.grip.by != input_.grip.by) {
+        // Another hand than the one that moves the arm. As long as it lies still it disturbs nobody.
+        neutralOf(deflection.grip.by) = deflection.isNeutral();
+        if (!released) {
+            rules_.happen(HoldNews::Kind::PressedAgain);
         }
-        // The dead-man alone does not count as let go: the stick has to be in the middle.
-        neutral_ = deflection.isNeutral();
         return;
     }
-    if (id_ == 0 && neutral_) {
+    input_ = deflection;
+    factor_ = factor;
+    if (isActive()) {
+        rules_.happen(HoldNews::Kind::Input);
+        rules_.heard();
+    }
+    if (released) {
+        rules_.happen(HoldNews::Kind::LetGo);
+        // The dead-man alone does not count as let go: the stick has to be in the middle.
+        neutralOf(deflection.grip.by) = deflection.isNeutral();
+        return;
+    }
+    if (!isActive() && neutralOf(deflection.grip.by)) {
         begin();
-    } else if (id_ != 0 && port_.holdWith &&
-               !port_.holdWith(id_, deflectionTarget(selection_, input_, factor_, port_.limits()))) {
-        finish();
+    } else if (isActive()) {
+        rules_.setKeys(deflection.grip.keys);
+        if (port_.holdWith && !port_.holdWith(id_, target()) && isActive()) {
+            finish();
+        }
     }
 }
 
 void AxisJog::begin() {
-    neutral_ = false;  // whatever comes of it, the next motion needs a neutral device
-    // The program in front of which the operator sits is the one that may move the arm.
-    const QString why =
-        QApplication::activeWindow() == nullptr ? tr("Click into the window first.") : obstacle_();
+    neutralOf(input_.grip.by) = false;  // whatever comes of it, the next motion needs neutral hands
+    QString why = rules_.obstacle(nullptr, input_.grip);
+    if (why.isEmpty()) {
+        why = obstacle_();
+    }
     if (!why.isEmpty()) {
         Q_EMIT refused(why);
         return;
     }
-    const auto motion = port_.beginJog(deflectionTarget(selection_, input_, factor_, port_.limits()));
+    const auto motion = port_.beginJog(target());
     if (!motion) {
         Q_EMIT refused(texts::errorText(motion.error()));
         return;
     }
     id_ = *motion;
-    pumpedNs_ = clock_->nowNs();
+    rules_.begin(nullptr, input_.grip, {});
     timer_.start();
-    qApp->installEventFilter(this);
     Q_EMIT began();
 }
 
+void AxisJog::tell(HoldNews::Kind kind) {
+    if (input_.grip.by == Grip::By::Keys) {
+        rules_.happen(kind);
+    }
+}
+
+std::int64_t AxisJog::silenceNs() const {
+    return jogSilenceNs(target());
+}
+
 void AxisJog::stop(StopCause cause) {
-    if (id_ == 0) {
+    if (!isActive()) {
         return;
     }
-    port_.endMotion(std::exchange(id_, 0), cause);
+    rules_.end();
     timer_.stop();
-    qApp->removeEventFilter(this);
-    neutral_ = false;
+    neutralOf(input_.grip.by) = false;
+    port_.endMotion(std::exchange(id_, 0), cause);
     Q_EMIT ended(cause);
 }
 
+/// The session or the robot has ended it.
 void AxisJog::finish() {
-    id_ = 0;
+    rules_.end();
     timer_.stop();
-    qApp->removeEventFilter(this);
-    neutral_ = false;
+    id_ = 0;
+    neutralOf(input_.grip.by) = false;
     Q_EMIT ended(StopCause::None);
 }
 
-/// Nothing ran for so long: what the device asked for before it is too old to go on with.
-bool AxisJog::endIfStalled(std::int64_t nowNs) {
-    if (nowNs - pumpedNs_ <= HoldGuard::kStallMs * kNsPerMs) {
-        return false;
-    }
-    stop(StopCause::EventLoopStalled);
-    return true;
-}
-
 void AxisJog::pump() {
-    if (id_ == 0) {
+    if (!isActive() || rules_.happen(HoldNews::Kind::Refresh)) {
         return;
     }
-    const std::int64_t now = clock_->nowNs();
-    if (endIfStalled(now)) {
-        return;
-    }
-    if (input_.polled && now - inputNs_ > HoldGuard::kStallMs * kNsPerMs) {
-        stop(StopCause::DeviceLost);
-        return;
-    }
-    pumpedNs_ = now;
-    if (!port_.hold(id_)) {
+    if (!port_.hold(id_) && isActive()) {
         finish();
     }
-}
-
-bool AxisJog::eventFilter(QObject* watched, QEvent* event) {
-    switch (event->type()) {
-        case QEvent::MouseButtonPress:
-        case QEvent::MouseButtonDblClick:
-        case QEvent::TouchBegin:
-        case QEvent::TabletPress:
-            // A press passes the native window first and the widget then: decide at the widget.
-            if (watched->isWidgetType()) {
-                stop(StopCause::SecondButton);
-                return HoldGuard::isHoldKey(*watched);
-            }
-            break;
-        case QEvent::WindowDeactivate:
-        case QEvent::ApplicationDeactivate:
-            stop(StopCause::WindowDeactivated);
-            break;
-        case QEvent::WindowBlocked:
-            stop(StopCause::DialogOpened);
-            break;
-        case QEvent::Close:
-        case QEvent::Quit:
-            stop(StopCause::WindowClosed);
-            break;
-        case QEvent::Show: {
-            const auto* widget = qobject_cast<QWidget*>(watched);
-            if (widget != nullptr && widget->isWindow() && widget->windowType() != Qt::ToolTip) {
-                stop(StopCause::DialogOpened);
-            }
-            break;
-        }
-        default:
-            break;
-    }
-    return false;
 }
 
 }  // namespace tiller

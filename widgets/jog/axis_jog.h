@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The one place with the rules by which anything that is not a key on the screen jogs the arm: the keyboard,
-// a gamepad, a SpaceMouse. It takes deflections and a dead-man; the first thing that is not plain holding
-// ends the motion, and after that the device has to come back to neutral before it moves anything.
+// What stands between the arm and anything that is not a key on the screen: the armed keyboard, a gamepad, a
+// SpaceMouse. It takes deflections and a dead-man; the rules are those of HoldRules. After a motion has ended
+// whoever held it has to come back to neutral before it moves anything, and one hand does not do so for the
+// other.
 
 #include <QObject>
 #include <QTimer>
@@ -11,6 +12,7 @@
 
 #include "robot/core/clock.h"
 #include "robot/core/joints.h"
+#include "widgets/common/hold_rules.h"
 #include "widgets/jog/jog_motion.h"
 #include "widgets/jog/jog_port.h"
 
@@ -21,7 +23,9 @@ struct Deflection {
     Vector6 axes = Vector6::Zero();    ///< X Y Z Rx Ry Rz in the chosen frame
     Vector6 joints = Vector6::Zero();  ///< single joints; they count only while all axes are 0
     bool deadMan = false;
-    bool polled = false;  ///< comes again and again: once it does not, whoever reads the device hangs
+    /// Grip::By::Keys with the keys that hold, or Device: that comes again and again, and once it does not,
+    /// whoever reads the device hangs.
+    Grip grip = {Grip::By::Keys};
 
     bool isNeutral() const { return axes.isZero() && joints.isZero(); }
 };
@@ -29,6 +33,9 @@ struct Deflection {
 /// The velocity a deflection means.
 control::JogTarget deflectionTarget(const JogSelection& selection, const Deflection& deflection,
                                     double factor, const control::MotionLimits& limits);
+
+/// How long a finger or a stick may say nothing at this velocity [ns].
+std::int64_t jogSilenceNs(const control::JogTarget& target);
 
 /// Threads  GUI
 class AxisJog : public QObject {
@@ -42,15 +49,23 @@ public:
     ~AxisJog() override;
 
     void setClock(const Clock& clock);
+    /// terms  must outlive it
+    void setTerms(HoldTerms& terms);
     /// The device's newest state. Does nothing new while it stays the same.
     void setInput(const Deflection& deflection, double factor = 1.0);
     /// Ends the motion, if there is one; the device must come back to neutral.
     void stop(control::StopCause cause);
-    /// Whatever the device says now: before it moves anything it has to be neutral once.
-    void requireNeutral() { neutral_ = false; }
-    bool isActive() const { return id_ != 0; }
-    /// True while a device that was stopped has not been let go yet.
-    bool waitsForNeutral() const { return !neutral_; }
+    /// Whatever these hands say now: before they move anything they have to be neutral once.
+    void requireNeutral(Grip::By by) { neutralOf(by) = false; }
+    bool isActive() const { return rules_.isActive(); }
+    /// True while hands that were stopped have not let go yet.
+    bool waitsForNeutral(Grip::By by) { return !neutralOf(by); }
+    /// The keyboard says something of the motion it holds.
+    void tell(HoldNews::Kind kind);
+    /// How long a stick may say nothing at the speed it moves the arm with [ns].
+    std::int64_t silenceNs() const;
+    /// What is left of the longest hold [ns].
+    std::int64_t leftNs() const { return rules_.leftNs(); }
     /// One refresh; a timer does this every 20 ms, tests in virtual time do it themselves.
     void pump();
 
@@ -59,25 +74,22 @@ Q_SIGNALS:
     void ended(tiller::control::StopCause cause);
     void refused(const QString& reason);
 
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
     void begin();
     void finish();
-    bool endIfStalled(std::int64_t nowNs);
+    bool& neutralOf(Grip::By by) { return by == Grip::By::Device ? deviceNeutral_ : keysNeutral_; }
+    control::JogTarget target() const;
 
     const JogPort& port_;
     const JogSelection& selection_;
     std::function<QString()> obstacle_;
-    const Clock* clock_ = &SteadyClock::shared();
+    HoldRules rules_;
     QTimer timer_;
     Deflection input_;
     double factor_ = 1.0;
     RobotSession::MotionId id_ = 0;
-    std::int64_t pumpedNs_ = 0;
-    std::int64_t inputNs_ = 0;
-    bool neutral_ = true;
+    bool keysNeutral_ = true;
+    bool deviceNeutral_ = true;
 };
 
 }  // namespace tiller

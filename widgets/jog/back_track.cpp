@@ -67,6 +67,17 @@ Result<control::JogTarget> BackTrack::next() {
     return target;
 }
 
+HoldBounds BackTrack::bounds() const {
+    double way = 0;
+    const JointPositions* from = &now_;
+    for (auto place = trail_.rbegin(); place != trail_.rend(); ++place) {
+        way += apart(*from, *place);
+        from = &*place;
+    }
+    const double speed = std::max(speed_(), 1e-3);
+    return {HoldBounds::longestOf(way / speed), HoldRules::silenceAt(0, speed)};
+}
+
 HoldMotion BackTrack::motion() {
     return {
         .begin = [this]() -> Result<HoldMotion::Id> {
@@ -98,6 +109,7 @@ HoldMotion BackTrack::motion() {
                 port_.endMotion(id, cause);
             },
         .runsToEnd = {},
+        .bounds = [this] { return bounds(); },
     };
 }
 

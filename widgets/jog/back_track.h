@@ -39,6 +39,7 @@ public:
 
 private:
     Result<control::JogTarget> next();
+    HoldBounds bounds() const;
 
     const JogPort& port_;
     std::function<double()> speed_;

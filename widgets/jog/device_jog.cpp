@@ -80,7 +80,7 @@ void DeviceJog::use(const InputDevice* device) {
     }
     if (used_ != nullptr) {
         jog_.stop(StopCause::SelectionChanged);
-        jog_.setInput({});
+        jog_.setInput(wish(nullptr));
     }
     used_ = device;
     stopHeld_ = false;
@@ -89,7 +89,7 @@ void DeviceJog::use(const InputDevice* device) {
     heardNs_ = clock_->nowNs();
     if (device != nullptr) {
         // Whatever it says now: the first thing it has to do is to be neutral.
-        jog_.requireNeutral();
+        jog_.requireNeutral(Grip::By::Device);  // rule: neutral before the first motion
     }
     Q_EMIT devicesChanged();
 }
@@ -116,7 +116,7 @@ void DeviceJog::tune(const QString& kind, const DeviceTuning& tuning) {
     if (used_ != nullptr && used_->shape().kind == kind) {
         // The same stick means another speed now.
         jog_.stop(StopCause::SelectionChanged);
-        jog_.requireNeutral();
+        jog_.requireNeutral(Grip::By::Device);
     }
     tunings_[kind] = sane;
     Q_EMIT tuned(kind, sane);
@@ -133,11 +133,11 @@ DeviceReading DeviceJog::reading(const InputDevice* device) const {
 
 Deflection DeviceJog::wish(const InputDevice* device) const {
     Deflection deflection;
+    deflection.grip = {Grip::By::Device};
     if (device != nullptr) {
         const DeviceReading now = reading(device);
         deflection.axes = shaped(now.axes, shape(*device));
         deflection.deadMan = now.deadMan;
-        deflection.polled = true;
     }
     return deflection;
 }
@@ -151,8 +151,8 @@ void DeviceJog::poll() {
             continue;
         }
         if (devices_[i].get() == used_) {
-            jog_.stop(StopCause::DeviceLost);
-            jog_.setInput({});
+            jog_.stop(StopCause::DeviceLost);  // rule: the device is gone
+            jog_.setInput(wish(nullptr));
             used_ = nullptr;
             Q_EMIT lost(devices_[i]->name());
         }
@@ -174,38 +174,39 @@ void DeviceJog::poll() {
 
 void DeviceJog::follow(const DeviceReading& now) {
     if (now.stop && !stopHeld_) {
-        jog_.stop(StopCause::StopButton);
+        jog_.stop(StopCause::StopButton);  // rule: the device's stop key
         Q_EMIT stopPressed();
     }
     stopHeld_ = now.stop;
-    Deflection wanted = now.stop ? Deflection() : wish(used_);
+    Deflection wanted = now.stop ? wish(nullptr) : wish(used_);
 
     const std::int64_t nowNs = clock_->nowNs();
     if (now.fresh) {
         heardNs_ = nowNs;
     }
     const bool wasSilent = silent_;
-    silent_ = !wanted.isNeutral() && nowNs - heardNs_ > std::chrono::nanoseconds(silenceAtMost()).count();
+    silent_ = !wanted.isNeutral() && nowNs - heardNs_ > silenceAtMost().count();
     if (silent_) {
-        wanted = {};
+        wanted = wish(nullptr);
         if (!wasSilent && jog_.isActive()) {
-            jog_.stop(StopCause::DeviceLost);
+            jog_.stop(StopCause::DeviceLost);  // rule: the device falls silent
             Q_EMIT fellSilent(used_->name());
         }
     }
     // A device that lies still does not disturb whoever else jogs.
     const bool neutral = wanted.isNeutral();
-    if (!neutral || !wasNeutral_ || (jog_.waitsForNeutral() && !jog_.isActive())) {
+    if (!neutral || !wasNeutral_ || (jog_.waitsForNeutral(Grip::By::Device) && !jog_.isActive())) {
         jog_.setInput(wanted);
     }
     wasNeutral_ = neutral;
     if (now.stop || silent_) {
-        jog_.requireNeutral();
+        jog_.requireNeutral(Grip::By::Device);
     }
 }
 
-std::chrono::milliseconds DeviceJog::silenceAtMost() const {
-    return used_->shape().silenceAtMost;
+std::chrono::nanoseconds DeviceJog::silenceAtMost() const {
+    const std::chrono::nanoseconds atMost = used_->shape().silenceAtMost;
+    return jog_.isActive() ? std::min(atMost, std::chrono::nanoseconds(jog_.silenceNs())) : atMost;
 }
 
 }  // namespace tiller

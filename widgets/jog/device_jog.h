@@ -2,7 +2,7 @@
 #pragma once
 
 // Jogging with a gamepad or a SpaceMouse. A device moves the arm only after it was switched on here, only
-// while its dead-man is held, and after any stop only once it has come back to neutral; see AxisJog for the
+// while its dead-man is held, and after any stop only once it has come back to neutral; see HoldRules for the
 // rules.
 
 #include <QMap>
@@ -62,7 +62,7 @@ Q_SIGNALS:
 private:
     void look();
     void follow(const DeviceReading& now);
-    std::chrono::milliseconds silenceAtMost() const;
+    std::chrono::nanoseconds silenceAtMost() const;
 
     AxisJog& jog_;
     const Clock* clock_ = &SteadyClock::shared();

@@ -60,7 +60,7 @@ public:
         shape.kind = kGamepadKind;
         // SDL tells changes only. A pad with a sensor of its own turning always has some; the sticks of any
         // other may stay the same for a while in a quiet hand.
-        shape.silenceAtMost = std::chrono::milliseconds(gyro_ ? 200 : 2000);
+        shape.silenceAtMost = std::chrono::milliseconds(gyro_ ? 100 : 2000);
         shape.deadManName = QCoreApplication::translate("Gamepad", "left shoulder");
         shape.directions = QCoreApplication::translate(
             "Gamepad", "Left stick X and Y, right stick Z and turn. Right shoulder: the sticks turn.");

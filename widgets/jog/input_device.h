@@ -33,8 +33,9 @@ struct DeviceShape : DeviceTuning {
     QString deadManName;  ///< what has to be held: "left shoulder"
     QString directions;   ///< which stick moves what, in a sentence
     /// A hand is never quite still: deflected and without a report for longer than this, the device or its
-    /// driver hangs, and what it said last is nobody's wish any more.
-    std::chrono::milliseconds silenceAtMost{200};
+    /// driver hangs, and what it said last is nobody's wish any more. Longer than 100 ms it holds only as far
+    /// as HoldRules::silenceAt() lets the arm go.
+    std::chrono::milliseconds silenceAtMost{100};
 };
 
 inline const QString kGamepadKind = QStringLiteral("gamepad");

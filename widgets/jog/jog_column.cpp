@@ -268,6 +268,13 @@ QVector<HoldButton*> JogColumn::holdKeys() const {
     return keys;
 }
 
+void JogColumn::setHoldTerms(HoldTerms& terms) {
+    for (HoldButton* key : holdKeys()) {
+        key->guard().setTerms(terms);
+    }
+    axisJog_->setTerms(terms);
+}
+
 void JogColumn::stopMotion(StopCause cause) {
     for (HoldButton* key : holdKeys()) {
         key->guard().stop(cause);
@@ -319,7 +326,9 @@ void JogColumn::showReason() {
     back_->setUnavailable(!reason.isEmpty()                          ? reason
                           : track_->isEmpty() && !back_->isHolding() ? tr("The arm has not moved yet.")
                                                                      : QString());
-    if (!refusal_.isEmpty() && reason.isEmpty()) {
+    if (const QString last = countdown(); !last.isEmpty()) {
+        limiter_->setLimiter({last, tr("let go and press again")});
+    } else if (!refusal_.isEmpty() && reason.isEmpty()) {
         limiter_->setLimiter({refusal_, {}});
     } else {
         showLimiter();

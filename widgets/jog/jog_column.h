@@ -9,6 +9,7 @@
 #include <array>
 #include <memory>
 
+#include "widgets/common/hold_rules.h"
 #include "widgets/common/panel.h"
 #include "widgets/jog/freedrive_axes.h"
 #include "widgets/jog/jog_motion.h"
@@ -79,6 +80,9 @@ public:
     const JogSelection& selection() const { return selection_; }
     /// index  into speedClasses()
     void setSpeedClass(int index);
+    /// What holds for every key, and for devices and the keyboard.
+    /// terms  must outlive the column
+    void setHoldTerms(HoldTerms& terms);
     /// Ends the motion of whichever key is held. To be called before a tab, perspective or tool changes.
     void stopMotion(control::StopCause cause);
     /// True while a key of the column or a device is held and its motion runs.
@@ -127,8 +131,11 @@ private:
     void guardMotion(HoldButton* key, HoldMotion motion);
     void offerGhost(HoldButton* key, const QString& name, std::function<std::optional<MoveRequest>()> target);
     void showGhost(HoldButton* key);
+    Result<RobotSession::MotionId> beginJog(const control::JogTarget& target);
+    Result<RobotSession::MotionId> beginMove(const MoveRequest& request);
     Result<RobotSession::MotionId> beginFreedrive();
     QString deviceObstacle() const;
+    QString countdown() const;
 
     // jog_column_room.cpp
     void showLimiter();
@@ -149,6 +156,7 @@ private:
     FreedriveAxes freedriveAxes_ = FreedriveAxes::All;
     bool payloadChecked_ = true;  ///< freedrive looks at the forces first
     QString refusal_;
+    HoldBounds bounds_;  ///< of the motion begun last
 
     SegmentedControl* frame_ = nullptr;
     SegmentedControl* motion_ = nullptr;

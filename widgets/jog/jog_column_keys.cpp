@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "widgets/common/hold_button.h"
@@ -17,6 +18,7 @@
 #include "widgets/jog/keyboard_jog.h"
 #include "widgets/jog/pose_view.h"
 #include "widgets/jog/reasons.h"
+#include "widgets/session/move_time.h"
 #include "widgets/session/texts.h"
 
 namespace tiller {
@@ -78,7 +80,8 @@ void JogColumn::guardMotion(HoldButton* key, HoldMotion motion) {
     });
     connect(&key->guard(), &HoldGuard::refused, this, [this](const Error& error) {
         // Our own refusal is a whole sentence already.
-        const bool own = !state_.canMove() || error.code == ErrorCode::UnsafeState;
+        const bool own =
+            !state_.canMove() || error.code == ErrorCode::UnsafeState || error.code == ErrorCode::Cancelled;
         refusal_ = !state_.canMove() ? cannotMoveReason(state_)
                    : own             ? error.context
                                      : texts::errorText(error);
@@ -94,6 +97,7 @@ void JogColumn::guardKey(HoldButton* key, const Begin& begin, bool steps) {
                          .hold = port_.hold,
                          .end = port_.endMotion,
                          .runsToEnd = [this, steps] { return steps && stepRunsToEnd(selection_); },
+                         .bounds = [this] { return bounds_; },
                      });
 }
 
@@ -107,8 +111,8 @@ void JogColumn::connectKeys() {
             key,
             [this, axis, step] {
                 return isHeld(selection_.motion)
-                           ? port_.beginJog(cartesianJog(selection_, axis, heldFactor(), port_.limits()))
-                           : port_.beginMove(step());
+                           ? beginJog(cartesianJog(selection_, axis, heldFactor(), port_.limits()))
+                           : beginMove(step());
             },
             true);
         offerGhost(key, key->text(), [this, step]() -> std::optional<MoveRequest> {
@@ -124,9 +128,9 @@ void JogColumn::connectKeys() {
             guardKey(
                 key,
                 [this, joint = row->joint(), direction = direction, step] {
-                    return isHeld(selection_.motion) ? port_.beginJog(jointJog(selection_, joint, direction,
-                                                                               heldFactor(), port_.limits()))
-                                                     : port_.beginMove(step());
+                    return isHeld(selection_.motion) ? beginJog(jointJog(selection_, joint, direction,
+                                                                         heldFactor(), port_.limits()))
+                                                     : beginMove(step());
                 },
                 true);
             offerGhost(key, key->accessibleName(), [this, step]() -> std::optional<MoveRequest> {
@@ -143,11 +147,11 @@ void JogColumn::connectBottom() {
                         port_.limits());
     };
     guardKey(
-        homeKey_, [this, home] { return port_.beginMove(home()); }, false);
+        homeKey_, [this, home] { return beginMove(home()); }, false);
     offerGhost(homeKey_, tr("home"), home);
     const auto align = [this] { return alignMove(selection_, state_.tcpPose, port_.limits()); };
     guardKey(
-        align_, [this, align] { return port_.beginMove(align()); }, false);
+        align_, [this, align] { return beginMove(align()); }, false);
     offerGhost(align_, tr("aligned"), align);
     guardKey(
         freedrive_, [this] { return beginFreedrive(); }, false);
@@ -172,12 +176,39 @@ void JogColumn::addHoldKeys(KeyboardJog& keyboard) {
     keyboard.addHoldKey(Qt::Key_Backspace, back_->guard());
 }
 
+Result<RobotSession::MotionId> JogColumn::beginJog(const control::JogTarget& target) {
+    bounds_ = {0, jogSilenceNs(target)};
+    return port_.beginJog(target);
+}
+
+Result<RobotSession::MotionId> JogColumn::beginMove(const MoveRequest& request) {
+    const bool linear = request.kind == MoveRequest::Kind::MoveL;
+    bounds_ = {HoldBounds::longestOf(moveSeconds(request, state_)),
+               HoldRules::silenceAt(linear ? request.speed : 0, linear ? 0 : request.speed)};
+    return port_.beginMove(request);
+}
+
+/// Said in the last seconds of the longest hold of a motion that has no other end.
+QString JogColumn::countdown() const {
+    constexpr std::int64_t kSaidNs = 3 * kNsPerSecond;
+    std::int64_t left = axisJog_->leftNs();
+    for (const HoldButton* key : holdKeys()) {
+        left = std::min(left, key->holdLeftNs());
+    }
+    if (left > kSaidNs || !isHolding()) {
+        return {};
+    }
+    return tr("Ends in %1 s").arg(std::max<std::int64_t>(0, (left + kNsPerSecond - 1) / kNsPerSecond));
+}
+
 Result<RobotSession::MotionId> JogColumn::beginFreedrive() {
     if (payloadChecked_) {
         if (const QString doubt = payloadDoubt(state_); !doubt.isEmpty()) {
             return Error{ErrorCode::UnsafeState, doubt, {}};
         }
     }
+    constexpr std::int64_t kLongestFreedriveNs = 5 * 60 * kNsPerSecond;
+    bounds_ = {kLongestFreedriveNs, HoldRules::kLongestSilenceNs};
     return port_.beginFreedrive(
         freedriveOf(freedriveAxes_, frameAxes(selection_, state_.tcpPose), state_.tcpPose));
 }

@@ -1,29 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/jog/keyboard_jog.h"
 
-#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QFrame>
 #include <QKeyEvent>
-#include <QLineEdit>
-#include <QPlainTextEdit>
-#include <QTextEdit>
 #include <algorithm>
 #include <array>
 #include <utility>
 
+#include "widgets/common/text_entry.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
 
 namespace {
-
-bool takesText(const QWidget* widget) {
-    const auto* line = qobject_cast<const QLineEdit*>(widget);
-    return (line != nullptr && !line->isReadOnly()) || qobject_cast<const QTextEdit*>(widget) != nullptr ||
-           qobject_cast<const QPlainTextEdit*>(widget) != nullptr ||
-           qobject_cast<const QAbstractSpinBox*>(widget) != nullptr;
-}
 
 /// Set in the meaning of an arrow that turns.
 constexpr int kTurns = 0x4000'0000;
@@ -111,19 +101,23 @@ bool KeyboardJog::isMoving() const {
                                           [](const HoldGuard* guard) { return guard->active(); });
 }
 
-/// The keys stay known as held, so that their releases fit; they move nothing more before all are up.
-void KeyboardJog::stopAll(control::StopCause cause) {
+/// What the keyboard says ends the motion that keys hold. They stay known as held, so that their releases
+/// fit; they move nothing more before all are up.
+void KeyboardJog::tell(HoldNews::Kind kind) {
     for (HoldGuard* guard : std::as_const(holdKeys_)) {
-        guard->stop(cause);
+        guard->tell(kind);
     }
-    jog_.stop(cause);
-    jog_.requireNeutral();
+    jog_.tell(kind);
+    jog_.requireNeutral(Grip::By::Keys);  // rule: all keys up first
 }
 
 /// Releases that happen elsewhere are never seen: nothing counts as held any more.
 void KeyboardJog::forget(control::StopCause cause) {
-    stopAll(cause);
+    for (HoldGuard* guard : std::as_const(holdKeys_)) {
+        guard->stop(cause);
+    }
     keys_.clear();
+    jog_.stop(cause);
     jog_.setInput({});
 }
 
@@ -183,12 +177,6 @@ bool KeyboardJog::eventFilter(QObject* watched, QEvent* event) {
             }
             return false;
         }
-        case QEvent::FocusIn:
-            // From here on the keys write: what they held is let go.
-            if (!keys_.isEmpty() && takesText(qobject_cast<QWidget*>(watched))) {
-                stopAll(control::StopCause::FocusLost);
-            }
-            return false;
         case QEvent::Resize:
             if (watched == &window_) {
                 followWindow();
@@ -222,7 +210,7 @@ bool KeyboardJog::keyEvent(const QKeyEvent& event) {
     if (!known && !press) {
         // Let go without having been pressed. Where keys have no number it may be one of those that move.
         if (!event.isAutoRepeat() && isMoving() && (isJogKey(meaning) || !PhysicalKeys::hasNumber(code))) {
-            stopAll(control::StopCause::HoldUnproven);
+            tell(HoldNews::Kind::Unmatched);  // rule: release of a key that was not down
         }
         return false;
     }
@@ -236,7 +224,7 @@ bool KeyboardJog::keyEvent(const QKeyEvent& event) {
     switch (keys_.take(event, meaning)) {
         case PhysicalKeys::Change::Down:
             if (HoldGuard* guard = holdKeys_.value(meaning)) {
-                holdKeyPressed(*guard);
+                holdKeyPressed(*guard, code);
             } else {
                 jogKeyPressed(event);
             }
@@ -245,7 +233,7 @@ bool KeyboardJog::keyEvent(const QKeyEvent& event) {
             keyReleased(meaning);
             break;
         case PhysicalKeys::Change::DownAgain:
-            stopAll(control::StopCause::HoldUnproven);
+            tell(HoldNews::Kind::Unmatched);  // rule: press of a key that is down
             break;
         case PhysicalKeys::Change::Repeat:
         case PhysicalKeys::Change::Unknown:
@@ -259,21 +247,21 @@ void KeyboardJog::jogKeyPressed(const QKeyEvent& event) {
     const bool held = std::any_of(holdKeys_.begin(), holdKeys_.end(),
                                   [](const HoldGuard* guard) { return guard->active(); });
     if (held) {
-        stopAll(control::StopCause::SecondButton);  // one motion at a time
+        tell(HoldNews::Kind::OtherKey);  // rule: a jog key beside a hold key
     } else if (jog_.isActive() && modifiers != modifiers_) {
-        stopAll(control::StopCause::SelectionChanged);
+        tell(HoldNews::Kind::Modifier);  // rule: another modifier than at first
     } else {
         modifiers_ = modifiers;
         follow();
     }
 }
 
-void KeyboardJog::holdKeyPressed(HoldGuard& guard) {
+void KeyboardJog::holdKeyPressed(HoldGuard& guard, KeyCode code) {
     // One motion at a time: the second key stops the first and begins nothing.
     if (isMoving()) {
-        stopAll(control::StopCause::SecondButton);
+        tell(HoldNews::Kind::OtherKey);  // rule: a hold key beside another motion
     } else {
-        guard.press();
+        guard.press({Grip::By::Keys, {code}});
     }
 }
 
@@ -286,7 +274,7 @@ void KeyboardJog::keyReleased(int meaning) {
 
 void KeyboardJog::modifierChanged() {
     if (isMoving()) {
-        stopAll(control::StopCause::SelectionChanged);
+        tell(HoldNews::Kind::Modifier);  // rule: a modifier comes or goes
     }
 }
 
@@ -297,11 +285,12 @@ void KeyboardJog::follow() {
     for (const auto& [one, other] : kOpposites) {
         opposite = opposite || both(one, other) || both(one | kTurns, other | kTurns);
     }
-    const Deflection wish = deflection();
+    Deflection wish = deflection();
+    wish.grip = {Grip::By::Keys, keys_.codes()};
     // A contradiction is no wish, and a joint is not turned while the TCP is led. Taking one of the two keys
     // away again is no new press.
     if (opposite || (!wish.axes.isZero() && !wish.joints.isZero())) {
-        stopAll(control::StopCause::SecondButton);
+        tell(HoldNews::Kind::OtherKey);  // rule: keys that contradict each other
         return;
     }
     // Shift is how some layouts write the digits and signs, and no speed then.

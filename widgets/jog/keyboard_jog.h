@@ -48,11 +48,11 @@ protected:
 private:
     bool keyEvent(const QKeyEvent& event);
     void jogKeyPressed(const QKeyEvent& event);
-    void holdKeyPressed(HoldGuard& guard);
+    void holdKeyPressed(HoldGuard& guard, KeyCode code);
     void keyReleased(int meaning);
     void follow();
     void modifierChanged();
-    void stopAll(control::StopCause cause);
+    void tell(HoldNews::Kind kind);
     void forget(control::StopCause cause);
     bool isJogKey(int meaning) const;
     bool isMoving() const;

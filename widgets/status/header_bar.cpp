@@ -160,19 +160,30 @@ void HeaderBar::applyState(const SessionState& state) {
     }
 }
 
+void HeaderBar::setHoldNote(std::function<QString()> note) {
+    holdNote_ = std::move(note);
+    showLastStop();
+}
+
 void HeaderBar::showLastStop() {
     const control::StopMeasurement& last = state_.lastStop;
+    const QString note = holdNote_ ? holdNote_() : QString();
+    const auto advice = [&note](const QString& text) {
+        return note.isEmpty() ? text : text + QStringLiteral("\n") + note;
+    };
+    lastStop_->setCaption(note.isEmpty() ? tr("LAST STOP") : tr("LAST STOP · no witness"));
     if (!state_.lastStopSeen) {
         lastStop_->setState(tr("not seen"), StateChip::Shape::None, StateChip::Emphasis::Muted,
-                            tr("Data ended while the arm moved: how it stopped is not known."));
+                            advice(tr("Data ended while the arm moved: how it stopped is not known.")));
     } else if (last.count > 0) {
         lastStop_->setState(
             tr("%1 ms · %2").arg(last.durationMs, 0, 'f', 0).arg(format::length(last.distanceMm / 1e3, 1)),
             StateChip::Shape::None, StateChip::Emphasis::Normal,
-            tr("From the stop to standstill, measured. Cause: %1").arg(texts::stopCauseText(last.cause)));
+            advice(tr("From the stop to standstill, measured. Cause: %1")
+                       .arg(texts::stopCauseText(last.cause))));
     } else {
         lastStop_->setState(QStringLiteral("–"), StateChip::Shape::None, StateChip::Emphasis::Muted,
-                            tr("No stop measured yet"));
+                            advice(tr("No stop measured yet")));
     }
 }
 

@@ -42,6 +42,8 @@ public:
     enum class Menu { Robot, Power, Control };
     QWidget* menuChip(Menu menu) const;
     NextStep shownStep() const { return step_; }
+    /// note  asked for a sentence that says why nobody confirms that a key is held; empty: somebody does
+    void setHoldNote(std::function<QString()> note);
 
     static constexpr int kHeight = 76;
     QSize sizeHint() const override { return {1920, kHeight}; }
@@ -71,6 +73,7 @@ private:
     void showLastStop();
 
     HeaderPort port_;
+    std::function<QString()> holdNote_;
     SessionState state_;
     NextStep step_ = NextStep::None;
     QTimer linkPace_;

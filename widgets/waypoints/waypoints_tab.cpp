@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/waypoints/waypoints_tab.h"
 
-#include <QAbstractSpinBox>
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
@@ -11,17 +10,17 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
-#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QStackedWidget>
-#include <QTextEdit>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "widgets/common/hold_button.h"
 #include "widgets/common/notice_bar.h"
+#include "widgets/common/text_entry.h"
 #include "widgets/project/project_document.h"
+#include "widgets/session/move_time.h"
 #include "widgets/session/texts.h"
 #include "widgets/waypoints/waypoint_details.h"
 #include "widgets/waypoints/waypoint_model.h"
@@ -273,9 +272,12 @@ void WaypointsTab::setUpGoTo() {
         .hold = [this](HoldMotion::Id id) { return port_.hold(id); },
         .end = [this](HoldMotion::Id id, control::StopCause cause) { port_.endMotion(id, cause); },
         .runsToEnd = {},
+        .bounds = [this] { return goToBounds_; },
     });
     connect(&goTo_->guard(), &HoldGuard::refused, this, [this](const Error& error) {
-        const QString text = error.code == ErrorCode::NoSolution ? error.context : texts::errorText(error);
+        const QString text = error.code == ErrorCode::NoSolution || error.code == ErrorCode::Cancelled
+                                 ? error.context
+                                 : texts::errorText(error);
         showProblem(text);
         Q_EMIT message(Severity::Warning, text);
     });
@@ -300,16 +302,16 @@ Result<RobotSession::MotionId> WaypointsTab::beginGoTo() {
     if (!request) {
         return request.error();
     }
+    const bool linear = request->kind == MoveRequest::Kind::MoveL;
+    goToBounds_ = {HoldBounds::longestOf(moveSeconds(*request, state_)),
+                   HoldRules::silenceAt(linear ? request->speed : 0, linear ? 0 : request->speed)};
     return port_.beginMove(*request);
 }
 
 bool WaypointsTab::typingSomewhere() const {
     const QWidget* focus = QApplication::focusWidget();
     const auto* box = qobject_cast<const QComboBox*>(focus);
-    return qobject_cast<const QLineEdit*>(focus) != nullptr ||
-           qobject_cast<const QAbstractSpinBox*>(focus) != nullptr ||
-           qobject_cast<const QTextEdit*>(focus) != nullptr ||
-           qobject_cast<const QPlainTextEdit*>(focus) != nullptr || box != nullptr;
+    return takesText(focus) || qobject_cast<const QLineEdit*>(focus) != nullptr || box != nullptr;
 }
 
 bool WaypointsTab::goToKey(const QKeyEvent& key) {
@@ -319,7 +321,7 @@ bool WaypointsTab::goToKey(const QKeyEvent& key) {
         // Another key than the one that holds: two hands on the keyboard are no hold, and a release nobody
         // can place may have been that of the key itself.
         if (!key.isAutoRepeat()) {
-            goTo_->guard().stop(press ? control::StopCause::SecondButton : control::StopCause::HoldUnproven);
+            goTo_->guard().tell(press ? HoldNews::Kind::OtherKey : HoldNews::Kind::Unmatched);
         }
         return false;
     }
@@ -330,7 +332,7 @@ bool WaypointsTab::goToKey(const QKeyEvent& key) {
                 goTo_->guard().release();
                 break;
             case PhysicalKeys::Change::DownAgain:
-                goTo_->guard().stop(control::StopCause::HoldUnproven);
+                goTo_->guard().tell(HoldNews::Kind::Unmatched);
                 break;
             default:
                 break;
@@ -343,7 +345,7 @@ bool WaypointsTab::goToKey(const QKeyEvent& key) {
         return false;
     }
     if (goToKey_.take(key, Qt::Key_G) == PhysicalKeys::Change::Down) {
-        goTo_->guard().press();
+        goTo_->guard().press({Grip::By::Keys, {code}});
     }
     return true;
 }

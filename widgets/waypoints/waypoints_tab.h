@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "robot/project/waypoint_list.h"
+#include "widgets/common/hold_rules.h"
 #include "widgets/common/physical_keys.h"
 #include "widgets/session/robot_session.h"
 
@@ -141,6 +142,7 @@ private:
     QList<QAction*> actions_;
     QTimer detailsTimer_;
     QUuid lastSelected_;
+    HoldBounds goToBounds_;
     PhysicalKeys goToKey_;  ///< the key that holds "Go to", while it is down
 
     QPushButton* teach_ = nullptr;

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The second witness in front of a real X server: it knows keys and the left button, says nothing while the
+// server is frozen, and outlives its end.
+#include <QRegularExpression>
+#include <QTest>
+#include <csignal>
+
+#include "robot/core/clock.h"
+#include "tests/desktop/desktop_test.h"
+#include "widgets/common/xcb_witness.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+class TestXcbWitness : public QObject {
+    Q_OBJECT
+
+private:
+    static constexpr int kPatienceMs = DesktopCell::kPatienceMs;
+    QByteArray display_;
+    std::unique_ptr<Child> server_;
+
+    /// What was said by a question put after this call.
+    HoldWitness::Word fresh(const XcbWitness& witness, int code) {
+        const std::int64_t from = SteadyClock::shared().nowNs();
+        const auto word = [&] {
+            return code == 0 ? witness.leftButton() : witness.key(static_cast<KeyCode>(code));
+        };
+        if (!QTest::qWaitFor([&] { return word().askedNs > from; }, kPatienceMs)) {
+            qFatal("the witness says nothing");
+        }
+        return word();
+    }
+    static bool isDown(const HoldWitness::Word& word) { return word.downNs == word.askedNs; }
+
+private Q_SLOTS:
+    void init() {
+        server_ = std::make_unique<Child>();
+        // The server says on its output which number was free.
+        QVERIFY(server_->start(QStringLiteral("Xvfb"),
+                               {QStringLiteral("-displayfd"), QStringLiteral("1"), QStringLiteral("-screen"),
+                                QStringLiteral("0"), QStringLiteral("320x200x24")},
+                               QProcessEnvironment::systemEnvironment()));
+        static const QRegularExpression number(QStringLiteral("^(\\d+)$"),
+                                               QRegularExpression::MultilineOption);
+        QRegularExpressionMatch found;
+        QVERIFY2(QTest::qWaitFor(
+                     [&] {
+                         found = number.match(server_->output());
+                         return found.hasMatch();
+                     },
+                     kPatienceMs),
+                 qPrintable(server_->output()));
+        display_ = ':' + found.captured(1).toLatin1();
+        qputenv("DISPLAY", display_);
+    }
+    void cleanup() {
+        server_->signal(SIGCONT);
+        server_.reset();
+    }
+
+    void itSaysWhatIsDown() {
+        XcbWitness witness;
+        QVERIFY(QTest::qWaitFor([&] { return witness.isThere(); }, kPatienceMs));
+        XHand hand(QString::fromLatin1(display_));
+        QVERIFY(hand.isOpen());
+        witness.want(true);
+        QVERIFY(!isDown(fresh(witness, kRight)) && !isDown(fresh(witness, 0)));
+        hand.press(kRight);
+        QVERIFY(isDown(fresh(witness, kRight)));
+        QVERIFY(!isDown(fresh(witness, kLeft)));
+        hand.release(kRight);
+        hand.button(1, true);
+        QVERIFY(!isDown(fresh(witness, kRight)));
+        QVERIFY(isDown(fresh(witness, 0)));
+        hand.button(1, false);
+        hand.button(3, true);
+        QVERIFY2(!isDown(fresh(witness, 0)), "another button");
+        hand.button(3, false);
+    }
+
+    void itSleepsUntilItIsWanted() {
+        XcbWitness witness;
+        QVERIFY(QTest::qWaitFor([&] { return witness.isThere(); }, kPatienceMs));
+        QTest::qWait(50);
+        QCOMPARE(witness.leftButton().askedNs, 0);
+        witness.want(true);
+        QVERIFY(fresh(witness, 0).askedNs > 0);
+    }
+
+    void aFrozenServerIsSilenceAndNobodyWaitsForIt() {
+        {
+            XcbWitness witness;
+            QVERIFY(QTest::qWaitFor([&] { return witness.isThere(); }, kPatienceMs));
+            witness.want(true);
+            fresh(witness, 0);
+            server_->signal(SIGSTOP);
+            QVERIFY(QTest::qWaitFor([&] { return witness.waitingNs() > 150 * kNsPerMs; }, kPatienceMs));
+            const std::int64_t said = witness.leftButton().askedNs;
+            QTest::qWait(100);
+            QCOMPARE(witness.leftButton().askedNs, said);
+        }  // it ends with a question unanswered
+        server_->signal(SIGCONT);
+    }
+
+    void aDeadServerIsSilenceForEver() {
+        XcbWitness witness;
+        QVERIFY(QTest::qWaitFor([&] { return witness.isThere(); }, kPatienceMs));
+        witness.want(true);
+        fresh(witness, 0);
+        server_->signal(SIGKILL);
+        QVERIFY(QTest::qWaitFor([&] { return witness.waitingNs() > 150 * kNsPerMs; }, kPatienceMs));
+        QVERIFY2(witness.isThere(), "who was there once is not replaced by trust");
+    }
+
+    void withoutAServerThereIsNone() {
+        qputenv("DISPLAY", ":4711");
+        XcbWitness witness;
+        QTest::qWait(100);
+        QVERIFY(!witness.isThere());
+        QVERIFY(witness.description().contains(QStringLiteral("cannot be asked")));
+    }
+};
+
+TILLER_DESKTOP_MAIN(TestXcbWitness)
+#include "tst_xcb_witness.moc"

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Everything with which a hand can hold a motion, in front of an arm that only keeps time: the jog column,
+// the armed keyboard, a stick, "Go to", all under one set of terms with a witness that knows what is really
+// down. In virtual time.
+
+#include <QLineEdit>
+#include <QPointingDevice>
+#include <QSet>
+#include <QTest>
+#include <QVBoxLayout>
+#include <memory>
+#include <optional>
+
+#include "tests/support/jog_scene.h"
+#include "tests/support/key_events.h"
+#include "widgets/common/hold_witness.h"
+#include "widgets/jog/device_jog.h"
+#include "widgets/jog/keyboard_jog.h"
+#include "widgets/project/project_document.h"
+#include "widgets/waypoints/waypoints_tab.h"
+
+namespace tiller::test {
+
+/// A display server: what is down, and whether it answers.
+class FakeWitness : public HoldWitness {
+public:
+    explicit FakeWitness(const Clock& clock) : clock_(clock) {}
+
+    bool there = true;
+    bool leftDown = false;
+    QSet<KeyCode> keysDown;
+
+    /// From now on no question is answered.
+    void freeze(bool frozen) {
+        look();
+        frozenNs_ = frozen ? clock_.nowNs() : 0;
+    }
+    bool isFrozen() const { return frozenNs_ != 0; }
+    bool isWanted() const { return wanted_; }
+
+    bool isThere() const override { return there; }
+    void want(bool wanted) override { wanted_ = wanted; }
+    Word leftButton() const override {
+        look();
+        return left_;
+    }
+    Word key(KeyCode code) const override {
+        look();
+        return {left_.askedNs, keys_.value(code)};
+    }
+    std::int64_t waitingNs() const override { return isFrozen() ? clock_.nowNs() - frozenNs_ : 0; }
+    QString description() const override { return QStringLiteral("a witness for tests"); }
+
+private:
+    void look() const {
+        if (isFrozen()) {
+            return;
+        }
+        left_.askedNs = clock_.nowNs();
+        left_.downNs = leftDown ? clock_.nowNs() : left_.downNs;
+        for (const KeyCode code : keysDown) {
+            keys_[code] = clock_.nowNs();
+        }
+    }
+    const Clock& clock_;
+    std::int64_t frozenNs_ = 0;
+    bool wanted_ = false;
+    mutable Word left_;
+    mutable QHash<KeyCode, std::int64_t> keys_;
+};
+
+/// An arm by the contract: one slot; a motion ends 100 ms after its last refresh, a move when it has arrived.
+struct TimedArm {
+    explicit TimedArm(const Clock& clock_) : clock(clock_) {}
+
+    const Clock& clock;
+    std::uint64_t next = 0;
+    std::uint64_t running = 0;
+    std::int64_t refreshedNs = 0;
+    std::int64_t arrivesNs = 0;
+    std::int64_t moveNs = 3600 * kNsPerSecond;  ///< how long a move takes
+    std::int64_t movedNs = 0;                   ///< the last moment at which it moved
+    QList<control::StopCause> ends;
+    QSet<std::uint64_t> over;
+    bool broken = false;  ///< a motion that was over was taken for alive
+
+    bool moves() const {
+        return running != 0 && clock.nowNs() - refreshedNs <= 100 * kNsPerMs && clock.nowNs() < arrivesNs;
+    }
+    Result<std::uint64_t> begin(std::int64_t lastsNs) {
+        over.insert(running);
+        refreshedNs = clock.nowNs();
+        arrivesNs = clock.nowNs() + lastsNs;
+        return running = ++next;
+    }
+    bool hold(std::uint64_t id) {
+        if (id != running || !moves()) {
+            over.insert(id);
+            running = id == running ? 0 : running;
+            return false;
+        }
+        broken = broken || over.contains(id);
+        refreshedNs = clock.nowNs();
+        return true;
+    }
+    void end(std::uint64_t id, control::StopCause cause) {
+        broken = broken || cause == control::StopCause::None;
+        over.insert(id);
+        running = id == running ? 0 : running;
+        ends << cause;
+    }
+    JogPort port() {
+        constexpr std::int64_t kNoEnd = 24 * 3600 * kNsPerSecond;
+        return {.beginJog = [this](const control::JogTarget&) { return begin(kNoEnd); },
+                .beginMove = [this](const MoveRequest&) { return begin(moveNs); },
+                .hold = [this](std::uint64_t id) { return hold(id); },
+                .endMotion = [this](std::uint64_t id, control::StopCause cause) { end(id, cause); },
+                .limits = [] { return control::MotionLimits(); },
+                .beginFreedrive = [this](const control::Freedrive&) { return begin(kNoEnd); },
+                .holdWith = [this](std::uint64_t id, const control::JogTarget&) { return hold(id); }};
+    }
+    WaypointPort waypointPort() {
+        const JogPort doors = port();
+        return {.beginMove = doors.beginMove,
+                .hold = doors.hold,
+                .endMotion = doors.endMotion,
+                .limits = doors.limits};
+    }
+};
+
+struct StickDevice : InputDevice {
+    explicit StickDevice(std::optional<DeviceReading>& reading_, const QString& kind_)
+        : reading(reading_), kind(kind_) {}
+    std::optional<DeviceReading>& reading;
+    QString kind;
+    QString name() const override { return kind; }
+    DeviceShape shape() const override {
+        DeviceShape shape;
+        shape.kind = kind;
+        return shape;
+    }
+    std::optional<DeviceReading> read() override { return reading; }
+};
+struct StickSource : DeviceSource {
+    std::vector<std::unique_ptr<InputDevice>> waiting;
+    std::vector<std::unique_ptr<InputDevice>> appeared() override { return std::move(waiting); }
+};
+
+struct Hands {
+    VirtualClock clock;
+    TimedArm arm{clock};
+    FakeWitness witness{clock};
+    HoldTerms terms;
+    RobotSession session;
+    ProjectDocument document;
+    QWidget window;
+    QLineEdit* edit = new QLineEdit(&window);
+    JogColumn* column = new JogColumn(arm.port(), &window);
+    WaypointsTab* tab = new WaypointsTab(session, document, arm.waypointPort(), &window);
+    KeyboardJog keyboard{column->axisJog(), window};
+    DeviceJog devices{column->axisJog()};
+    std::optional<DeviceReading> gamepad = DeviceReading();
+    std::optional<DeviceReading> spaceMouse = DeviceReading();
+    std::unique_ptr<QPointingDevice> screen{QTest::createTouchDevice()};
+    int sincePumpMs = 0;
+    bool devicesRead = true;
+
+    Hands() {
+        session.shutDown();
+        terms.witness = &witness;
+        auto* layout = new QVBoxLayout(&window);
+        layout->addWidget(edit);
+        layout->addWidget(column);
+        layout->addWidget(tab);
+        window.resize(600, 1500);
+        keyboard.setClock(clock);
+        devices.setClock(clock);
+        column->axisJog().setClock(clock);
+        for (HoldButton* key : keys()) {
+            key->guard().setClock(clock);
+            key->guard().setTerms(terms);
+        }
+        column->setHoldTerms(terms);
+        column->addHoldKeys(keyboard);
+        window.show();
+        activate();
+        // A way behind the arm, so that "Back" leads somewhere, and a waypoint elsewhere.
+        SessionState state = readyState();
+        for (int i = 0; i < 20; ++i) {
+            state.q[0] += 0.05;
+            column->applyState(state);
+            Q_EMIT session.stateChanged(state);
+            if (i == 0) {
+                tab->teach();
+            }
+        }
+        tab->selectRow(0);
+        auto source = std::make_unique<StickSource>();
+        source->waiting.push_back(std::make_unique<StickDevice>(gamepad, kGamepadKind));
+        source->waiting.push_back(std::make_unique<StickDevice>(spaceMouse, kSpaceMouseKind));
+        devices.addSource(std::move(source));
+    }
+    ~Hands() { keyboard.setArmed(false); }
+
+    void activate() {
+        window.activateWindow();
+        if (!QTest::qWaitForWindowActive(&window)) {
+            qFatal("the window did not become active");
+        }
+    }
+    QVector<HoldButton*> keys() const {
+        QVector<HoldButton*> all = column->holdKeys();
+        all << tab->findChild<HoldButton*>(QStringLiteral("waypoint.goTo"));
+        return all;
+    }
+    HoldButton& key(const char* name) const {
+        auto* found = window.findChild<HoldButton*>(QLatin1String(name));
+        if (found == nullptr) {
+            qFatal("there is no %s", name);
+        }
+        return *found;
+    }
+    const InputDevice* device(const QString& kind) const {
+        for (const auto& each : devices.devices()) {
+            if (each->name() == kind) {
+                return each.get();
+            }
+        }
+        return nullptr;
+    }
+    /// Time goes on as timers would have it: every 10 ms devices are read, every 20 ms motions refreshed.
+    void advance(int ms) {
+        for (int t = 0; t < ms; t += 10) {
+            clock.advanceNs(10 * kNsPerMs);
+            arm.movedNs = arm.moves() ? clock.nowNs() : arm.movedNs;
+            if (devicesRead) {
+                devices.poll();
+            }
+            sincePumpMs += 10;
+            if (sincePumpMs >= 20) {
+                sincePumpMs = 0;
+                pump();
+            }
+        }
+    }
+    void pump() {
+        column->axisJog().pump();
+        for (HoldButton* key : keys()) {
+            key->guard().pump();
+        }
+    }
+    bool isHolding() const { return column->isHolding() || key("waypoint.goTo").isHolding(); }
+
+    // Each of these does what a hand does: the display server knows of it, and the window hears of it.
+    void mouse(QWidget& on, QEvent::Type type, Qt::MouseButton button = Qt::LeftButton, bool heard = true) {
+        if (button == Qt::LeftButton && type != QEvent::MouseMove) {
+            witness.leftDown = type != QEvent::MouseButtonRelease;
+        }
+        if (!heard) {
+            return;
+        }
+        const QPointF at = QRectF(on.rect()).center();
+        QMouseEvent event(type, at, on.mapToGlobal(at), button,
+                          type == QEvent::MouseButtonRelease ? Qt::MouseButtons() : Qt::MouseButtons(button),
+                          Qt::NoModifier);
+        QApplication::sendEvent(&on, &event);
+    }
+    void physicalKey(QEvent::Type type, quint32 code, int key, const KeyNews& news = {}, bool heard = true) {
+        if (type == QEvent::KeyPress) {
+            witness.keysDown.insert(code);
+        } else {
+            witness.keysDown.remove(code);
+        }
+        QWidget* focus = QApplication::focusWidget();
+        if (heard) {
+            sendKey(focus != nullptr ? *focus : window, type, code, key, news);
+        }
+    }
+    void touch(QEvent::Type type, QWidget& on, int point = 0) {
+        const QPoint at = on.rect().center();
+        auto sequence = QTest::touchEvent(&window, screen.get());
+        if (type == QEvent::TouchBegin) {
+            sequence.press(point, at, &on);
+        } else if (type == QEvent::TouchUpdate) {
+            trembles_ = !trembles_;
+            sequence.move(point, at + QPoint(trembles_ ? 1 : 0, 0), &on);
+        } else {
+            sequence.release(point, at, &on);
+        }
+    }
+    static DeviceReading pushed() {
+        DeviceReading reading;
+        reading.axes[2] = 1;
+        reading.deadMan = true;
+        return reading;
+    }
+
+private:
+    bool trembles_ = false;
+};
+
+}  // namespace tiller::test

@@ -1,0 +1,572 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every rule of the rule book for every way of holding: pad, joint keys, Go to, Back, Align, Home, Freedrive,
+// by mouse, finger and keyboard, the armed keyboard, gamepad and SpaceMouse.
+#include <QDialog>
+#include <QSignalSpy>
+#include <QTabletEvent>
+
+#include "tests/support/hands.h"
+#include "widgets/common/hold_rules.h"
+
+using namespace tiller;
+using namespace tiller::test;
+using control::StopCause;
+
+namespace {
+
+enum class By { Mouse, Finger, HeldKey, Keyboard, Stick };
+
+struct Way {
+    const char* name;
+    By by;
+    const char* key;      ///< on the screen, or null
+    quint32 code = 0;     ///< of the keyboard
+    int meaning = 0;      ///< of that key
+    double seconds = 20;  ///< the longest hold; 0: of a move
+};
+const Way kWays[] = {
+    {"pad", By::Mouse, "jog.X+"},
+    {"joint key", By::Mouse, "joint.2.minus"},
+    {"Go to", By::Mouse, "waypoint.goTo", 0, 0, 0},
+    {"Back", By::Mouse, "backKey", 0, 0, 0},
+    {"Align", By::Mouse, "alignKey", 0, 0, 0},
+    {"Home", By::Mouse, "homeKey", 0, 0, 0},
+    {"Freedrive", By::Mouse, "freedriveKey", 0, 0, 300},
+    {"pad by finger", By::Finger, "jog.Z+"},
+    {"Home by finger", By::Finger, "homeKey", 0, 0, 0},
+    {"Go to by G", By::HeldKey, "waypoint.goTo", scan::kG, Qt::Key_G, 0},
+    {"Home by keyboard", By::HeldKey, "homeKey", scan::kHome, Qt::Key_Home, 0},
+    {"Back by keyboard", By::HeldKey, "backKey", 22, Qt::Key_Backspace, 0},
+    {"Align by keyboard", By::HeldKey, "alignKey", 115, Qt::Key_End, 0},
+    {"Freedrive by keyboard", By::HeldKey, "freedriveKey", 41, Qt::Key_F, 300},
+    {"keyboard", By::Keyboard, nullptr, scan::kPageUp, Qt::Key_PageUp},
+    {"gamepad", By::Stick, "gamepad"},
+    {"SpaceMouse", By::Stick, "spaceMouse"},
+};
+constexpr int kWayCount = static_cast<int>(std::size(kWays));
+
+bool isKeyOfTheScreen(By by) {
+    return by == By::Mouse || by == By::Finger || by == By::HeldKey;
+}
+bool isByKeys(By by) {
+    return by == By::HeldKey || by == By::Keyboard;
+}
+bool isAny(By) {
+    return true;
+}
+
+/// Each rule: for which ways it is, and what a hand or the world does that it is for.
+struct Trial {
+    const char* rule;
+    bool (*isFor)(By);
+    StopCause cause;
+};
+const Trial kTrials[] = {
+    {"let go", isAny, StopCause::Released},
+    {"pointer leaves the key", [](By by) { return by == By::Mouse || by == By::Finger; },
+     StopCause::PointerLeft},
+    {"the key is pressed again", [](By by) { return by == By::Finger || by == By::Stick; },
+     StopCause::SecondButton},
+    {"another key of the keyboard", isByKeys, StopCause::SecondButton},
+    {"a modifier of the keyboard", isByKeys, StopCause::SelectionChanged},
+    {"a key that does not fit", isByKeys, StopCause::HoldUnproven},
+    {"Esc", isAny, StopCause::Escape},
+    {"Space", isAny, StopCause::Space},
+    {"a press anywhere", isAny, StopCause::SecondButton},
+    {"a press on a window's frame", isAny, StopCause::SecondButton},
+    {"a touch anywhere", isAny, StopCause::SecondButton},
+    {"a pen anywhere", isAny, StopCause::SecondButton},
+    {"the touch is cancelled", [](By by) { return by == By::Finger; }, StopCause::DeviceLost},
+    {"the key is greyed", isKeyOfTheScreen, StopCause::ControlLost},
+    {"the key is hidden", isKeyOfTheScreen, StopCause::SelectionChanged},
+    {"the key is moved elsewhere", isKeyOfTheScreen, StopCause::WindowClosed},
+    {"the key loses the focus", isKeyOfTheScreen, StopCause::FocusLost},
+    {"an editor gets the focus", isAny, StopCause::FocusLost},
+    {"the window is left", isAny, StopCause::WindowDeactivated},
+    {"the window is minimised", isAny, StopCause::WindowDeactivated},
+    {"the window is hidden", isAny, StopCause::WindowClosed},
+    {"a window is closed", isAny, StopCause::WindowClosed},
+    {"the window is blocked", isAny, StopCause::DialogOpened},
+    {"a window opens", isAny, StopCause::DialogOpened},
+    {"the application is left", isAny, StopCause::WindowDeactivated},
+    {"the application is inactive", isAny, StopCause::WindowDeactivated},
+    {"the application quits", isAny, StopCause::WindowClosed},
+    {"the event loop stood still", isAny, StopCause::EventLoopStalled},
+    {"the device is not read", [](By by) { return by == By::Stick; }, StopCause::DeviceLost},
+    {"the finger says nothing", [](By by) { return by == By::Finger; }, StopCause::HoldUnproven},
+    {"the witness says it is up", [](By by) { return by == By::Mouse || isByKeys(by); }, StopCause::Released},
+    {"the witness says nothing", [](By by) { return by == By::Mouse || isByKeys(by); },
+     StopCause::HoldUnproven},
+    {"held for too long", isAny, StopCause::HeldTooLong},
+};
+const char* const kBeginRules[] = {"no press in an inactive window", "no device while a dialog is open",
+                                   "no second hand", "no press while the witness is mute"};
+
+/// One event of that type and nothing else: what the rule alone sees.
+void send(QObject& to, QEvent::Type type) {
+    QEvent event(type);
+    QApplication::sendEvent(&to, &event);
+}
+
+class Holder {
+public:
+    Holder(Hands& hands, const Way& way) : h(hands), way_(way) {}
+
+    void prepare() {
+        h.keyboard.setArmed(isByKeys(way_.by) && way_.meaning != Qt::Key_G);
+        h.window.setFocus();
+        if (way_.by == By::Stick) {
+            h.devices.use(h.device(QLatin1String(way_.key)));
+            h.advance(20);  // it lies still
+        }
+    }
+    void press() {
+        switch (way_.by) {
+            case By::Mouse:
+                h.mouse(key(), QEvent::MouseButtonPress);
+                break;
+            case By::Finger:
+                h.touch(QEvent::TouchBegin, key());
+                break;
+            case By::HeldKey:
+            case By::Keyboard:
+                h.physicalKey(QEvent::KeyPress, way_.code, way_.meaning);
+                break;
+            case By::Stick:
+                stick() = Hands::pushed();
+                h.advance(10);
+                break;
+        }
+    }
+    void letGo() {
+        switch (way_.by) {
+            case By::Mouse:
+                h.mouse(key(), QEvent::MouseButtonRelease);
+                break;
+            case By::Finger:
+                h.touch(QEvent::TouchEnd, key());
+                break;
+            case By::HeldKey:
+            case By::Keyboard:
+                h.physicalKey(QEvent::KeyRelease, way_.code, way_.meaning);
+                break;
+            case By::Stick:
+                stick() = DeviceReading();
+                h.advance(10);
+                break;
+        }
+    }
+    /// Time goes on with the hand on the key, finger and stick trembling as they do.
+    void hold(int ms) {
+        for (int t = 0; t < ms; t += 20) {
+            if (way_.by == By::Finger && h.arm.moves()) {
+                h.touch(QEvent::TouchUpdate, key());
+            }
+            h.advance(20);
+        }
+    }
+    HoldButton& key() { return h.key(way_.key); }
+    std::optional<DeviceReading>& stick() {
+        return QLatin1String(way_.key) == kGamepadKind ? h.gamepad : h.spaceMouse;
+    }
+
+    Hands& h;
+    const Way& way_;
+};
+
+void provoke(const QByteArray& rule, Holder& holder) {
+    Hands& h = holder.h;
+    const Way& way = holder.way_;
+    QWidget& elsewhere = *h.edit;
+    if (rule == "let go") {
+        holder.letGo();
+    } else if (rule == "pointer leaves the key" && way.by == By::Mouse) {
+        const QPointF at(-31, 5);
+        QMouseEvent event(QEvent::MouseMove, at, holder.key().mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                          Qt::NoModifier);
+        QApplication::sendEvent(&holder.key(), &event);
+    } else if (rule == "pointer leaves the key") {
+        QTest::touchEvent(&h.window, h.screen.get()).move(0, QPoint(-31, 5), &holder.key());
+    } else if (rule == "the key is pressed again" && way.by == By::Finger) {
+        QTest::touchEvent(&h.window, h.screen.get())
+            .stationary(0)
+            .press(1, holder.key().rect().center() + QPoint(4, 4), &holder.key());
+    } else if (rule == "the key is pressed again") {
+        // The stick moves the arm, and an arrow of the keyboard is pressed: a second hand.
+        h.keyboard.setArmed(true);
+        h.physicalKey(QEvent::KeyPress, scan::kRight, Qt::Key_Right);
+    } else if (rule == "another key of the keyboard") {
+        // For the armed keyboard: the opposite of what is held.
+        h.physicalKey(QEvent::KeyPress, 117, Qt::Key_PageDown);
+    } else if (rule == "a modifier of the keyboard") {
+        if (way.meaning == Qt::Key_G) {
+            h.key("waypoint.goTo").guard().tell(HoldNews::Kind::Modifier);
+        } else {
+            h.physicalKey(QEvent::KeyPress, scan::kShift, Qt::Key_Shift, {Qt::ShiftModifier});
+        }
+    } else if (rule == "a key that does not fit") {
+        h.physicalKey(QEvent::KeyPress, way.code, way.meaning);
+    } else if (rule == "Esc" || rule == "Space") {
+        sendKey(h.window, QEvent::KeyPress, 9, rule == "Esc" ? Qt::Key_Escape : Qt::Key_Space);
+    } else if (rule == "a press anywhere") {
+        h.mouse(elsewhere, QEvent::MouseButtonPress, Qt::RightButton);
+    } else if (rule == "a press on a window's frame") {
+        send(h.window, QEvent::NonClientAreaMouseButtonPress);
+    } else if (rule == "a touch anywhere") {
+        // Where touches count at all: on another key. Elsewhere the window system makes a mouse of them.
+        QTouchEvent touch(QEvent::TouchBegin, h.screen.get());
+        QApplication::sendEvent(&h.key("jog.Ry-"), &touch);
+    } else if (rule == "a pen anywhere") {
+        QTabletEvent pen(QEvent::TabletPress, h.screen.get(), {}, {}, 1, 0, 0, 0, 0, 0, {}, Qt::LeftButton,
+                         Qt::LeftButton);
+        QApplication::sendEvent(&elsewhere, &pen);
+    } else if (rule == "the touch is cancelled") {
+        // The key hears it as the end of the touch as well; the filter hears it first.
+        send(holder.key(), QEvent::TouchCancel);
+    } else if (rule == "the key is greyed") {
+        QEvent event(QEvent::EnabledChange);
+        holder.key().blockSignals(true);
+        holder.key().setAttribute(Qt::WA_Disabled, true);
+        QApplication::sendEvent(&holder.key(), &event);
+        holder.key().setAttribute(Qt::WA_Disabled, false);
+        holder.key().blockSignals(false);
+    } else if (rule == "the key is hidden") {
+        send(holder.key(), QEvent::Hide);
+    } else if (rule == "the key is moved elsewhere") {
+        send(holder.key(), QEvent::ParentChange);
+    } else if (rule == "the key loses the focus") {
+        QFocusEvent event(QEvent::FocusOut, Qt::OtherFocusReason);
+        QApplication::sendEvent(&holder.key(), &event);
+    } else if (rule == "an editor gets the focus") {
+        QFocusEvent event(QEvent::FocusIn, Qt::OtherFocusReason);
+        QApplication::sendEvent(&elsewhere, &event);
+    } else if (rule == "the window is left") {
+        // Any window of the program: with a dock floating, another one may be the active one.
+        QWidget other;
+        send(other, QEvent::WindowDeactivate);
+    } else if (rule == "the window is minimised") {
+        const QWindowStateChangeEvent event(Qt::WindowNoState);
+        h.window.setWindowState(Qt::WindowMinimized);
+    } else if (rule == "the window is hidden") {
+        send(h.window, QEvent::Hide);
+    } else if (rule == "a window is closed") {
+        QCloseEvent event;
+        QWidget other;
+        QApplication::sendEvent(&other, &event);
+    } else if (rule == "the window is blocked") {
+        send(h.window, QEvent::WindowBlocked);
+    } else if (rule == "a window opens") {
+        QWidget other;
+        QShowEvent event;
+        QApplication::sendEvent(&other, &event);
+    } else if (rule == "the application is left") {
+        send(*qApp, QEvent::ApplicationDeactivate);
+    } else if (rule == "the application is inactive") {
+        Q_EMIT qApp->applicationStateChanged(Qt::ApplicationInactive);
+    } else if (rule == "the application quits") {
+        // To an object that does nothing about it.
+        QObject other;
+        send(other, QEvent::Quit);
+    } else if (rule == "the event loop stood still") {
+        h.clock.advanceNs(101 * kNsPerMs);
+        // The arm must not end it first: it would, by its own time to live.
+        h.arm.refreshedNs = h.clock.nowNs();
+        h.pump();
+    } else if (rule == "the device is not read") {
+        h.devicesRead = false;
+        h.advance(140);
+    } else if (rule == "the finger says nothing") {
+        h.advance(2100);
+    } else if (rule == "the witness says it is up") {
+        h.witness.leftDown = false;
+        h.witness.keysDown.clear();
+        h.advance(20);
+    } else if (rule == "the witness says nothing") {
+        h.witness.freeze(true);
+        h.advance(120);
+    } else if (rule == "held for too long") {
+        holder.hold(way.seconds == 0 ? 200'000 : static_cast<int>(way.seconds * 1000) + 40);
+    } else {
+        QFAIL(("no trial for the rule: " + rule).constData());
+    }
+}
+
+}  // namespace
+
+class TestHoldRules : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everyRuleHasATrial() {
+        QSet<QString> tried;
+        for (const Trial& trial : kTrials) {
+            tried.insert(QLatin1String(trial.rule));
+        }
+        for (const char* rule : kBeginRules) {
+            tried.insert(QLatin1String(rule));
+        }
+        const QStringList names = HoldRules::names();
+        QCOMPARE(QSet<QString>(names.begin(), names.end()), tried);
+        QCOMPARE(names.size(), tried.size());
+    }
+
+    void everyWayEndsByEveryRule_data() {
+        QTest::addColumn<int>("way");
+        QTest::addColumn<int>("trial");
+        for (int way = 0; way < kWayCount; ++way) {
+            for (int trial = 0; trial < static_cast<int>(std::size(kTrials)); ++trial) {
+                if (kTrials[trial].isFor(kWays[way].by)) {
+                    QTest::addRow("%s: %s", kWays[way].name, kTrials[trial].rule) << way << trial;
+                }
+            }
+        }
+    }
+    void everyWayEndsByEveryRule() {
+        QFETCH(int, way);
+        QFETCH(int, trial);
+        Hands hands;
+        Holder holder(hands, kWays[way]);
+        holder.prepare();
+        holder.press();
+        holder.hold(200);
+        QVERIFY2(hands.arm.moves(), "the way moves the arm, and nothing ends it");
+        QVERIFY(hands.arm.ends.isEmpty());
+        provoke(kTrials[trial].rule, holder);
+        if (QTest::currentTestFailed()) {
+            return;
+        }
+        QCOMPARE(hands.arm.ends.value(0), kTrials[trial].cause);
+        QVERIFY(!hands.arm.moves());
+        // The hand is still there, or comes back: nothing moves before a new press.
+        const std::uint64_t begun = hands.arm.next;
+        hands.devicesRead = true;
+        hands.witness.freeze(false);
+        holder.hold(400);
+        QVERIFY(!hands.arm.moves());
+        QCOMPARE(hands.arm.next, begun);
+        QVERIFY(!hands.witness.isWanted());
+    }
+
+    void aLongHoldIsNotTooLongBefore_data() {
+        QTest::addColumn<int>("way");
+        for (int way = 0; way < kWayCount; ++way) {
+            QTest::newRow(kWays[way].name) << way;
+        }
+    }
+    void aLongHoldIsNotTooLongBefore() {
+        QFETCH(int, way);
+        Hands hands;
+        Holder holder(hands, kWays[way]);
+        holder.prepare();
+        holder.press();
+        // A move takes at least the 5 s that it has besides its time.
+        const double seconds = kWays[way].seconds == 0 ? 5 : kWays[way].seconds;
+        holder.hold(static_cast<int>(seconds * 1000) - 100);
+        QVERIFY(hands.arm.moves());
+        QVERIFY(hands.arm.ends.isEmpty());
+    }
+
+    void theLongestHoldIsChosenAndCountedDown() {
+        Hands hands;
+        hands.terms.longestNs = 6 * kNsPerSecond;
+        Holder holder(hands, kWays[0]);
+        holder.prepare();
+        holder.press();
+        auto* line = hands.column->findChild<LimiterLine*>();
+        const auto said = [&] {
+            hands.column->applyState(readyState());
+            return line->limiter().what;
+        };
+        holder.hold(2900);
+        QVERIFY2(!said().startsWith("Ends in"), qPrintable(said()));
+        holder.hold(200);
+        QCOMPARE(said(), QStringLiteral("Ends in 3 s"));
+        holder.hold(2000);
+        QCOMPARE(said(), QStringLiteral("Ends in 1 s"));
+        QVERIFY(!line->limiter().advice.isEmpty());
+        holder.hold(1000);
+        QCOMPARE(hands.arm.ends, QList<StopCause>{StopCause::HeldTooLong});
+        QVERIFY(!said().startsWith("Ends in"));
+        holder.letGo();
+        holder.press();
+        QVERIFY2(hands.arm.moves(), "a new press moves");
+    }
+
+    void nothingBeginsInAnInactiveWindow_data() { aLongHoldIsNotTooLongBefore_data(); }
+    void nothingBeginsInAnInactiveWindow() {
+        QFETCH(int, way);
+        Hands hands;
+        Holder holder(hands, kWays[way]);
+        holder.prepare();
+        QApplication::setActiveWindow(nullptr);
+        if (isByKeys(kWays[way].by)) {
+            // Its keys do not come here at all then; a guard that is asked all the same refuses.
+            QVERIFY(kWays[way].key == nullptr ||
+                    !holder.key().guard().press({Grip::By::Keys, {kWays[way].code}}));
+        } else {
+            holder.press();
+        }
+        QCOMPARE(hands.arm.next, 0U);
+    }
+
+    void devicesBeginNothingWhileSomethingIsOpen_data() {
+        QTest::addColumn<int>("way");
+        QTest::addColumn<bool>("menu");
+        for (int way = 0; way < kWayCount; ++way) {
+            if (kWays[way].by == By::Stick || isByKeys(kWays[way].by)) {
+                QTest::addRow("%s, dialog", kWays[way].name) << way << false;
+                QTest::addRow("%s, menu", kWays[way].name) << way << true;
+            }
+        }
+    }
+    void devicesBeginNothingWhileSomethingIsOpen() {
+        QFETCH(int, way);
+        QFETCH(bool, menu);
+        Hands hands;
+        Holder holder(hands, kWays[way]);
+        holder.prepare();
+        QDialog dialog(&hands.window);
+        QMenu popup(&hands.window);
+        popup.addAction(QStringLiteral("one"));
+        if (menu) {
+            popup.popup(hands.window.mapToGlobal(QPoint(0, 0)));
+        } else {
+            dialog.show();
+            hands.activate();  // not modal: the window may be the active one
+        }
+        hands.keyboard.setArmed(isByKeys(kWays[way].by) && kWays[way].meaning != Qt::Key_G);
+        holder.press();
+        hands.advance(100);
+        QCOMPARE(hands.arm.next, 0U);
+        popup.close();
+        dialog.close();
+        hands.activate();
+        hands.keyboard.setArmed(isByKeys(kWays[way].by) && kWays[way].meaning != Qt::Key_G);
+        hands.window.setFocus();
+        hands.advance(100);
+        QCOMPARE(hands.arm.next, 0U);
+        holder.letGo();
+        hands.advance(40);
+        holder.press();
+        QVERIFY2(hands.arm.moves(), "a new press moves again");
+    }
+
+    void aSecondHandBeginsNothing() {
+        Hands hands;
+        Holder holder(hands, kWays[0]);
+        holder.prepare();
+        holder.press();
+        QSignalSpy refused(&hands.key("homeKey").guard(), &HoldGuard::refused);
+        QVERIFY(!hands.key("homeKey").guard().press({Grip::By::Keys, {scan::kHome}}));
+        QCOMPARE(refused.count(), 1);
+        QCOMPARE(hands.arm.next, 1U);
+    }
+
+    void nothingBeginsWhileTheWitnessIsMute_data() { aLongHoldIsNotTooLongBefore_data(); }
+    void nothingBeginsWhileTheWitnessIsMute() {
+        QFETCH(int, way);
+        Hands hands;
+        Holder holder(hands, kWays[way]);
+        holder.prepare();
+        hands.witness.freeze(true);
+        hands.advance(110);
+        holder.press();
+        const bool asked = kWays[way].by == By::Mouse || isByKeys(kWays[way].by);
+        QCOMPARE(hands.arm.next, asked ? 0U : 1U);
+    }
+
+    void withoutAWitnessMotionsGoOn_data() { aLongHoldIsNotTooLongBefore_data(); }
+    void withoutAWitnessMotionsGoOn() {
+        QFETCH(int, way);
+        Hands hands;
+        hands.witness.there = false;
+        hands.witness.freeze(true);
+        Holder holder(hands, kWays[way]);
+        holder.prepare();
+        holder.press();
+        holder.hold(2000);
+        QVERIFY(hands.arm.moves());
+        holder.letGo();
+        QVERIFY(!hands.arm.moves());
+    }
+
+    void theWitnessHasTimeToAnswerTheFirstQuestion() {
+        // The press comes before the answer to a question put after it.
+        Hands hands;
+        Holder holder(hands, kWays[0]);
+        holder.prepare();
+        hands.witness.freeze(true);
+        holder.press();
+        QVERIFY2(hands.arm.moves(), "at once");
+        hands.advance(80);
+        QVERIFY(hands.arm.moves());
+        hands.witness.freeze(false);
+        hands.advance(200);
+        QVERIFY(hands.arm.moves());
+    }
+
+    void aShortStepNeedsNobodyWhoHolds() {
+        Hands hands;
+        hands.arm.moveNs = 400 * kNsPerMs;
+        hands.column->findChild<SegmentedControl*>(QStringLiteral("jogMotion"))->setCurrentIndex(2);
+        Holder holder(hands, kWays[0]);
+        holder.prepare();
+        holder.press();
+        hands.witness.leftDown = false;  // a tap: up before anybody asks
+        hands.advance(100);
+        QVERIFY(hands.arm.moves());
+        holder.letGo();
+        hands.advance(200);
+        QVERIFY(hands.arm.moves());
+        sendKey(hands.window, QEvent::KeyPress, 9, Qt::Key_Escape);
+        QVERIFY2(!hands.arm.moves(), "any stop ends it");
+    }
+
+    void aQuietFingerLeadsTheArmABoundedWay_data() {
+        QTest::addColumn<int>("speedClass");
+        QTest::addColumn<double>("metresPerSecond");
+        const auto& classes = speedClasses();
+        for (int i = 0; i < kSpeedClassCount; ++i) {
+            QTest::addRow("%d", i) << i << classes.at(static_cast<std::size_t>(i)).tcp;
+        }
+    }
+    void aQuietFingerLeadsTheArmABoundedWay() {
+        QFETCH(int, speedClass);
+        QFETCH(double, metresPerSecond);
+        Hands hands;
+        hands.column->setSpeedClass(speedClass);
+        Holder holder(hands, kWays[7]);
+        holder.prepare();
+        holder.press();
+        hands.advance(80);
+        QVERIFY(hands.arm.moves());
+        const std::int64_t from = hands.clock.nowNs() - 80 * kNsPerMs;
+        hands.advance(3000);
+        QVERIFY(!hands.arm.moves());
+        const double seconds = static_cast<double>(hands.arm.movedNs - from) / kNsPerSecond;
+        QVERIFY(seconds <= 2.03);
+        QVERIFY2(metresPerSecond * seconds <= HoldRules::kSilentLength + metresPerSecond * 0.03,
+                 qPrintable(QString::number(metresPerSecond * seconds)));
+    }
+
+    void oneHandDoesNotLetGoForAnother() {
+        // A stick that was stopped while pushed out does not begin again because a key was tapped.
+        Hands hands;
+        Holder stick(hands, kWays[kWayCount - 2]);
+        stick.prepare();
+        hands.keyboard.setArmed(true);
+        stick.press();
+        QVERIFY(hands.arm.moves());
+        sendKey(hands.window, QEvent::KeyPress, 9, Qt::Key_Escape);
+        QVERIFY(!hands.arm.moves());
+        hands.physicalKey(QEvent::KeyPress, scan::kRight, Qt::Key_Right);
+        hands.physicalKey(QEvent::KeyRelease, scan::kRight, Qt::Key_Right);
+        const std::uint64_t begun = hands.arm.next;
+        hands.advance(200);
+        QVERIFY(!hands.arm.moves());
+        QCOMPARE(hands.arm.next, begun);
+    }
+};
+
+QTEST_MAIN(TestHoldRules)
+#include "tst_hold_rules.moc"

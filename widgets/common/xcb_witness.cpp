@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/xcb_witness.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+#include <xcb/xcb.h>
+#include <xcb/xcbext.h>
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+
+#include "robot/core/clock.h"
+
+namespace tiller {
+
+namespace {
+
+struct FreeReply {
+    void operator()(void* reply) const { std::free(reply); }  // NOLINT: as the library wants it
+};
+template <class Reply>
+using Owned = std::unique_ptr<Reply, FreeReply>;
+
+/// True once the answer to a request is there; null when the server refused.
+template <class Reply>
+bool taken(xcb_connection_t* link, unsigned int request, Owned<Reply>& into) {
+    void* reply = nullptr;
+    xcb_generic_error_t* error = nullptr;
+    if (xcb_poll_for_reply(link, request, &reply, &error) == 0) {
+        return false;
+    }
+    into.reset(static_cast<Reply*>(reply));
+    const Owned<xcb_generic_error_t> refused(error);
+    return true;
+}
+
+}  // namespace
+
+/// The connection, and the one question that may be under way.
+class XcbWitness::Link {
+public:
+    Link() : link_(xcb_connect(nullptr, nullptr)) {
+        if (isAlive()) {
+            root_ = xcb_setup_roots_iterator(xcb_get_setup(link_)).data->root;
+        }
+    }
+    ~Link() { xcb_disconnect(link_); }
+    Link(const Link&) = delete;
+    Link& operator=(const Link&) = delete;
+
+    bool isAlive() const { return xcb_connection_has_error(link_) == 0; }
+    int descriptor() const { return xcb_get_file_descriptor(link_); }
+    bool isAsking() const { return askedNs_ != 0; }
+    std::int64_t askedNs() const { return askedNs_; }
+
+    void ask(std::int64_t nowNs) {
+        askedNs_ = nowNs;
+        pointerTaken_ = keysTaken_ = false;
+        pointerRequest_ = xcb_query_pointer(link_, root_).sequence;
+        keysRequest_ = xcb_query_keymap(link_).sequence;
+        xcb_flush(link_);
+    }
+    /// Reads what has come. True once both answers are there.
+    bool answered(bool& button, std::array<bool, kKeys>& keys) {
+        while (const Owned<xcb_generic_event_t> news{xcb_poll_for_event(link_)}) {
+            // Nothing was asked for, but what comes has to be taken off.
+        }
+        if (!isAsking()) {
+            return false;
+        }
+        pointerTaken_ = pointerTaken_ || taken(link_, pointerRequest_, pointer_);
+        keysTaken_ = keysTaken_ || taken(link_, keysRequest_, keys_);
+        if (!pointerTaken_ || !keysTaken_) {
+            return false;
+        }
+        askedNs_ = 0;
+        button = pointer_ != nullptr && (pointer_->mask & XCB_BUTTON_MASK_1) != 0;
+        for (std::size_t code = 0; code < keys.size(); ++code) {
+            keys.at(code) = keys_ != nullptr && ((keys_->keys[code / 8] >> (code % 8)) & 1) != 0;
+        }
+        return true;
+    }
+
+private:
+    xcb_connection_t* link_;
+    xcb_window_t root_ = 0;
+    std::int64_t askedNs_ = 0;
+    unsigned int pointerRequest_ = 0;
+    unsigned int keysRequest_ = 0;
+    bool pointerTaken_ = false;
+    bool keysTaken_ = false;
+    Owned<xcb_query_pointer_reply_t> pointer_;
+    Owned<xcb_query_keymap_reply_t> keys_;
+};
+
+XcbWitness::XcbWitness() {
+    std::array<int, 2> ends{-1, -1};
+    if (::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0) {
+        return;  // no thread, so nobody is there
+    }
+    wakeRead_ = ends[0];
+    wakeWrite_ = ends[1];
+    thread_ = std::thread([this] { run(); });
+}
+
+XcbWitness::~XcbWitness() {
+    quit_ = true;
+    wake();
+    if (thread_.joinable()) {
+        thread_.join();
+    }
+    if (wakeRead_ >= 0) {
+        ::close(wakeRead_);
+        ::close(wakeWrite_);
+    }
+}
+
+void XcbWitness::wake() {
+    const char token = 0;
+    [[maybe_unused]] const auto written = ::write(wakeWrite_, &token, 1);  // full: it is awake anyway
+}
+
+void XcbWitness::want(bool wanted) {
+    if (wanted_.exchange(wanted) != wanted) {
+        wake();
+    }
+}
+
+HoldWitness::Word XcbWitness::leftButton() const {
+    const std::lock_guard lock(heard_);
+    return {askedNs_, buttonNs_};
+}
+
+HoldWitness::Word XcbWitness::key(KeyCode code) const {
+    const std::lock_guard lock(heard_);
+    return {askedNs_, code < kKeys ? keyNs_.at(code) : 0};
+}
+
+std::int64_t XcbWitness::waitingNs() const {
+    const std::int64_t since = waitingSinceNs_;
+    return since == 0 ? 0 : SteadyClock::shared().nowNs() - since;
+}
+
+QString XcbWitness::description() const {
+    return isThere()
+               ? QCoreApplication::translate("HoldWitness",
+                                             "The display server is asked every 10 ms whether the button or "
+                                             "key is still down.")
+               : QCoreApplication::translate(
+                     "HoldWitness",
+                     "The display server cannot be asked a second time: whether a key "
+                     "is still held is known from the window's events alone.");
+}
+
+void XcbWitness::note(std::int64_t askedNs, bool button, const std::array<bool, kKeys>& keys) {
+    const std::lock_guard lock(heard_);
+    askedNs_ = askedNs;
+    buttonNs_ = button ? askedNs : buttonNs_;
+    for (std::size_t code = 0; code < kKeys; ++code) {
+        keyNs_.at(code) = keys.at(code) ? askedNs : keyNs_.at(code);
+    }
+}
+
+void XcbWitness::run() {
+    const Clock& clock = SteadyClock::shared();
+    Link link;
+    if (!link.isAlive()) {
+        return;
+    }
+    there_ = true;
+    std::int64_t nextNs = 0;
+    while (!quit_) {
+        int timeoutMs = -1;
+        if (wanted_ && !link.isAsking()) {
+            const std::int64_t now = clock.nowNs();
+            if (now >= nextNs) {
+                nextNs = now + kAskMs * kNsPerMs;
+                waitingSinceNs_ = now;
+                link.ask(now);
+            } else {
+                timeoutMs = static_cast<int>((nextNs - now) / kNsPerMs) + 1;
+            }
+        }
+        std::array<pollfd, 2> ends{{{wakeRead_, POLLIN, 0}, {link.descriptor(), POLLIN, 0}}};
+        ::poll(ends.data(), ends.size(), timeoutMs);
+        std::array<char, 64> tokens{};
+        while (::read(wakeRead_, tokens.data(), tokens.size()) > 0) {
+        }
+        bool button = false;
+        std::array<bool, kKeys> keys{};
+        const std::int64_t asked = link.askedNs();
+        if (link.answered(button, keys)) {
+            note(asked, button, keys);
+            waitingSinceNs_ = 0;
+        }
+        if (!link.isAlive()) {
+            // It is not there any more, and never says anything again: every hold ends by that.
+            waitingSinceNs_ = waitingSinceNs_ == 0 ? clock.nowNs() - kNsPerSecond : waitingSinceNs_.load();
+            return;
+        }
+    }
+}
+
+}  // namespace tiller
