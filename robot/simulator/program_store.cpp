@@ -6,6 +6,8 @@
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QStringList>
+#include <algorithm>
 
 #include "robot/simulator/urp_file.h"
 
@@ -55,33 +57,41 @@ Error notThere(const QString& name) {
 bool ProgramStore::isWithin(const QString& path) const {
     const QString root = QDir(folder_).canonicalPath();
     const QString real = QFileInfo(path).canonicalFilePath();
-    return !root.isEmpty() && !real.isEmpty() && (real == root || real.startsWith(root + '/'));
+    return !root.isEmpty() && !real.isEmpty() &&
+           (real == root || real.startsWith(root.endsWith('/') ? root : root + '/'));
 }
 
 std::optional<QString> ProgramStore::find(const QString& name) const {
     if (folder_.isEmpty() || name.isEmpty() || name.contains(QChar(0))) {
         return std::nullopt;
     }
-    QString within = name;
+    const QString folder = QDir(folder_).absolutePath() + '/';
+    QStringList candidates;
     for (const char* const root : kProgramRoots) {
         if (name.startsWith(QLatin1String(root))) {
-            within = name.mid(QLatin1String(root).size());
-            break;
+            candidates << folder + name.mid(QLatin1String(root).size());
         }
     }
     // A full path stays one; whether it leads into the folder is seen where it ends.
-    const QString path =
-        within == name && QDir::isAbsolutePath(name) ? name : QDir(folder_).absolutePath() + '/' + within;
-    return QFileInfo(path).isFile() && isWithin(path) ? std::optional(path) : std::nullopt;
+    candidates << (QDir::isAbsolutePath(name) ? name : folder + name);
+    const auto found = std::ranges::find_if(
+        candidates, [this](const QString& path) { return QFileInfo(path).isFile() && isWithin(path); });
+    return found == candidates.end() ? std::nullopt : std::optional(*found);
 }
 
+/// What a client or a program names.
 std::optional<QByteArray> ProgramStore::read(const QString& name) const {
     const std::optional<QString> path = find(name);
     return path ? contentOf(*path) : std::nullopt;
 }
 
+/// What was found before: on this disk, where `/programs/` may be a folder like any other.
+std::optional<QByteArray> ProgramStore::readPath(const QString& path) const {
+    return isWithin(path) ? contentOf(path) : std::nullopt;
+}
+
 Result<std::string> ProgramStore::scriptOf(const QString& path) const {
-    const std::optional<QByteArray> content = read(path);
+    const std::optional<QByteArray> content = readPath(path);
     if (!content) {
         return notThere(path);
     }
@@ -91,7 +101,8 @@ Result<std::string> ProgramStore::scriptOf(const QString& path) const {
     if (!urp && !urpx) {
         return content->toStdString();
     }
-    if (const auto beside = read(file.dir().filePath(file.completeBaseName() + QStringLiteral(".script")))) {
+    const QString scriptName = file.completeBaseName() + QStringLiteral(".script");
+    if (const auto beside = readPath(file.dir().filePath(scriptName))) {
         return beside->toStdString();
     }
     if (urp) {

@@ -66,6 +66,7 @@ private:
     std::optional<QString> find(const QString& name) const;
     bool isWithin(const QString& path) const;
     std::optional<QByteArray> read(const QString& name) const;
+    std::optional<QByteArray> readPath(const QString& path) const;
     Result<std::string> scriptOf(const QString& path) const;
 
     QString folder_;

@@ -46,9 +46,11 @@ bool ScriptSockets::open(std::string_view name, std::string_view address, int po
     QTcpSocket* socket = connection.socket.get();
     QObject::connect(socket, &QTcpSocket::connected, socket,
                      [socket] { socket->setSocketOption(QAbstractSocket::LowDelayOption, 1); });
-    // The size of the system's buffer is settled when the connection is made.
-    const bool is6 = QHostAddress(host).protocol() == QAbstractSocket::IPv6Protocol;
-    if (socket->bind(is6 ? QHostAddress::AnyIPv6 : QHostAddress::AnyIPv4)) {
+    // The size of the system's buffer is settled when the connection is made. A name may lead to addresses of
+    // either kind, and keeps the system's own size.
+    const QHostAddress literal(host);
+    const bool is6 = literal.protocol() == QAbstractSocket::IPv6Protocol;
+    if (!literal.isNull() && socket->bind(is6 ? QHostAddress::AnyIPv6 : QHostAddress::AnyIPv4)) {
         socket->setSocketOption(QAbstractSocket::ReceiveBufferSizeSocketOption, static_cast<int>(kShare));
     }
     socket->connectToHost(host, static_cast<quint16>(port));

@@ -117,7 +117,7 @@ private Q_SLOTS:
         }
         const double begin = cell.robot.controller.truth().timestamp;
         // Long enough in the robot's own time, however slow the machine is.
-        while (cell.robot.controller.truth().timestamp < begin + 1.0) {
+        while (cell.robot.controller.truth().timestamp < begin + 0.3) {
             client->write(many);
             while (client->bytesToWrite() > (1 << 20) && client->waitForBytesWritten(100)) {
             }
