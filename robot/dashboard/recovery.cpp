@@ -82,20 +82,13 @@ Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const D
         if (!mode) {
             return mode.error();
         }
-        RecoveryStep next = RecoveryStep::Look;
-        if (*safety == SafetyMode::ProtectiveStop) {
-            next = RecoveryStep::Unlock;
-        } else if (*safety == SafetyMode::Violation || *safety == SafetyMode::Fault) {
-            next = RecoveryStep::RestartSafety;
-        } else if (!allowsMotion(*safety)) {
+        const RecoveryStep next = nextRecoveryStep(*safety, *mode);
+        if (next == RecoveryStep::AskPerson) {
             return Error{ErrorCode::Rejected, context(),
                          QStringLiteral("%1: it takes a person at the robot to end this")
                              .arg(safetyModeName(*safety))};
-        } else if (*mode == RobotMode::PowerOff) {
-            next = RecoveryStep::PowerOn;
-        } else if (*mode == RobotMode::Idle) {
-            next = RecoveryStep::ReleaseBrakes;
-        } else if (*mode == RobotMode::Running) {
+        }
+        if (next == RecoveryStep::Done) {
             tell(RecoveryStep::Done);
             return {};
         }
@@ -145,6 +138,28 @@ Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const D
 }
 
 }  // namespace
+
+RecoveryStep nextRecoveryStep(SafetyMode safety, RobotMode mode) {
+    if (safety == SafetyMode::ProtectiveStop) {
+        return RecoveryStep::Unlock;
+    }
+    if (safety == SafetyMode::Violation || safety == SafetyMode::Fault) {
+        return RecoveryStep::RestartSafety;
+    }
+    if (!allowsMotion(safety)) {
+        return RecoveryStep::AskPerson;
+    }
+    switch (mode) {
+        case RobotMode::PowerOff:
+            return RecoveryStep::PowerOn;
+        case RobotMode::Idle:
+            return RecoveryStep::ReleaseBrakes;
+        case RobotMode::Running:
+            return RecoveryStep::Done;
+        default:
+            return RecoveryStep::Look;
+    }
+}
 
 Result<void> recover(DashboardClient& client, const RecoveryConsent& consent, const Deadline& deadline,
                      const RecoveryProgress& progress) {

@@ -25,15 +25,25 @@ struct RecoveryConsent {
 };
 
 enum class RecoveryStep {
-    Look,
-    CloseSafetyPopup,
-    WaitForUnlock,  ///< the controller refuses for five seconds after the stop
-    Unlock,
-    RestartSafety,
+    Look,              ///< also: nothing to do but wait until the modes change
+    CloseSafetyPopup,  ///< once, before an unlock
+    WaitForUnlock,     ///< the controller refuses for kUnlockAfter
+    Unlock,            ///< of a protective stop
+    RestartSafety,     ///< after a violation or a fault
     PowerOn,
     ReleaseBrakes,
-    Done,
+    AskPerson,  ///< it ends when somebody at the robot ends it: emergency stop, safeguard, enabling device
+    Done,       ///< RUNNING, and the safety system lets the arm move
 };
+
+/// For so long a controller refuses to unlock a protective stop [s].
+/// Source  Dashboard Server guide, "unlock protective stop"
+inline constexpr double kUnlockAfter = 5.0;
+
+/// The one rule of the way back: what leads on from these modes.
+/// Returns  Look, Unlock, RestartSafety, PowerOn, ReleaseBrakes, AskPerson or Done
+/// Threads  any. Blocks: never. Real-time: yes
+RecoveryStep nextRecoveryStep(SafetyMode safety, RobotMode mode);
 
 /// Called in the thread of recover(), before each step.
 using RecoveryProgress = std::function<void(RecoveryStep)>;

@@ -58,7 +58,7 @@ struct Bench : WindowBench {
             box->setChecked(true);
         }
     }
-    bool takes(RecoveryStep step) {
+    bool takes(RecoveryKey step) {
         if (!until([&] { return page()->shownStep() == step && key()->isEnabled(); })) {
             return false;
         }
@@ -125,7 +125,7 @@ private Q_SLOTS:
         bench.cell.robot.protectiveStop();
         bench.cell.advanceMs(200);
         QVERIFY(bench.openPage());
-        QCOMPARE(bench.page()->shownStep(), RecoveryStep::Unlock);
+        QCOMPARE(bench.page()->shownStep(), RecoveryKey::Unlock);
         QVERIFY(bench.page()->findChild<QLabel*>("recoveryTitle")->text().contains("Protective stop"));
         QVERIFY(!bench.page()->findChild<QLabel*>("recoveryWhere")->text().isEmpty());
         const QList<StopPlot*> plots = bench.page()->findChildren<StopPlot*>();
@@ -157,12 +157,12 @@ private Q_SLOTS:
         QCOMPARE(bench.safety(), SafetyMode::ProtectiveStop);
         QTest::mouseClick(bench.key(), Qt::LeftButton);
         QVERIFY(bench.until([&] { return bench.safety() == SafetyMode::Normal; }));
-        QVERIFY(bench.takes(RecoveryStep::TakeControl));
+        QVERIFY(bench.takes(RecoveryKey::TakeControl));
         QVERIFY(bench.until([&] { return bench.window.session().state().canMove(); }));
         const Pose at = bench.cell.truth().tcpPose;
         bench.cell.advanceMs(500);
         QVERIFY2(distanceMm(at, bench.cell.truth().tcpPose) < 0.05, "nothing moves by itself");
-        QVERIFY(bench.takes(RecoveryStep::Done));
+        QVERIFY(bench.takes(RecoveryKey::Done));
         QTRY_VERIFY(bench.page() == nullptr);
     }
 
@@ -177,9 +177,9 @@ private Q_SLOTS:
         bench.cell.advanceMs(6000);
         QVERIFY(!bench.key()->isVisible());
         bench.cell.robot.emergencyStop(false);
-        QVERIFY(bench.takes(RecoveryStep::PowerOn));
-        QVERIFY(bench.takes(RecoveryStep::ReleaseBrakes));
-        QVERIFY(bench.takes(RecoveryStep::TakeControl));
+        QVERIFY(bench.takes(RecoveryKey::PowerOn));
+        QVERIFY(bench.takes(RecoveryKey::ReleaseBrakes));
+        QVERIFY(bench.takes(RecoveryKey::TakeControl));
         QVERIFY(bench.until([&] { return bench.window.session().state().canMove(); }));
     }
 
@@ -191,7 +191,7 @@ private Q_SLOTS:
         QVERIFY(!bench.key()->isVisible());
         QVERIFY(bench.page()->findChild<QLabel*>("recoveryWaiting")->text().contains("Nothing to press"));
         bench.cell.robot.safeguardStop(false);
-        QVERIFY(bench.until([&] { return bench.page()->shownStep() != RecoveryStep::None; }));
+        QVERIFY(bench.until([&] { return bench.page()->shownStep() != RecoveryKey::None; }));
         QVERIFY(bench.safety() == SafetyMode::Normal);
     }
 
@@ -206,12 +206,12 @@ private Q_SLOTS:
         QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
         fault ? bench.cell.robot.fault() : bench.cell.robot.violation();
         QVERIFY(bench.openPage());
-        QVERIFY(bench.until([&] { return bench.page()->shownStep() == RecoveryStep::RestartSafety; }));
+        QVERIFY(bench.until([&] { return bench.page()->shownStep() == RecoveryKey::RestartSafety; }));
         QVERIFY(!bench.key()->isEnabled());
         bench.tickAll();
-        QVERIFY(bench.takes(RecoveryStep::RestartSafety));
-        QVERIFY(bench.takes(RecoveryStep::PowerOn));
-        QVERIFY(bench.until([&] { return bench.page()->shownStep() == RecoveryStep::ReleaseBrakes; }));
+        QVERIFY(bench.takes(RecoveryKey::RestartSafety));
+        QVERIFY(bench.takes(RecoveryKey::PowerOn));
+        QVERIFY(bench.until([&] { return bench.page()->shownStep() == RecoveryKey::ReleaseBrakes; }));
     }
 
     void polyScopeXIsLedFromPowerOffToJoggingAndBackFromAStop() {
@@ -229,18 +229,18 @@ private Q_SLOTS:
 
         bench.cell.robot.protectiveStop();
         QVERIFY(bench.openPage());
-        QCOMPARE(bench.page()->shownStep(), RecoveryStep::Unlock);
+        QCOMPARE(bench.page()->shownStep(), RecoveryKey::Unlock);
         // For as long as one likes: nothing unlocks by itself.
         bench.cell.advanceMs(7000);
         QCOMPARE(bench.safety(), SafetyMode::ProtectiveStop);
         QVERIFY(!bench.key()->isEnabled());
         bench.tickAll();
-        QVERIFY(bench.takes(RecoveryStep::Unlock));
+        QVERIFY(bench.takes(RecoveryKey::Unlock));
         QVERIFY2(bench.until([&] { return bench.safety() == SafetyMode::Normal; }),
                  qPrintable(bench.cell.what()));
-        QVERIFY(bench.takes(RecoveryStep::TakeControl));
+        QVERIFY(bench.takes(RecoveryKey::TakeControl));
         QVERIFY(bench.until([&] { return bench.state().canMove(); }));
-        QVERIFY(bench.takes(RecoveryStep::Done));
+        QVERIFY(bench.takes(RecoveryKey::Done));
         bench.window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&bench.window));
         const double second = bench.jog();
@@ -257,12 +257,12 @@ private Q_SLOTS:
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         bench.cell.robot.fault();
         QVERIFY(bench.openPage());
-        QVERIFY(bench.until([&] { return bench.page()->shownStep() == RecoveryStep::RestartSafety; }));
+        QVERIFY(bench.until([&] { return bench.page()->shownStep() == RecoveryKey::RestartSafety; }));
         bench.tickAll();
-        QVERIFY(bench.takes(RecoveryStep::RestartSafety));
-        QVERIFY2(bench.takes(RecoveryStep::PowerOn), qPrintable(bench.cell.what()));
-        QVERIFY(bench.takes(RecoveryStep::ReleaseBrakes));
-        QVERIFY(bench.until([&] { return bench.page()->shownStep() == RecoveryStep::TakeControl; }));
+        QVERIFY(bench.takes(RecoveryKey::RestartSafety));
+        QVERIFY2(bench.takes(RecoveryKey::PowerOn), qPrintable(bench.cell.what()));
+        QVERIFY(bench.takes(RecoveryKey::ReleaseBrakes));
+        QVERIFY(bench.until([&] { return bench.page()->shownStep() == RecoveryKey::TakeControl; }));
     }
 
     void whatPolyScopeXHasNotSaysWhyOnItself() {

@@ -4,38 +4,42 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "robot/dashboard/recovery.h"
 #include "widgets/session/texts.h"
 
 namespace tiller {
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("RecoveryGuide", text);
-}
+/// The texts of this file for the translators: lupdate finds them by this name.
+struct RecoveryGuideText {
+    Q_DECLARE_TR_FUNCTIONS(RecoveryGuide)
+};
 
 /// After the safety system let go: the ordinary way up.
-RecoveryGuide wayUp(const SessionState& state) {
+RecoveryGuide wayUp(const SessionState& state, dashboard::RecoveryStep next) {
     RecoveryGuide guide;
-    guide.title = tr("Safety is normal again");
+    guide.title = RecoveryGuideText::tr("Safety is normal again");
     const ModeWords mode = robotModeWords(state.robotMode);
     guide.what = mode.advice;
-    switch (state.robotMode) {
-        case RobotMode::PowerOff:
-            guide.step = RecoveryStep::PowerOn;
+    switch (next) {
+        case dashboard::RecoveryStep::PowerOn:
+            guide.step = RecoveryKey::PowerOn;
             break;
-        case RobotMode::Idle:
-            guide.step = RecoveryStep::ReleaseBrakes;
+        case dashboard::RecoveryStep::ReleaseBrakes:
+            guide.step = RecoveryKey::ReleaseBrakes;
             break;
-        case RobotMode::Running:
+        case dashboard::RecoveryStep::Done:
             guide.step =
-                state.control == ControlState::InControl ? RecoveryStep::Done : RecoveryStep::TakeControl;
+                state.control == ControlState::InControl ? RecoveryKey::Done : RecoveryKey::TakeControl;
             guide.what =
-                guide.step == RecoveryStep::Done
-                    ? tr("The arm can be moved. What was armed before the stop does not move it: every "
-                         "motion needs a new press.")
-                    : tr("The arm is ready. Take control to move it, or go on on the teach pendant.");
+                guide.step == RecoveryKey::Done
+                    ? RecoveryGuideText::tr(
+                          "The arm can be moved. What was armed before the stop does not move it: every "
+                          "motion needs a new press.")
+                    : RecoveryGuideText::tr(
+                          "The arm is ready. Take control to move it, or go on on the teach pendant.");
             if (state.control == ControlState::Taking) {
-                guide.waiting = tr("Taking control…");
+                guide.waiting = RecoveryGuideText::tr("Taking control…");
             }
             break;
         default:
@@ -49,39 +53,41 @@ RecoveryGuide wayUp(const SessionState& state) {
 RecoveryGuide guideFor(const SessionState& state, double sinceStop) {
     RecoveryGuide guide;
     if (!state.hasData() || state.link != LinkState::Live) {
-        guide.title = tr("No data from the robot");
+        guide.title = RecoveryGuideText::tr("No data from the robot");
         guide.what = state.linkReason;
-        guide.waiting = tr("Waiting for the connection");
+        guide.waiting = RecoveryGuideText::tr("Waiting for the connection");
         return guide;
     }
     const SafetyStatus status = state.safety();
+    const dashboard::RecoveryStep next = dashboard::nextRecoveryStep(status, state.robotMode);
     if (allowsMotion(status)) {
-        return wayUp(state);
+        return wayUp(state, next);
     }
     const ModeWords words = safetyWords(status);
     guide.title = words.text;
     guide.what = words.advice;
-    switch (status) {
-        case SafetyMode::ProtectiveStop: {
-            guide.checks = {tr("I looked at the arm: nobody touches it, nothing is caught."),
-                            tr("What stopped it is known and removed."),
-                            tr("Payload and TCP are those of the tool that is mounted.")};
-            guide.step = RecoveryStep::Unlock;
-            const double left = kUnlockAfter - sinceStop;
+    switch (next) {
+        case dashboard::RecoveryStep::Unlock: {
+            guide.checks = {
+                RecoveryGuideText::tr("I looked at the arm: nobody touches it, nothing is caught."),
+                RecoveryGuideText::tr("What stopped it is known and removed."),
+                RecoveryGuideText::tr("Payload and TCP are those of the tool that is mounted.")};
+            guide.step = RecoveryKey::Unlock;
+            const double left = dashboard::kUnlockAfter - sinceStop;
             if (left > 0) {
                 guide.countdown = static_cast<int>(std::ceil(left));
-                guide.waiting = tr("Possible in %1 s").arg(guide.countdown);
+                guide.waiting = RecoveryGuideText::tr("Possible in %1 s").arg(guide.countdown);
             }
             break;
         }
-        case SafetyMode::Violation:
-        case SafetyMode::Fault:
-            guide.checks = {tr("I looked at the arm and at the robot's log: the cause is known."),
-                            tr("The cause is removed, and nobody is in the arm's reach.")};
-            guide.step = RecoveryStep::RestartSafety;
+        case dashboard::RecoveryStep::RestartSafety:
+            guide.checks = {
+                RecoveryGuideText::tr("I looked at the arm and at the robot's log: the cause is known."),
+                RecoveryGuideText::tr("The cause is removed, and nobody is in the arm's reach.")};
+            guide.step = RecoveryKey::RestartSafety;
             break;
         default:
-            guide.waiting = tr("Nothing to press here: it ends when its cause is gone.");
+            guide.waiting = RecoveryGuideText::tr("Nothing to press here: it ends when its cause is gone.");
             break;
     }
     return guide;
@@ -91,31 +97,30 @@ RecoveryGuide guideFor(const SessionState& state, double sinceStop) {
 
 RecoveryGuide recoveryGuide(const SessionState& state, double sinceStop) {
     RecoveryGuide guide = guideFor(state, sinceStop);
-    const bool asksTheRobot =
-        guide.step == RecoveryStep::Unlock || guide.step == RecoveryStep::RestartSafety ||
-        guide.step == RecoveryStep::PowerOn || guide.step == RecoveryStep::ReleaseBrakes;
+    const bool asksTheRobot = guide.step == RecoveryKey::Unlock || guide.step == RecoveryKey::RestartSafety ||
+                              guide.step == RecoveryKey::PowerOn || guide.step == RecoveryKey::ReleaseBrakes;
     if (const QString why = texts::serviceObstacle(state); asksTheRobot && !why.isEmpty()) {
         guide.waiting = why;
     }
     return guide;
 }
 
-QString recoveryStepText(RecoveryStep step) {
+QString recoveryKeyText(RecoveryKey step) {
     switch (step) {
-        case RecoveryStep::None:
+        case RecoveryKey::None:
             break;
-        case RecoveryStep::Unlock:
-            return tr("Unlock");
-        case RecoveryStep::RestartSafety:
-            return tr("Restart safety");
-        case RecoveryStep::PowerOn:
-            return tr("Power on");
-        case RecoveryStep::ReleaseBrakes:
-            return tr("Release brakes");
-        case RecoveryStep::TakeControl:
-            return tr("Take control");
-        case RecoveryStep::Done:
-            return tr("Close");
+        case RecoveryKey::Unlock:
+            return RecoveryGuideText::tr("Unlock");
+        case RecoveryKey::RestartSafety:
+            return RecoveryGuideText::tr("Restart safety");
+        case RecoveryKey::PowerOn:
+            return RecoveryGuideText::tr("Power on");
+        case RecoveryKey::ReleaseBrakes:
+            return RecoveryGuideText::tr("Release brakes");
+        case RecoveryKey::TakeControl:
+            return RecoveryGuideText::tr("Take control");
+        case RecoveryKey::Done:
+            return RecoveryGuideText::tr("Close");
     }
     return {};
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The way back from a stop of the safety system, as a list of things to look at and one next step. Only words
-// and rules: the page that shows them is widgets/status/recovery_page.h.
+// The way back from a stop of the safety system in words: a list of things to look at and one key. What leads on
+// is the rule of robot/dashboard/recovery.h; the page that shows it is widgets/status/recovery_page.h.
 
 #include <QStringList>
 
@@ -10,7 +10,8 @@
 
 namespace tiller {
 
-enum class RecoveryStep {
+/// What the page's one key does.
+enum class RecoveryKey {
     None,           ///< nothing the PC can do: see `waiting`
     Unlock,         ///< a protective stop
     RestartSafety,  ///< a violation or a fault
@@ -26,7 +27,7 @@ struct RecoveryGuide {
     /// To be looked at and ticked by the operator before `step` can be taken; empty where nothing is
     /// unlocked.
     QStringList checks;
-    RecoveryStep step = RecoveryStep::None;
+    RecoveryKey step = RecoveryKey::None;
     QString waiting;    ///< why the step cannot be taken yet although all is ticked; empty when it can
     int countdown = 0;  ///< [s] left of the controller's lock, rounded up
 };
@@ -34,9 +35,6 @@ struct RecoveryGuide {
 /// sinceStop  by the controller's clock [s]
 RecoveryGuide recoveryGuide(const SessionState& state, double sinceStop);
 /// "Unlock", as on the key.
-QString recoveryStepText(RecoveryStep step);
-
-/// For so long a controller refuses to unlock a protective stop [s]. Source: modes.md 3.2
-inline constexpr double kUnlockAfter = 5.0;
+QString recoveryKeyText(RecoveryKey step);
 
 }  // namespace tiller

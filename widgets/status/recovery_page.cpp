@@ -246,10 +246,10 @@ void RecoveryPage::showChecks() {
 void RecoveryPage::showKey() {
     const bool ticked =
         std::all_of(checks_.begin(), checks_.end(), [](const QCheckBox* box) { return box->isChecked(); });
-    const bool possible = guide_.step != RecoveryStep::None && guide_.waiting.isEmpty() && ticked && !sent_;
-    key_->setVisible(guide_.step != RecoveryStep::None);
+    const bool possible = guide_.step != RecoveryKey::None && guide_.waiting.isEmpty() && ticked && !sent_;
+    key_->setVisible(guide_.step != RecoveryKey::None);
     key_->setEnabled(possible);
-    QString text = recoveryStepText(guide_.step);
+    QString text = recoveryKeyText(guide_.step);
     if (guide_.countdown > 0) {
         text += tr(" (%1 s)").arg(guide_.countdown);
     }
@@ -265,11 +265,11 @@ void RecoveryPage::takeStep() {
     if (!key_->isEnabled()) {
         return;
     }
-    sent_ = guide_.step != RecoveryStep::TakeControl && guide_.step != RecoveryStep::Done;
+    sent_ = guide_.step != RecoveryKey::TakeControl && guide_.step != RecoveryKey::Done;
     switch (guide_.step) {
-        case RecoveryStep::None:
+        case RecoveryKey::None:
             break;
-        case RecoveryStep::Unlock:
+        case RecoveryKey::Unlock:
             session_.unlockProtectiveStop(UnlockConsent());
             // A refusal leaves the arm as it is: the operator looks again, and ticks again.
             for (QCheckBox* box : checks_) {
@@ -277,23 +277,23 @@ void RecoveryPage::takeStep() {
             }
             sent_ = false;
             break;
-        case RecoveryStep::RestartSafety:
+        case RecoveryKey::RestartSafety:
             session_.perform(RobotCommand::RestartSafety);
             for (QCheckBox* box : checks_) {
                 box->setChecked(false);
             }
             sent_ = false;
             break;
-        case RecoveryStep::PowerOn:
+        case RecoveryKey::PowerOn:
             session_.perform(RobotCommand::PowerOn);
             break;
-        case RecoveryStep::ReleaseBrakes:
+        case RecoveryKey::ReleaseBrakes:
             session_.perform(RobotCommand::ReleaseBrakes);
             break;
-        case RecoveryStep::TakeControl:
+        case RecoveryKey::TakeControl:
             session_.takeControl();
             break;
-        case RecoveryStep::Done:
+        case RecoveryKey::Done:
             close();
             return;
     }

@@ -54,7 +54,7 @@ class RecoveryPage : public QDialog {
 public:
     RecoveryPage(RobotSession& session, const StopRecorder& stops, QWidget* parent = nullptr);
 
-    RecoveryStep shownStep() const { return guide_.step; }
+    RecoveryKey shownStep() const { return guide_.step; }
 
 public Q_SLOTS:
     void applyState(const tiller::SessionState& state);

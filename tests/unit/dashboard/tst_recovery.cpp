@@ -131,6 +131,21 @@ private Q_SLOTS:
         QCOMPARE(bench.robot.mode.load(), 3);
     }
 
+    void oneRuleSaysWhatLeadsOn() {
+        QCOMPARE(nextRecoveryStep(SafetyMode::Normal, RobotMode::Booting), RecoveryStep::Look);
+        QCOMPARE(nextRecoveryStep(SafetyMode::Normal, RobotMode::PowerOff), RecoveryStep::PowerOn);
+        QCOMPARE(nextRecoveryStep(SafetyMode::Reduced, RobotMode::Idle), RecoveryStep::ReleaseBrakes);
+        QCOMPARE(nextRecoveryStep(SafetyMode::Reduced, RobotMode::Running), RecoveryStep::Done);
+        // The safety system comes first, whatever the arm does.
+        for (const RobotMode mode : {RobotMode::PowerOff, RobotMode::Idle, RobotMode::Running}) {
+            QCOMPARE(nextRecoveryStep(SafetyMode::ProtectiveStop, mode), RecoveryStep::Unlock);
+            QCOMPARE(nextRecoveryStep(SafetyMode::Violation, mode), RecoveryStep::RestartSafety);
+            QCOMPARE(nextRecoveryStep(SafetyMode::Fault, mode), RecoveryStep::RestartSafety);
+            QCOMPARE(nextRecoveryStep(SafetyMode::SafeguardStop, mode), RecoveryStep::AskPerson);
+            QCOMPARE(nextRecoveryStep(SafetyMode::SystemEmergencyStop, mode), RecoveryStep::AskPerson);
+        }
+    }
+
     void aRobotThatRunsNeedsNothing() {
         Bench bench(SafetyMode::Reduced, RobotMode::Running);
         QVERIFY(bench.run({}).ok());
