@@ -4,6 +4,7 @@
 
 #include "app/action_table.h"
 #include "app/main_window.h"
+#include "robot/core/angles.h"
 #include "widgets/common/notation.h"
 #include "widgets/jog/freedrive_axes.h"
 #include "widgets/jog/jog_column.h"
@@ -12,9 +13,7 @@
 namespace tiller::app {
 namespace {
 
-constexpr double kRadPerDegree = 0.017453292519943295;
-
-/// Source: operator-interface.md, "Numbers"
+/// One step size of the jog menu, in the units of the screen.
 struct Step {
     double millimetres;
     double degrees;
@@ -75,7 +74,7 @@ void MainWindow::addJogActions() {
                            : tr("Moves by this much at each press."),
                        {},
                        [this, step] {
-                           jog_->setFreeStep({step.millimetres / 1e3, step.degrees * kRadPerDegree});
+                           jog_->setFreeStep({step.millimetres / 1e3, toRadians(step.degrees)});
                        }});
     }
     for (const double force : kContactForces) {

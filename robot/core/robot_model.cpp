@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/core/robot_model.h"
 
-#include <numbers>
+#include "robot/core/angles.h"
 
 // Where the figures come from. "Description" means the vendor's public description files (which cite its
 // articles on DH parameters, joint torques and speeds); "assumed" marks a choice of ours.
@@ -22,10 +22,6 @@ namespace tiller {
 namespace {
 
 constexpr double kHalfPi = 1.570796327;  // the controller's own rounding
-
-constexpr double degrees(double value) {
-    return value * std::numbers::pi / 180.0;
-}
 
 DhParameters dh(double d1, double a2, double a3, double d4, double d5, double d6) {
     DhParameters result;
@@ -73,7 +69,7 @@ constexpr Six joints(double base, double shoulder, double elbow, double wrists) 
 }
 
 constexpr Six speeds(double base, double shoulder, double elbow, double wrists) {
-    return joints(degrees(base), degrees(shoulder), degrees(elbow), degrees(wrists));
+    return joints(toRadians(base), toRadians(shoulder), toRadians(elbow), toRadians(wrists));
 }
 
 // ---- shared between models --------------------------------------------------------------------

@@ -4,10 +4,10 @@
 #include <QStringList>
 #include <algorithm>
 #include <limits>
-#include <numbers>
 #include <utility>
 #include <vector>
 
+#include "robot/core/angles.h"
 #include "robot/simulator/machine.h"
 #include "robot/simulator/program_runner.h"
 #include "robot/simulator/script_host.h"
@@ -126,7 +126,7 @@ QString holdRegisters(Machine& machine, Words& words) {
 
 QString jointNearLimit(Machine& machine, Words& words) {
     const int joint = words.integer(1, kJointCount);
-    const double margin = words.numberOr(1.0, -10.0, 360.0) * std::numbers::pi / 180.0;
+    const double margin = toRadians(words.numberOr(1.0, -10.0, 360.0));
     if (words.good()) {
         machine.plant.programs().stopNow();
         JointPositions q = machine.plant.arm().state().actualQ;

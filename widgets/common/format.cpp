@@ -3,14 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "robot/core/angles.h"
 
 namespace tiller::format {
 
 namespace {
 
 constexpr QChar kMinus(0x2212);
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 QString withSign(double value, int digits, bool plus) {
     if (!std::isfinite(value)) {
@@ -39,7 +39,7 @@ QString signedNumber(double value, int digits) {
 }
 
 QString degrees(double radians, int digits) {
-    return number(radians * kDegPerRad, digits) + QStringLiteral("°");
+    return number(toDegrees(radians), digits) + QStringLiteral("°");
 }
 
 QString newtons(double value) {
@@ -59,7 +59,7 @@ QString percent(double fraction) {
 }
 
 QString degreesPerSecond(double radiansPerSecond) {
-    return number(radiansPerSecond * kDegPerRad, 0) + QStringLiteral(" °/s");
+    return number(toDegrees(radiansPerSecond), 0) + QStringLiteral(" °/s");
 }
 
 QString grouped(std::uint64_t value) {

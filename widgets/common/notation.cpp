@@ -6,6 +6,7 @@
 #include <QWidget>
 #include <cmath>
 
+#include "robot/core/angles.h"
 #include "widgets/common/format.h"
 
 namespace tiller {
@@ -13,7 +14,6 @@ namespace {
 
 constexpr char kLength[] = "tillerLengthUnit";
 constexpr char kRotation[] = "tillerRotationNotation";
-constexpr double kDegPerRad = 57.29577951308232;
 constexpr double kInch = 0.0254;
 
 bool inches() {
@@ -100,7 +100,7 @@ std::array<QString, 3> rotation(const Eigen::Vector3d& rotationVector) {
     const Eigen::Vector3d values = vector ? rotationVector : rpyFromRotationVector(rotationVector);
     for (int i = 0; i < 3; ++i) {
         texts[static_cast<std::size_t>(i)] =
-            vector ? number(values[i], 4) : number(values[i] * kDegPerRad, 2) + QStringLiteral("°");
+            vector ? number(values[i], 4) : number(toDegrees(values[i]), 2) + QStringLiteral("°");
     }
     return texts;
 }
@@ -127,7 +127,7 @@ QString pose(const Pose& pose) {
 }
 
 QString difference(double metres, double radians) {
-    return length(metres, 1) + QStringLiteral(", ") + number(radians * kDegPerRad, 1) + QStringLiteral("°");
+    return length(metres, 1) + QStringLiteral(", ") + number(toDegrees(radians), 1) + QStringLiteral("°");
 }
 
 QString shift(const Eigen::Vector3d& metres) {

@@ -10,8 +10,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <cmath>
-#include <numbers>
 
+#include "robot/core/angles.h"
 #include "widgets/common/format.h"
 #include "widgets/common/notation.h"
 #include "widgets/common/room.h"
@@ -45,15 +45,14 @@ QString whichWay(const JogSelection& selection, const Deflection& deflection,
     QStringList parts;
     for (int axis = 0; axis < 6; ++axis) {
         const double speed = twist[axis];
-        if (std::abs(speed) < (axis < 3 ? 5e-5 : 0.05 * std::numbers::pi / 180)) {
+        if (std::abs(speed) < (axis < 3 ? 5e-5 : toRadians(0.05))) {
             continue;
         }
         parts << QLatin1String(kAxes.at(static_cast<std::size_t>(axis))) +
                      (speed < 0 ? QStringLiteral("−") : QStringLiteral("+")) + QLatin1Char(' ') +
                      (axis < 3 ? format::lengthNumber(std::abs(speed), 1, false) + QLatin1Char(' ') +
                                      format::speedUnit()
-                               : format::number(std::abs(speed) * 180 / std::numbers::pi, 1) +
-                                     QStringLiteral(" °/s"));
+                               : format::number(toDegrees(std::abs(speed)), 1) + QStringLiteral(" °/s"));
     }
     return parts.isEmpty() ? QString()
                            : QCoreApplication::translate("DeviceTrainer", "%1 in %2")

@@ -8,8 +8,8 @@
 #include <QInputDialog>
 #include <QMenu>
 #include <algorithm>
-#include <numbers>
 
+#include "robot/core/angles.h"
 #include "widgets/common/format.h"
 #include "widgets/common/hold_button.h"
 #include "widgets/common/notation.h"
@@ -25,10 +25,9 @@ using control::StopCause;
 
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180;
 constexpr int kChoiceSegment = static_cast<int>(MotionChoice::CoarseStep);
 
-/// The steps of the interface. Source: operator-interface.md, "Numbers".
+/// The step sizes that are offered, in the units of the screen.
 struct StepPreset {
     double millimetres;
     double degrees;
@@ -39,7 +38,7 @@ constexpr StepPreset kSteps[] = {{0.05, 0.01}, {0.1, 0.1}, {1, 1}, {5, 5}, {10, 
 QString stepText(const StepSize& step) {
     return QCoreApplication::translate("JogColumn", "%1, turns %2°")
         .arg(format::shortLength(step.length))
-        .arg(step.angle / kRadPerDeg, 0, 'g', 3);
+        .arg(toDegrees(step.angle), 0, 'g', 3);
 }
 
 bool near(const JointPositions& a, const JointPositions& b, double distance) {
@@ -70,7 +69,7 @@ QString JogColumn::travelText(const Travel& travel, bool turns) const {
     if (travel.end == Travel::End::Open) {
         return {};
     }
-    return turns ? format::number(travel.left / kRadPerDeg, 0) + QStringLiteral("°")
+    return turns ? format::number(toDegrees(travel.left), 0) + QStringLiteral("°")
                  : format::length(travel.left, 0);
 }
 
@@ -102,7 +101,7 @@ void JogColumn::lookAround() {
     direction.segment<3>(turns ? 3 : 0) = axes.col(key->key().axis % 3) * key->key().direction;
     const Travel travel = travelLeft(robotModel(state_.model).dh, state_.q, state_.tcpOffset, direction);
     room_.at(index) = travel;
-    const bool little = travel.end != Travel::End::Open && travel.left < (turns ? 10 * kRadPerDeg : 0.03);
+    const bool little = travel.end != Travel::End::Open && travel.left < (turns ? toRadians(10) : 0.03);
     key->setTravel(travelText(travel, turns), little);
 }
 
@@ -237,7 +236,7 @@ void JogColumn::offerChoices(SegmentedControl* control, int segment, std::functi
 
 void JogColumn::fillStepMenu(QMenu& menu) {
     for (const StepPreset& preset : kSteps) {
-        const StepSize step{preset.millimetres / 1e3, preset.degrees * kRadPerDeg};
+        const StepSize step{preset.millimetres / 1e3, toRadians(preset.degrees)};
         menu.addAction(stepText(step), this, [this, step] { setFreeStep(step); });
     }
     menu.addAction(tr("Other step…"), this, [this] { askFor(Entry::Step); });
@@ -276,7 +275,7 @@ void JogColumn::askFor(Entry entry) {
             askForNumber(tr("Step in %1 (turns: as many degrees as millimetres)").arg(format::lengthUnit()),
                          0.002 / unit, 1e-5 / unit, 0.5 / unit, coarse ? 4 : 2, [this, unit](double value) {
                              const double metres = value * unit;
-                             setFreeStep({metres, std::min(metres * 1e3, 180.0) * kRadPerDeg});
+                             setFreeStep({metres, toRadians(std::min(metres * 1e3, 180.0))});
                          });
             break;
         case Entry::Speed:

@@ -6,13 +6,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "robot/core/angles.h"
 #include "robot/kinematics/speed_bounds.h"
 
 namespace tiller {
 
 namespace {
-
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
 // A step shall neither crawl nor jump: it has the acceleration of the jog.
 double capped(double speed, double cap) {
@@ -45,11 +44,11 @@ double contactForce(const JogSelection& selection) {
 
 const std::array<SpeedClass, kSpeedClassCount>& speedClasses() {
     static const std::array<SpeedClass, kSpeedClassCount> classes = {{
-        {0.005, 3 * kRadPerDeg, 1 * kRadPerDeg},
-        {0.020, 10 * kRadPerDeg, 3 * kRadPerDeg},
-        {0.050, 15 * kRadPerDeg, 10 * kRadPerDeg},
-        {0.100, 30 * kRadPerDeg, 20 * kRadPerDeg},
-        {0.250, 45 * kRadPerDeg, 30 * kRadPerDeg},
+        {0.005, toRadians(3), toRadians(1)},
+        {0.020, toRadians(10), toRadians(3)},
+        {0.050, toRadians(15), toRadians(10)},
+        {0.100, toRadians(30), toRadians(20)},
+        {0.250, toRadians(45), toRadians(30)},
     }};
     return classes;
 }
@@ -60,11 +59,11 @@ StepSize stepSize(MotionChoice motion) {
         case MotionChoice::UntilContact:
             break;
         case MotionChoice::FineStep:
-            return {0.0001, 0.1 * kRadPerDeg};
+            return {0.0001, toRadians(0.1)};
         case MotionChoice::Step:
-            return {0.001, 1 * kRadPerDeg};
+            return {0.001, toRadians(1)};
         case MotionChoice::CoarseStep:
-            return {0.010, 5 * kRadPerDeg};
+            return {0.010, toRadians(5)};
     }
     return {};
 }

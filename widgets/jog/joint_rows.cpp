@@ -4,8 +4,8 @@
 #include <QGridLayout>
 #include <QPainter>
 #include <cmath>
-#include <numbers>
 
+#include "robot/core/angles.h"
 #include "robot/core/robot_model.h"
 #include "widgets/common/format.h"
 #include "widgets/common/theme.h"
@@ -14,8 +14,7 @@ namespace tiller {
 
 namespace {
 
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
-constexpr double kWarnAngle = 15.0 / kDegPerRad;
+constexpr double kWarnAngle = toRadians(15);
 constexpr int kMargin = 12;  // as the panel's content
 
 }  // namespace
@@ -99,7 +98,7 @@ void JointRow::setCompact(bool compact) {
 void JointRow::setAngle(double angle, bool moving, bool valid, bool stale) {
     QString text = QStringLiteral("–");
     if (valid) {
-        text = format::number(angle * kDegPerRad, moving || compact_ ? 1 : 2) + QStringLiteral("°") +
+        text = format::number(toDegrees(angle), moving || compact_ ? 1 : 2) + QStringLiteral("°") +
                (moving && !compact_ ? QString(QChar(0x2007)) : QString());
     }
     bar_->setAngle(angle, valid);

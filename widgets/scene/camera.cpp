@@ -6,16 +6,17 @@
 #include <cmath>
 #include <numbers>
 
+#include "robot/core/angles.h"
+
 namespace tiller {
 
 namespace {
 
-constexpr double kDeg = std::numbers::pi / 180.0;
 // Base X to the right and base -Y to the right as well: an arm in its usual stance reaches to the right.
-constexpr double kStartAzimuth = -138 * kDeg;
-constexpr double kStartElevation = 13 * kDeg;
-constexpr double kLowest = 2 * kDeg;
-constexpr double kHighest = 88 * kDeg;
+constexpr double kStartAzimuth = toRadians(-138);
+constexpr double kStartElevation = toRadians(13);
+constexpr double kLowest = toRadians(2);
+constexpr double kHighest = toRadians(88);
 constexpr double kFocalLength = 2.2;  // in heights of the picture
 constexpr double kNear = 0.05;        // [m]
 

@@ -2,18 +2,13 @@
 #include "widgets/waypoints/waypoint_model.h"
 
 #include <algorithm>
-#include <numbers>
 
+#include "robot/core/angles.h"
 #include "widgets/common/format.h"
 #include "widgets/common/notation.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
-namespace {
-
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
-
-}  // namespace
 
 WaypointModel::WaypointModel(ProjectDocument& document, QObject* parent)
     : QAbstractTableModel(parent), document_(document) {
@@ -151,7 +146,7 @@ QVariant WaypointModel::data(const QModelIndex& index, int role) const {
         case Qt::EditRole:
             if (index.column() == Speed) {
                 return QString::number(point.move == project::MoveKind::Joint
-                                           ? point.jointSpeed * kDegPerRad
+                                           ? toDegrees(point.jointSpeed)
                                            : point.toolSpeed / format::metresPerUnit(),
                                        'g', 8);
             }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "robot/core/angles.h"
 #include "robot/simulator/arm/arm_geometry.h"
 
 namespace tiller::simulator::arm {
@@ -94,7 +95,7 @@ bool ToolPath::canRound(const ToolPath& first, const ToolPath& second) {
     if (first.travel() < 1 - 1e-6 || second.travel() < 1 - 1e-6) {
         return false;
     }
-    return first.direction_.dot(second.direction_) > std::cos(175.0 * std::numbers::pi / 180.0);
+    return first.direction_.dot(second.direction_) > std::cos(toRadians(175.0));
 }
 
 ToolPath ToolPath::rounded(const ToolPath& first, const ToolPath& second, double radius) {

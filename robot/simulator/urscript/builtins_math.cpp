@@ -3,9 +3,10 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "robot/simulator/urscript/builtin.h"
+
+#include "robot/core/angles.h"
 
 namespace tiller::simulator::urscript {
 
@@ -72,11 +73,11 @@ Status pow(Call& c) {
 }
 
 Status d2r(Call& c) {
-    c.result = c.number(0) * std::numbers::pi / 180.0;
+    c.result = toRadians(c.number(0));
     return Status::Done;
 }
 Status r2d(Call& c) {
-    c.result = c.number(0) * 180.0 / std::numbers::pi;
+    c.result = toDegrees(c.number(0));
     return Status::Done;
 }
 
