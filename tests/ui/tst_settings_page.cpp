@@ -9,6 +9,7 @@
 #include <QHeaderView>
 #include <QInputDialog>
 #include <QLabel>
+#include <QPointer>
 #include <QPushButton>
 #include <QSettings>
 #include <QTableView>
@@ -357,10 +358,20 @@ private Q_SLOTS:
     }
 
     void theWindowClosesWithThePageStillOpen() {
-        Bench bench;
-        app::SettingsPage* page = bench.open();
+        auto bench = std::make_unique<Bench>();
+        const QPointer<app::SettingsPage> page = bench->open();
         page->findChild<QTabBar*>()->setCurrentIndex(2);
-        page->findChild<QWidget*>("settings.key.app.help")->setFocus();
+        auto* key = page->findChild<QWidget*>("settings.key.app.help");
+        key->setFocus();
+        QVERIFY(page->isVisible() && key->isVisible());
+        const QKeySequence before = bench->window.actions().find("app.help")->shortcut();
+        // The field loses the focus while the window goes: it edits nothing then, and takes nobody with it.
+        bench->window.close();
+        QVERIFY(!bench->window.isVisible());
+        QCOMPARE(bench->window.actions().find("app.help")->shortcut(), before);
+        QVERIFY(app::Settings(bench->file).preferences().shortcuts.isEmpty());
+        bench.reset();
+        QVERIFY2(page.isNull(), "the page goes with its window");
     }
 
     void allKeysGoBackAtOnce() {

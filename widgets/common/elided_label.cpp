@@ -5,6 +5,11 @@
 #include <algorithm>
 
 namespace tiller {
+namespace {
+
+constexpr int kLeastWidth = 24;  ///< however long the text [px]
+
+}  // namespace
 
 ElidedLabel::ElidedLabel(const QString& text, QWidget* parent) : QLabel(parent) {
     setTextFormat(Qt::PlainText);
@@ -27,11 +32,6 @@ void ElidedLabel::setElideMode(Qt::TextElideMode mode) {
     elide();
 }
 
-void ElidedLabel::setLeastWidth(int pixels) {
-    leastWidth_ = pixels;
-    updateGeometry();
-}
-
 QSize ElidedLabel::sizeHint() const {
     const QMargins m = contentsMargins();
     return {fontMetrics().horizontalAdvance(fullText_) + 1 + m.left() + m.right(),
@@ -40,7 +40,7 @@ QSize ElidedLabel::sizeHint() const {
 
 QSize ElidedLabel::minimumSizeHint() const {
     const QSize full = sizeHint();
-    return {std::min(full.width(), leastWidth_), full.height()};
+    return {std::min(full.width(), kLeastWidth), full.height()};
 }
 
 void ElidedLabel::resizeEvent(QResizeEvent* event) {

@@ -17,8 +17,6 @@ public:
     QString fullText() const { return fullText_; }
     void setFullText(const QString& text);
     void setElideMode(Qt::TextElideMode mode);
-    /// Never narrower than this many pixels, however long the text [px]; 24 unless told.
-    void setLeastWidth(int pixels);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -32,7 +30,6 @@ private:
 
     QString fullText_;
     Qt::TextElideMode mode_ = Qt::ElideRight;
-    int leastWidth_ = 24;
 };
 
 }  // namespace tiller

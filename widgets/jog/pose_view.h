@@ -26,7 +26,6 @@ public:
     void zeroHere();
     /// A motion begins here: counts from here, unless the operator chose another place.
     void pressedHere();
-    bool hasOwnZero() const { return ownZero_; }
 
     QString positionText(int axis) const;
     QString deltaText(int axis) const;

@@ -34,7 +34,6 @@ public:
 
     /// Takes the rows from here from now on; null ends it. The history stays, with a gap between.
     void setSource(std::unique_ptr<PlotSource> source);
-    bool hasSource() const { return source_ != nullptr; }
 
     /// Begins to fire once a frame by itself.
     void start();

@@ -22,12 +22,6 @@ void StateLane::add(double time, LaneKind kind, const QString& label) {
     }
 }
 
-void StateLane::renameLast(const QString& label) {
-    if (!segments_.empty()) {
-        segments_.back().label = label;
-    }
-}
-
 void StateLane::forgetBefore(double time) {
     while (segments_.size() > 1 && segments_.front().end < time) {
         segments_.pop_front();

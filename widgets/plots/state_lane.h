@@ -24,8 +24,6 @@ public:
 
     /// From this moment on it was so. The same kind and label prolong the last segment.
     void add(double time, LaneKind kind, const QString& label);
-    /// Gives the last segment a better name, once it is known.
-    void renameLast(const QString& label);
     /// Forgets what ended before this moment.
     void forgetBefore(double time);
     void clear() { segments_.clear(); }

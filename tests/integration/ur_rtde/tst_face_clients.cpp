@@ -135,7 +135,21 @@ private Q_SLOTS:
         });
         DashboardClient dashboard(robot->host());
         dashboard.connect();
+        const auto role = [&dashboard] {
+            dashboard.send("getUserRole");
+            return dashboard.receive();
+        };
+        QCOMPARE(role(), std::string("PROGRAMMER"));
         dashboard.setUserRole(ur_rtde::UserRole::OPERATOR);
+        QCOMPARE(role(), std::string("OPERATOR"));
+        dashboard.setUserRole(ur_rtde::UserRole::RESTRICTED);
+        QCOMPARE(role(), std::string("RESTRICTED"));
+
+        // An e-Series has none, and says so.
+        const auto later = cell();
+        DashboardClient other(later->host());
+        other.connect();
+        QVERIFY_EXCEPTION_THROWN(other.setUserRole(ur_rtde::UserRole::OPERATOR), std::logic_error);
     }
 
     void scriptsAreSentAndPrepared() {
