@@ -49,7 +49,7 @@ namespace {
 
 constexpr QSize kSmallest{1280, 720};
 constexpr QSize kStart{1600, 900};
-/// Between panels [px], as in the design.
+/// Between panels [px].
 constexpr int kGap = 10;
 
 /// The room around a panel, so that the header and the status line can reach from edge to edge.
@@ -189,7 +189,7 @@ void MainWindow::proportion() {
     if (layoutRemembered_) {
         return;
     }
-    // The shares of the design: plots 36 % of the height, tabs 29 % of the width.
+    // At first: plots 36 % of the height, tabs 29 % of the width.
     resizeDocks({plotsDock_}, {height() * 36 / 100}, Qt::Vertical);
     resizeDocks({tabsDock_}, {width() * 29 / 100}, Qt::Horizontal);
 }
@@ -307,8 +307,7 @@ void MainWindow::connectFrames() {
 void MainWindow::connectDevices(const Clock& clock) {
     devices_ = new DeviceJog(jog_->axisJog(), this);
     connect(devices_, &DeviceJog::lost, this, [this](const QString& name) {
-        Q_EMIT session_->message(Severity::Warning,
-                                 tr("%1 is gone. What it moved has been stopped.").arg(name));
+        Q_EMIT session_->message(Severity::Warning, tr("%1 disconnected. The arm was stopped.").arg(name));
     });
     devices_->setClock(clock);
     connect(devices_, &DeviceJog::fellSilent, this, [this](const QString& name) {

@@ -19,7 +19,7 @@ constexpr double kEmergencyStopTime = 0.5;
 constexpr double kEmergencyDeceleration = 15.0;  ///< [rad/s2]
 /// In reduced mode the program is slowed to this [m/s]. What an installation sets it to is its own affair.
 constexpr double kReducedToolSpeed = 0.75;
-/// While a joint stands outside its safety limits. Source: modes.md 3.1.
+/// While a joint stands outside its safety limits [m/s]. Source: User Manual, "Recovery mode"
 constexpr double kRecoveryToolSpeed = 0.25;
 
 arm::ArmOptions armOptions(const ControllerOptions& options) {

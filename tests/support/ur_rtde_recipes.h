@@ -2,7 +2,7 @@
 #pragma once
 
 // What ur_rtde 1.5.8 asks RTDE for when it connects, each list of names ending with a comma.
-// Source: control-script-requirements.md, A3.
+// Source: what ur_rtde 1.5.8 sends on the wire
 
 #include <QByteArray>
 #include <vector>

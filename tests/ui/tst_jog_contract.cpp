@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The jog contract of operator-interface.md, line by line: the real window, real events, real sockets, and
+// The jog contract, line by line: the real window, real events, real sockets, and
 // the simulated robot in virtual time. Bounds are the contract's own.
 
 #include <QDialog>
@@ -17,7 +17,7 @@ using namespace tiller::test;
 
 namespace {
 
-// operator-interface.md, "The jog contract".
+/// What the jog contract promises.
 constexpr int kPressToMotionMs = 20;
 constexpr int kReleaseToStandstillMs = 100;
 constexpr int kDeathToStandstillMs = 250;

@@ -14,7 +14,7 @@ using namespace tiller::test;
 
 namespace {
 
-// operator-interface.md, "The jog contract".
+/// What the jog contract promises.
 constexpr int kDeathToStandstillMs = 250;
 
 enum class Way {

@@ -27,7 +27,8 @@ public:
     /// Shows what is in this sample; fields it does not have show a dash.
     void show(const receive::RobotState& robot, bool stale);
     void showNothing();
-    /// Hides the rows that do not match. Returns  whether any does
+    /// Hides the rows that do not match.
+    /// Returns  whether any does
     bool filter(const QString& text);
     QString valueText(const QString& registerName) const;
 

@@ -61,7 +61,8 @@ public:
     virtual std::optional<DeviceReading> read() = 0;
 };
 
-/// Finds devices. Threads  GUI
+/// Finds devices.
+/// Threads  GUI
 class DeviceSource {
 public:
     virtual ~DeviceSource() = default;

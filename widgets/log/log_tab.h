@@ -34,7 +34,8 @@ public:
     void setTimeSource(std::function<QDateTime()> now) { now_ = std::move(now); }
     /// The rows that are shown, one a line, fields separated by tabs.
     QString shownText() const;
-    /// Writes all shown rows. Errors  FileNotWritable, DiskFull
+    /// Writes all shown rows.
+    /// Errors  FileNotWritable, DiskFull
     Result<void> exportTo(const QString& path) const;
 
 public Q_SLOTS:

@@ -13,9 +13,9 @@ namespace tiller {
 class SeriesBuffer;
 
 /// Every sample of t0 ... t1 [s] as CSV: "timestamp", then one column per signal named as in recordings. A
-/// value the robot does not send is an empty cell; a lost sample is a missing row, as in recordings. Returns
-/// rows written Errors   FileNotWritable, DiskFull; InvalidArgument when there is no sample in the range. The
-/// file that was
+/// value the robot does not send is an empty cell; a lost sample is a missing row, as in recordings.
+/// Returns  rows written
+/// Errors   FileNotWritable, DiskFull; InvalidArgument when there is no sample in the range. The file that was
 ///          there before stays in every one of these cases
 Result<std::int64_t> exportCsv(const SeriesBuffer& history, double t0, double t1, const QString& path);
 

@@ -87,7 +87,7 @@ QList<int> WaypointTable::selectedRows() const {
 }
 
 void WaypointTable::resizeEvent(QResizeEvent* event) {
-    // The columns of the design picture, shared out by the width there is.
+    // Every column as wide as its longest usual text, the name as wide as the rest allows.
     struct Width {
         int column;
         int wide;

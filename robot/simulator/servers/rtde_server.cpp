@@ -14,7 +14,7 @@ constexpr std::size_t kMostInputRecipes = 255;
 /// Bytes of one client read at a stretch, so that one that floods does not keep the others waiting.
 constexpr std::size_t kReadShare = 256 * 1024;
 /// A CB3 serves so many clients; a further one completes its handshake and is closed after so long [s].
-/// Source: rtde.md 5, from the vendor's forum.
+/// Source: Universal Robots forum, threads 2793 and 3673
 constexpr int kMostCb3Clients = 3;
 constexpr double kExtraCb3Client = 1.0;
 /// Owner of the inputs that a fault holds; clients count from 1.

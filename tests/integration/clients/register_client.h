@@ -4,7 +4,7 @@
 // A client that does what ur_rtde 1.5.8 does: the start-up in its order, its recipes with their trailing
 // commas, its register protocol, its reaction to stops. In virtual time: whatever it waits for, it waits for
 // by moving the controller on one period and reading one package.
-// Source: control-script-requirements.md, part A.
+// Source: what ur_rtde 1.5.8 sends on the wire
 
 #include <array>
 #include <initializer_list>

@@ -3,8 +3,7 @@
 
 // A control script in the manner of the one ur_rtde uploads: it takes commands from input registers, answers
 // in output registers, keeps servo, speed, force, jog, path and contact threads. Written for these tests; it
-// uses the builtins and the habits of language that ur_rtde 1.5.8's script relies on
-// (control-script-requirements.md A5, urscript-builtins.md 7.1, urscript-language.md [R]).
+// uses the builtins and the habits of language that ur_rtde 1.5.8's script relies on.
 
 #include <QByteArray>
 

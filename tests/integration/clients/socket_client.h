@@ -4,7 +4,7 @@
 // A client that does what Universal Robots' C++ client library 2.14 does: RTDE with its recipes and its pause
 // in between, the primary interface read package by package, a script sent behind "stop program", and three
 // servers to which that script connects. In virtual time, period by period.
-// Source: control-script-requirements.md, part B.
+// Source: what client library 2.14 sends on the wire
 
 #include <QTcpServer>
 #include <array>

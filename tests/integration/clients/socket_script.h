@@ -4,8 +4,7 @@
 // A control script in the manner of the one Universal Robots' C++ client library uploads: it connects back to
 // the client with three sockets (trajectory, script commands, reverse), servos, runs trajectories and
 // splines, takes commands beside them. Written for these tests; it uses the builtins and the habits of
-// language that the library's 2.14 script relies on (control-script-requirements.md B5-B7,
-// urscript-builtins.md 7.2, urscript-language.md [U]).
+// language that the library's 2.14 script relies on.
 
 #include <QByteArray>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Who may include whom, read off the #include lines of the whole tree. The
-// table is the one of the architecture page; a new room gets a row here.
+// Who may include whom, read off the #include lines of the whole tree. A new room gets a row in the table.
 
 #include <QDirIterator>
 #include <QFile>
