@@ -33,6 +33,8 @@ const QString kSimulateHelp = QStringLiteral(
     "  --fault WORDS        something to go wrong from the start; repeat for more. See\n"
     "                       'tiller-cli fault --help': the same words work while it runs;\n"
     "                       '--fault help' lists them\n"
+    "  --assume NAME=VALUE  behave so where it is not known how a real controller does; repeat for\n"
+    "                       more. '--assume help' lists all names and values\n"
     "  --boot-time SECONDS  take so long to start, as a real controller does (default: none)\n"
     "  --seed N             of measurement noise and of everything else that is random (default 1)\n"
     "  --priority N         run at SCHED_FIFO priority N, 1 to 99, if the system permits\n"
@@ -123,11 +125,12 @@ int simulate(const QStringList& arguments) {
     const QCommandLineOption local("local");
     const QCommandLineOption programs("programs", {}, "FOLDER");
     const QCommandLineOption fault("fault", {}, "WORDS");
+    const QCommandLineOption assumed("assume", {}, "NAME=VALUE");
     const QCommandLineOption bootTime("boot-time", {}, "SECONDS", "0");
     const QCommandLineOption seed("seed", {}, "N", "1");
     const QCommandLineOption priority("priority", {}, "N");
-    parser.addOptions(
-        {help, listen, offset, model, software, headless, local, programs, fault, bootTime, seed, priority});
+    parser.addOptions({help, listen, offset, model, software, headless, local, programs, fault, assumed,
+                       bootTime, seed, priority});
     if (!parser.parse(arguments)) {
         return wrongArguments(parser.errorText());
     }
@@ -141,6 +144,11 @@ int simulate(const QStringList& arguments) {
             out() << QStringLiteral("--fault takes one of\n") << simulator::faultHelp();
             return kSuccess;
         }
+    }
+    if (parser.values(assumed).contains(QLatin1String("help"))) {
+        out() << QStringLiteral("What is not known of a real controller; the first value is the default.\n\n")
+              << simulator::assumptionHelp();
+        return kSuccess;
     }
     if (!parser.positionalArguments().isEmpty()) {
         return wrongArguments(QStringLiteral("'%1' is too much").arg(parser.positionalArguments().first()));
@@ -177,6 +185,11 @@ int simulate(const QStringList& arguments) {
     }
     if (parser.isSet(headless) && parser.isSet(local)) {
         return wrongArguments(QStringLiteral("--headless means remote control: it does not go with --local"));
+    }
+    for (const QString& words : parser.values(assumed)) {
+        if (const auto taken = simulator::assume(options.assumptions, words); !taken) {
+            return wrongArguments(QStringLiteral("--assume: ") + taken.error().context);
+        }
     }
     const auto boot = numberIn(parser, bootTime, 0, 3600);
     const auto number = numberIn(parser, seed, 0, 1e15);

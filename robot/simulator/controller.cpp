@@ -274,6 +274,27 @@ void Controller::step(int ticks) {
     });
 }
 
+bool Controller::stepAnswered(const Deadline& deadline) {
+    bool answered = true;
+    if (d_->options.time != Time::Virtual) {
+        return answered;
+    }
+    d_->call([&](Machine& machine) {
+        const RtdeServer& rtde = machine.services.rtde();
+        const std::uint64_t inputs = rtde.inputPackages();
+        const std::uint64_t outputs = rtde.outputPackages();
+        machine.tick();
+        const std::uint64_t wanted = inputs + rtde.outputPackages() - outputs;
+        while (rtde.inputPackages() < wanted && rtde.clients() > 0 && !deadline.hasExpired()) {
+            std::this_thread::yield();
+            machine.service();
+        }
+        answered = rtde.inputPackages() >= wanted;
+        d_->publishTruth(machine);
+    });
+    return answered;
+}
+
 void Controller::stepSeconds(double seconds) {
     step(static_cast<int>(seconds / stepTime() + 0.5));
 }
@@ -285,6 +306,11 @@ void Controller::drainSockets() {
 std::uint64_t Controller::inputPackages() const {
     const std::lock_guard lock(d_->mutex);
     return d_->rtde == nullptr ? 0 : d_->rtde->inputPackages();
+}
+
+std::uint64_t Controller::outputPackages() const {
+    const std::lock_guard lock(d_->mutex);
+    return d_->rtde == nullptr ? 0 : d_->rtde->outputPackages();
 }
 
 bool Controller::waitForInputPackages(std::uint64_t total, const Deadline& deadline) {

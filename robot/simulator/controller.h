@@ -30,6 +30,7 @@
 #include "robot/core/version.h"
 #include "robot/realtime/histogram.h"
 #include "robot/simulator/arm/environment.h"
+#include "robot/simulator/assumptions.h"
 
 namespace tiller::simulator {
 
@@ -64,6 +65,7 @@ struct ControllerOptions {
     Text serialNumber;               ///< empty: one of its own for each model
     /// A pause this long after its last piece ends the script of an External Control node.
     std::chrono::milliseconds scriptSilence{150};
+    Assumptions assumptions;  ///< how it behaves where it is not known how a real one does
 };
 
 /// Port numbers in use; 0 before start(), and for a service that this software does not have.
@@ -141,10 +143,16 @@ public:
     /// Threads  any. Blocks: while stepping
     void step(int ticks = 1);
     void stepSeconds(double seconds);
+    /// One period, and then, without moving time on, reads until there is an input package for each data
+    /// package that was sent, or nobody is connected to RTDE any more, or the deadline is over. Returns false
+    /// when answers are missing
+    bool stepAnswered(const Deadline& deadline);
     /// Reads everything that has arrived and answers requests, without moving time on.
     void drainSockets();
     /// RTDE input packages accepted since start(), of all clients.
     std::uint64_t inputPackages() const;
+    /// RTDE data packages handed to sockets since start(), of all clients.
+    std::uint64_t outputPackages() const;
     /// Reads until so many input packages have come, or the deadline is over.
     /// Returns  true when they have
     bool waitForInputPackages(std::uint64_t total, const Deadline& deadline);

@@ -439,6 +439,12 @@ const Verb kVerbs[] = {
     {"modbus-error", "NAME CODE", "the device's answer to that signal: 0 none, 1 illegal function, 2 address, 3 value, 4 failure, 6 busy", &modbusError},
     {"modbus-link", "on|off", "off: the Modbus device cannot be reached",
      [](Machine& m, Words& w) { const bool on = w.on(); if (w.good()) { m.plant.scriptHost().modbus().setConnected(on); } return QString(); }},
+    {"assume", "NAME=VALUE", "the controller behaves so from now on; see 'tiller-cli simulate --assume help'",
+     [](Machine& m, Words& w) {
+         const QString words = w.word();
+         if (w.good()) {
+             if (const Result<void> done = assume(m.plant.assumptions(), words); !done) { w.complain(done.error().context); } }
+         return QString(); }},
     {"status", "", "modes and faults now", &status},
     {"clear", "", "no silence, a plain link, no held registers, the right calibration", &clear},
 };

@@ -4,6 +4,7 @@
 #include <QAbstractEventDispatcher>
 
 #include "robot/simulator/faults.h"
+#include "robot/simulator/program_runner.h"
 
 namespace tiller::simulator {
 
@@ -26,6 +27,7 @@ void Machine::service() {
 }
 
 void Machine::tick() {
+    services.rtde().beginPeriod();
     service();
     plant.step();
     if (plant.telemetry().boots != boots_) {
@@ -42,6 +44,9 @@ void Machine::setRemoteControl(bool remote) {
         return;
     }
     plant.setRemoteControl(remote);
+    if (!remote && plant.assumptions().remoteToLocal == Assumptions::RemoteToLocal::Ends) {
+        plant.programs().requestStop();
+    }
     if (plant.options().gateLocalControl && !remote && !plant.options().software.isCb3()) {
         services.closeScriptClients();
     }

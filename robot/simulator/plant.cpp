@@ -143,6 +143,10 @@ void Plant::stepArm() {
                            : safety_.isReduced()                  ? std::optional(kReducedToolSpeed)
                                                                   : std::nullopt);
     arm_.setSpeedFraction(speedSlider_);
+    const Assumptions& a = options_.assumptions;
+    arm_.setReadings({a.stops == Assumptions::Time::Scaled, a.programStops == Assumptions::Time::Scaled,
+                      a.speedCommands == Assumptions::SpeedCommands::Scaled,
+                      a.pause == Assumptions::Pause::Frees});
     arm_.step();
 }
 
@@ -159,7 +163,9 @@ void Plant::stepPower() {
     power_.step(stepTime());
     followBoot();
     if (driveState(power_) != arm_.driveState()) {
-        if (arm_.driveState() == arm::DriveState::Running) {
+        const bool pauses = safety_.isEmergencyStopped() &&
+                            options_.assumptions.emergencyStop == Assumptions::EmergencyStop::Pauses;
+        if (arm_.driveState() == arm::DriveState::Running && !pauses) {
             programs_->stopNow();
         }
         arm_.setDriveState(driveState(power_));
@@ -193,11 +199,23 @@ void Plant::reactToSafety() {
             pausedBySafeguard_ = false;
             break;
         case SafetyMode::SafeguardStop:
+            if (options_.assumptions.safeguard == Assumptions::Safeguard::Runs) {
+                heldBySafeguard_ = true;
+                arm_.hold();
+                break;
+            }
             pausedBySafeguard_ = programs_->state() == RuntimeState::Playing;
             programs_->pause();
             break;
         case SafetyMode::RobotEmergencyStop:
         case SafetyMode::SystemEmergencyStop:
+            if (options_.assumptions.emergencyStop == Assumptions::EmergencyStop::Pauses) {
+                emergencyTime_ = 0;
+                pausedBySafeguard_ = false;
+                programs_->pause();
+                break;
+            }
+            [[fallthrough]];
         case SafetyMode::Violation:
         case SafetyMode::Fault:
             emergencyTime_ = 0;
@@ -210,9 +228,17 @@ void Plant::reactToSafety() {
     }
     if (before == SafetyMode::ProtectiveStop && !safety_.isProtectiveStopped()) {
         arm_.clearProtectiveStop();
+        if (options_.assumptions.protectiveStop == Assumptions::ProtectiveStop::Resumes &&
+            allowsMotion(now)) {
+            programs_->resume();
+        }
+    }
+    if (before == SafetyMode::SafeguardStop && std::exchange(heldBySafeguard_, false)) {
+        arm_.resume();
     }
     if (before == SafetyMode::SafeguardStop && allowsMotion(now) &&
-        std::exchange(pausedBySafeguard_, false)) {
+        std::exchange(pausedBySafeguard_, false) &&
+        options_.assumptions.safeguardReset == Assumptions::Reset::Resumes) {
         programs_->resume();
     }
 }
@@ -371,6 +397,11 @@ void Plant::refreshTelemetry() {
     Telemetry& t = telemetry_;
     t.arm = &arm_.state();
     t.registers = &registers_;
+    if (options_.assumptions.outputs == Assumptions::Outputs::NextPeriod) {
+        shown_ = registers_;
+        shown_.output = std::exchange(lastOutput_, registers_.output);
+        t.registers = &shown_;
+    }
     t.pins = &pins_;
     t.model = &reported_;
     t.identity = identity_;

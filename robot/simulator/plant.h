@@ -41,6 +41,8 @@ public:
     void step();
 
     const ControllerOptions& options() const { return options_; }
+    Assumptions& assumptions() { return options_.assumptions; }
+    const Assumptions& assumptions() const { return options_.assumptions; }
     double stepTime() const { return arm_.period(); }
     std::uint64_t tick() const { return tick_; }
     /// As clients see it: restarts with the controller [s].
@@ -128,6 +130,8 @@ private:
     arm::Arm arm_;
     RobotModel reported_;  ///< the model as told to clients
     Registers registers_;
+    Registers shown_;          ///< as clients see them, where that is a period later
+    RegisterBank lastOutput_;  ///< as the period before left them
     Pins pins_;
     SafetySystem safety_;
     PowerSystem power_;
@@ -152,6 +156,7 @@ private:
     bool freedriveButton_ = false;
     bool externalSensor_ = false;
     bool pausedBySafeguard_ = false;
+    bool heldBySafeguard_ = false;  ///< the arm alone, while the program runs on
     Wrench externalForce_;
     bool remoteControl_ = true;
     bool shutDown_ = false;

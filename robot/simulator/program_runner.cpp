@@ -68,6 +68,7 @@ void ProgramRunner::takeControlScript() {
 bool ProgramRunner::enqueue(std::string_view text, bool fromFile) {
     urscript::CompileOptions options;
     options.version = plant_.options().software;
+    options.missing = plant_.assumptions().missingBuiltins();
     urscript::CompileOutcome outcome = urscript::compile(text, options);
     if (!outcome) {
         plant_.publish(primary::runtimeException(plant_.timestampNs(), outcome.error.line,
@@ -148,6 +149,7 @@ void ProgramRunner::startMain(std::shared_ptr<const Program> program) {
     name_ = program->name();
     urscript::Limits limits;
     limits.randomSeed = plant_.options().seed;
+    limits.threadsBeginNextFrame = plant_.assumptions().threadStart == Assumptions::ThreadStart::NextPeriod;
     main_ = std::make_unique<Interpreter>(std::move(program), host_, limits);
     ended_ = false;
     state_ = RuntimeState::Playing;
@@ -280,7 +282,7 @@ void ProgramRunner::pause() {
 }
 
 void ProgramRunner::haltForProtectiveStop() {
-    if (fromFile_) {
+    if (fromFile_ || plant_.assumptions().protectiveStop != Assumptions::ProtectiveStop::Ends) {
         pause();
     } else {
         beginStopping();

@@ -132,7 +132,8 @@ Result<void> ScriptHost::startMotion(urscript::ThreadId thread, const urscript::
 
 // What the target has ended, the arm has not: a stop waits a little for it, unless it stands already.
 bool ScriptHost::comesToRest(Motion& motion) const {
-    if (motion.settles && state().standstillTime < kSettling && motion.settled < kSettling) {
+    const bool waits = plant_.assumptions().stopReturns == Assumptions::StopReturns::Standing;
+    if (waits && motion.settles && state().standstillTime < kSettling && motion.settled < kSettling) {
         motion.settled += stepTime();
         return false;
     }

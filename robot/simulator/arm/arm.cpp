@@ -265,6 +265,10 @@ void Arm::resume() {
     parts_->generator.resume();
 }
 
+void Arm::setReadings(const Readings& readings) {
+    parts_->generator.setReadings(readings);
+}
+
 bool Arm::isHeld() const {
     return parts_->generator.isHeld();
 }

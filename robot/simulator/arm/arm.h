@@ -62,6 +62,7 @@ public:
     void hold();
     void resume();
     bool isHeld() const;
+    void setReadings(const Readings& readings);
     /// Ends everything: drops all commands, force mode and freedrive, stops in joint space with
     /// `deceleration` [rad/s2] of the leading axis. For stops of the program and of category 1.
     void abort(double deceleration = 10.0);

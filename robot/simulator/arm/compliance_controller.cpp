@@ -131,7 +131,10 @@ const JointTarget& ComplianceController::apply(const JointTarget& program, const
         command_ = generator_.target();
         return command_;
     }
-    if (forceMode_) {
+    const bool holdsStill = generator_.isHeld() && !generator_.readings().compliesInPause;
+    if ((forceMode_ || freedrive_) && holdsStill) {
+        comeToRest();
+    } else if (forceMode_) {
         stepForceMode(measured);
     } else if (freedrive_) {
         stepFreedrive(external);
@@ -265,10 +268,7 @@ void ComplianceController::stepFreedrive(const Wrench& external) {
         Vector6 body;
         body << push.head<3>() / kMass, push.tail<3>() / kInertia;
         if (!takeTwist(masked((twist + period_ * body) / slowing))) {
-            Vector6 rest = Vector6::Zero();
-            generator_.limits().cutToAcceleration(command_.qd, rest, period_);
-            command_.q += 0.5 * (command_.qd + rest) * period_;
-            command_.qd = rest;
+            comeToRest();
         }
     } else {
         const Vector6 torque = posture_.jacobian.transpose() * push;
@@ -284,6 +284,15 @@ void ComplianceController::stepFreedrive(const Wrench& external) {
     if (push.isZero(0) && command_.qd.cwiseAbs().maxCoeff() < 1e-4) {
         command_.qd.setZero();
     }
+    generator_.rebase(command_);
+}
+
+void ComplianceController::comeToRest() {
+    Vector6 rest = Vector6::Zero();
+    generator_.limits().cutToAcceleration(command_.qd, rest, period_);
+    command_.q += 0.5 * (command_.qd + rest) * period_;
+    command_.qd = rest;
+    forceVelocity_.setZero();
     generator_.rebase(command_);
 }
 

@@ -40,6 +40,7 @@ private:
     void stepForceMode(const Wrench& measured);
     bool deviates(const Vector6& way) const;
     void stepFreedrive(const Wrench& external);
+    void comeToRest();
     bool takeTwist(const Vector6& twist);
 
     const ArmGeometry& geometry_;

@@ -242,7 +242,7 @@ MotionStart MotionGenerator::servoJ(const JointPositions& q, double t, double lo
     }
     const MotionStart start = begin();
     startVelocity(start.id, t);
-    velocity_.servoJ(state_, programScale_, q.values, t, lookahead, gain);
+    velocity_.servoJ(state_, velocityScale(), q.values, t, lookahead, gain);
     return start;
 }
 
@@ -264,7 +264,7 @@ MotionStart MotionGenerator::servoC(const Pose& target, double a, double v, doub
         raise(StopReason::PoseUnreachable, -1);
         return start;
     }
-    velocity_.servoC(state_, programScale_, point, a, v, r);
+    velocity_.servoC(state_, velocityScale(), point, a, v, r);
     return start;
 }
 
@@ -292,7 +292,7 @@ MotionStart MotionGenerator::speedJ(const JointVelocities& qd, double a, std::op
     }
     const MotionStart start = begin();
     startVelocity(start.id, t);
-    velocity_.speedJ(state_, programScale_, qd.values, a);
+    velocity_.speedJ(state_, velocityScale(), qd.values, a);
     return start;
 }
 
@@ -317,7 +317,7 @@ MotionStart MotionGenerator::speedL(const Twist& twist, double a, std::optional<
     adoptTcp();
     const MotionStart start = begin();
     startVelocity(start.id, t);
-    velocity_.speedL(state_, programScale_, x, a, rotation);
+    velocity_.speedL(state_, velocityScale(), x, a, rotation);
     return start;
 }
 
@@ -327,7 +327,7 @@ MotionStart MotionGenerator::stopJ(double a) {
     }
     supersede();
     const MotionStart start = begin();
-    startStop(a, start.id);
+    startStop(a, start.id, readings_.stopsScaled);
     return start;
 }
 
@@ -340,16 +340,19 @@ MotionStart MotionGenerator::stopL(double a, std::optional<double> aRot) {
     adoptTcp();
     const MotionStart start = begin();
     geometry_.evaluate(state_.q, posture_);
-    const Vector6 twist = posture_.jacobian * state_.qd;
+    const double pace = stopPace(readings_.stopsScaled);
+    const Vector6 qd = pace > 0 ? Vector6(state_.qd / pace) : Vector6::Zero();
+    const Vector6 twist = posture_.jacobian * qd;
     const Eigen::Vector3d v = twist.head<3>();
     const Eigen::Vector3d w = twist.tail<3>();
-    const double duration = std::max(
-        {v.norm() / a, w.norm() / rotation, state_.qd.cwiseAbs().maxCoeff() / limits_.plannedAcceleration()});
+    const double duration =
+        std::max({v.norm() / a, w.norm() / rotation,
+                  qd.cwiseAbs().maxCoeff() * pace * pace / limits_.plannedAcceleration()});
     Vector6 rates = Vector6::Zero();
     if (v.norm() + w.norm() < 1e-9 || !geometry_.jointRates(posture_, twist, rates) ||
-        (rates - state_.qd).norm() > kBranchTolerance) {
+        (rates - qd).norm() > kBranchTolerance) {
         // Nothing to follow, or not a motion the tool could describe.
-        startStop(std::max(a, kRunOutLeast), start.id);
+        startStop(std::max(a, kRunOutLeast), start.id, readings_.stopsScaled);
         return start;
     }
     path_.drop();
@@ -358,12 +361,13 @@ MotionStart MotionGenerator::stopL(double a, std::optional<double> aRot) {
     segment.id = activeId_ = start.id;
     segment.kind = Segment::Kind::Stop;
     segment.inToolSpace = true;
-    segment.realTime = true;
+    segment.realTime = pace >= 1;
     segment.r = 0;
     segment.endFault.reset();
     segment.path = ToolPath::runOut(ToolPoint(posture_.T_base_tcp), v, w, 0.5 * duration);
     segment.profile = SpeedProfile::stop(1, duration);
     segment.q = segment.endQ = state_.q;
+    pathScale_ = programScale_;
     path_.start(segment);
     mode_ = Mode::Path;
     return start;

@@ -42,7 +42,7 @@ void MotionGenerator::adoptTcp() {
     geometry_.setTcp(*tcpToCome_);
     tcpToCome_.reset();
     if (mode_ == Mode::Velocity) {
-        velocity_.toolChanged(state_, programScale_);
+        velocity_.toolChanged(state_, velocityScale());
     }
 }
 
@@ -150,7 +150,7 @@ void MotionGenerator::abort(double deceleration) {
     path_.drop();
     velocity_.drop();
     mode_ = Mode::Rest;
-    startStop(deceleration, 0);
+    startStop(deceleration, 0, readings_.programStopsScaled);
 }
 
 void MotionGenerator::raise(StopReason reason, int joint) {
@@ -163,7 +163,7 @@ void MotionGenerator::raise(StopReason reason, int joint) {
     path_.drop();
     velocity_.drop();
     mode_ = Mode::Rest;
-    startStop(kEmergencyDeceleration, 0);
+    startStop(kEmergencyDeceleration, 0, readings_.programStopsScaled);
 }
 
 void MotionGenerator::raiseFrom(const JointTarget& state, StopReason reason) {
@@ -173,34 +173,49 @@ void MotionGenerator::raiseFrom(const JointTarget& state, StopReason reason) {
 }
 
 // What is left of the present velocity, braked in joint space: all joints together.
-bool MotionGenerator::jointRunOut(double deceleration, Segment& segment) const {
-    const double fastest = state_.qd.cwiseAbs().maxCoeff();
+bool MotionGenerator::jointRunOut(double deceleration, Segment& segment, double pace) const {
+    if (pace <= 0) {
+        return false;
+    }
+    const Vector6 qd = state_.qd / pace;  // by the time the stop is measured in, as all below
+    const double hardest = limits_.acceleration / (pace * pace);
+    const double fastest = qd.cwiseAbs().maxCoeff();
     if (fastest <= 1e-9) {
         return false;
     }
-    double duration = fastest / std::clamp(deceleration, 0.01, limits_.acceleration);
+    double duration = fastest / std::clamp(deceleration, 0.01, hardest);
     for (int j = 0; j < kJointCount; ++j) {
-        const double v = std::abs(state_.qd[j]);
+        const double v = std::abs(qd[j]);
         if (v > 1e-9) {
-            const double left = limits_.position - (state_.qd[j] > 0 ? state_.q[j] : -state_.q[j]);
+            const double left = limits_.position - (qd[j] > 0 ? state_.q[j] : -state_.q[j]);
             duration = std::min(duration, 2 * std::max(0.0, left) / v);
         }
     }
-    duration = std::max(duration, fastest / limits_.acceleration);
+    duration = std::max(duration, fastest / hardest);
     segment = Segment{};
     segment.kind = Segment::Kind::Stop;
-    segment.realTime = true;
+    segment.realTime = pace >= 1;
     segment.from = segment.q = state_.q;
-    segment.direction = state_.qd / fastest;
+    segment.direction = qd / fastest;
     segment.profile = SpeedProfile::stop(fastest, duration);
-    segment.endQ = state_.q + state_.qd * (0.5 * duration);
+    segment.endQ = state_.q + qd * (0.5 * duration);
     return true;
 }
 
-void MotionGenerator::startStop(double deceleration, MotionId id) {
+double MotionGenerator::stopPace(bool scaled) const {
+    constexpr double kStandingTime = 1e-3;  // program time slower than this stands still
+    // A pause that has begun freezes program time, and no stop with it.
+    if (!scaled || held_) {
+        return 1;
+    }
+    return programScale_ < kStandingTime ? 0 : programScale_;
+}
+
+void MotionGenerator::startStop(double deceleration, MotionId id, bool scaled) {
     path_.drop();
     velocity_.drop();
-    if (!jointRunOut(deceleration, runOut_)) {
+    pathScale_ = programScale_;
+    if (!jointRunOut(deceleration, runOut_, stopPace(scaled))) {
         state_.qd.setZero();
         mode_ = Mode::Rest;
         finish(id, MotionProgress::Returned);
@@ -220,7 +235,7 @@ void MotionGenerator::startVelocity(MotionId id, std::optional<double> t) {
     const double spent = follows && t ? overrun_ : 0.0;
     overrun_ = 0;
     if (mode_ != Mode::Velocity) {
-        velocityPace_ = programScale_;
+        velocityPace_ = velocityScale();
     }
     mode_ = Mode::Velocity;
     activeId_ = id;
@@ -263,13 +278,16 @@ void MotionGenerator::step() {
 // Program time changes pace gently enough for the joints, at once when nothing moves.
 void MotionGenerator::stepScale() {
     const double wanted = held_ ? 0 : slider_;
+    const double going = held_ ? 0 : 1;
     if (mode_ == Mode::Rest) {
         programScale_ = pathScale_ = wanted;
+        pauseScale_ = going;
         programRate_ = 0;
         return;
     }
     const double rate = std::min(kFastestRamp, kRampAcceleration / std::max(programRate_, 1e-3));
     programScale_ = std::clamp(wanted, programScale_ - rate * period_, programScale_ + rate * period_);
+    pauseScale_ = std::clamp(going, pauseScale_ - rate * period_, pauseScale_ + rate * period_);
 }
 
 // What is left of joint velocities so that the tool keeps its limit, 0..1.
@@ -362,10 +380,11 @@ void MotionGenerator::stepStop() {
     if (mode_ != Mode::Path) {
         return;
     }
-    path_.evaluate(period_, 0, candidate_);
-    path_.commit(period_, 0, candidate_);
+    const double dtProgram = programScale_ * period_;
+    path_.evaluate(period_, dtProgram, candidate_);
+    path_.commit(period_, dtProgram, candidate_);
     state_.q = candidate_.q;
-    state_.qd = candidate_.rateReal;
+    state_.qd = candidate_.rateProgram * programScale_ + candidate_.rateReal;
 }
 
 void MotionGenerator::stepPath() {
@@ -418,12 +437,14 @@ void MotionGenerator::stepVelocity() {
     int joint = -1;
     const JointTarget before = state_;
     const Vector6 rates = state_.qd / std::max(velocityPace_, 1e-2);
-    const double toolFactor = toolSpeedFactor(rates * programScale_);
-    velocityPace_ = programScale_ * toolFactor;
+    const double toolFactor = toolSpeedFactor(rates * velocityScale());
+    velocityPace_ = velocityScale() * toolFactor;
     const std::optional<StopReason> stop = velocity_.step(velocityPace_, state_, joint);
-    scaling_ = velocity_.slowedBy() * std::clamp(velocityPace_ / std::max(slider_, 1e-3), 0.0, 1.0);
+    scaling_ =
+        velocity_.slowedBy() *
+        std::clamp(velocityPace_ / std::max(readings_.speedCommandsScaled ? slider_ : 1.0, 1e-3), 0.0, 1.0);
     explainScaling(toolFactor, velocity_.slowedBy() < 1);
-    programRate_ = state_.qd.cwiseAbs().maxCoeff() / std::max(programScale_, 1e-2);
+    programRate_ = state_.qd.cwiseAbs().maxCoeff() / std::max(velocityScale(), 1e-2);
     if (stop) {
         state_ = before;
         raise(*stop, joint);
@@ -431,7 +452,7 @@ void MotionGenerator::stepVelocity() {
         return;
     }
     if (blocking_) {
-        blockingLeft_ -= period_ * programScale_;
+        blockingLeft_ -= period_ * velocityScale();
         const bool servoC = velocity_.kind() == VelocityMotion::Kind::ServoC;
         const bool over = servoC              ? velocity_.targetReached()
                           : blocksUntilSpeed_ ? velocity_.speedReached()
@@ -439,8 +460,9 @@ void MotionGenerator::stepVelocity() {
         if (over) {
             blocking_ = false;
             sinceReturned_ = 0;
-            overrun_ =
-                servoC || blocksUntilSpeed_ ? 0.0 : std::clamp(-blockingLeft_, 0.0, period_ * programScale_);
+            overrun_ = servoC || blocksUntilSpeed_
+                           ? 0.0
+                           : std::clamp(-blockingLeft_, 0.0, period_ * velocityScale());
             finish(activeId_, MotionProgress::Returned);
         }
         return;

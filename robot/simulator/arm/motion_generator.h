@@ -51,6 +51,8 @@ public:
     const JointTarget& target() const { return state_; }
     void setOperational(bool operational);
     void setSpeedFraction(double fraction) { slider_ = fraction; }
+    void setReadings(const Readings& readings) { readings_ = readings; }
+    const Readings& readings() const { return readings_; }
     double speedFraction() const { return slider_; }
     void hold() { held_ = true; }
     void resume() { held_ = false; }
@@ -100,8 +102,13 @@ private:
     void adoptTcp();
     ToolPoint toolPoint(const MoveTarget& target) const;
     bool reachable(const ToolPoint& point) const;
-    bool jointRunOut(double deceleration, Segment& segment) const;
-    void startStop(double deceleration, MotionId id);
+    /// pace  of program time by which the stop is measured; 1: real time
+    bool jointRunOut(double deceleration, Segment& segment, double pace = 1) const;
+    void startStop(double deceleration, MotionId id, bool scaled = false);
+    /// For a stop that begins now; 0: nothing moves that it could brake.
+    double stopPace(bool scaled) const;
+    /// Of speed and servo commands.
+    double velocityScale() const { return readings_.speedCommandsScaled ? programScale_ : pauseScale_; }
     bool moving() const { return state_.qd.cwiseAbs().maxCoeff() > 1e-9; }
 
     void stepScale();
@@ -133,10 +140,12 @@ private:
     bool operational_ = false;
     bool ignoring_ = false;
 
+    Readings readings_;
     double slider_ = 1;
     bool held_ = false;
     double programScale_ = 1;  // slider and pause, ramped
     double pathScale_ = 1;     // the same, and what the limits leave of it
+    double pauseScale_ = 1;    // pause alone, ramped
     double scaling_ = 1;
     TimeScaleSource scaledBy_ = TimeScaleSource::NotScaled;
     double programRate_ = 0;   // fastest joint, in program time

@@ -103,4 +103,12 @@ struct FreedriveParameters {
     bool followTool = false;  ///< feature "tool": the axes turn with the tool
 };
 
+/// What is not known of a real arm; see assumptions.h.
+struct Readings {
+    bool stopsScaled = false;         ///< stopj and stopl run in program time
+    bool programStopsScaled = false;  ///< so do protective stops and abort()
+    bool speedCommandsScaled = true;  ///< so do speedj, speedl, servoj and servoc
+    bool compliesInPause = false;     ///< force mode and freedrive go on while the program is held
+};
+
 }  // namespace tiller::simulator::arm

@@ -66,11 +66,57 @@ RtdeInputs::Claim RtdeInputs::claim(ClientId client, const std::vector<std::stri
 }
 
 void RtdeInputs::release(ClientId client) {
-    for (ClientId& owner : owners_) {
-        if (owner == client) {
-            owner = 0;
+    const bool zeroed = plant_.assumptions().registers == Assumptions::Registers::Zeroed;
+    for (std::size_t index = 0; index < owners_.size(); ++index) {
+        if (owners_[index] != client) {
+            continue;
+        }
+        owners_[index] = 0;
+        const rtde::Field& field = rtde::inputFields()[index];
+        if (zeroed && std::string_view(field.name).starts_with("input_")) {
+            constexpr double kNothing = 0;
+            store(field, &kNothing);
         }
     }
+}
+
+// Those that a package leaves for the next period.
+std::vector<bool> RtdeInputs::lateFields(std::size_t count) const {
+    std::vector<bool> late(count, false);
+    const Assumptions::Inputs reading = plant_.assumptions().inputs;
+    for (std::size_t i = 0; i < count; ++i) {
+        // Scattered: any pattern will do; it has to be the same each time, or a value would overtake another.
+        const bool scattered = (i * 2654435761U >> 7U & 1U) != 0;
+        late[i] = reading == Assumptions::Inputs::FirstHalf   ? i >= count / 2
+                  : reading == Assumptions::Inputs::LastHalf  ? i < count / 2
+                  : reading == Assumptions::Inputs::Scattered ? scattered
+                                                              : false;
+    }
+    return late;
+}
+
+void RtdeInputs::storeFields(const InputRecipe& recipe, const std::vector<double>& values,
+                             const std::vector<bool>& skipped) {
+    const double* value = values.data();
+    for (std::size_t i = 0; i < recipe.fields.size(); ++i) {
+        const rtde::Field& field = rtde::inputFields()[recipe.fields[i]];
+        if (!skipped[i]) {
+            store(field, value);
+        }
+        value += field.components();
+    }
+    applyMasks(recipe);
+}
+
+void RtdeInputs::applyRest() {
+    std::erase_if(rests_, [this](Rest& rest) {
+        if (rest.period >= plant_.tick()) {
+            return false;
+        }
+        rest.late.flip();
+        storeFields(rest.recipe, rest.values, rest.late);
+        return true;
+    });
 }
 
 bool RtdeInputs::apply(const InputRecipe& recipe, rtde::ByteView wire) {
@@ -78,13 +124,13 @@ bool RtdeInputs::apply(const InputRecipe& recipe, rtde::ByteView wire) {
     if (!rtde::decodeValues(recipe.layout, wire, values_)) {
         return false;
     }
-    const double* value = values_.data();
-    for (const std::size_t index : recipe.fields) {
-        const rtde::Field& field = rtde::inputFields()[index];
-        store(field, value);
-        value += field.components();
+    // What is left of an earlier one must not come after this one.
+    applyRest();
+    const std::vector<bool> late = lateFields(recipe.fields.size());
+    storeFields(recipe, values_, late);
+    if (plant_.assumptions().inputs != Assumptions::Inputs::Whole) {
+        rests_.push_back({plant_.tick(), recipe, values_, late});
     }
-    applyMasks(recipe);
     ++packages_;
     for (const std::size_t index : recipe.fields) {
         plant_.watchdogs().touched(index);

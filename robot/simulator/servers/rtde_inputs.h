@@ -36,16 +36,31 @@ public:
     };
     /// Takes ownership of all names, or of none. protocol: the client's, on which some types depend
     Claim claim(ClientId client, const std::vector<std::string>& names, rtde::ProtocolVersion protocol);
-    /// Frees what the client owned; the values stay.
+    /// Frees what the client owned; whether the values stay is an assumption.
     void release(ClientId client);
 
     /// Applies one data package. False, and nothing changed, when its length is not the recipe's.
     bool apply(const InputRecipe& recipe, rtde::ByteView values);
 
+    /// Once a control period, before anything is read: applies what packages of the period before left over,
+    /// where they are not applied whole.
+    void applyRest();
+
     /// Packages applied so far.
     std::uint64_t packages() const { return packages_; }
 
 private:
+    /// The part of a package that a later period applies.
+    struct Rest {
+        std::uint64_t period;
+        InputRecipe recipe;
+        std::vector<double> values;
+        std::vector<bool> late;  ///< by field of the recipe
+    };
+
+    std::vector<bool> lateFields(std::size_t count) const;
+    void storeFields(const InputRecipe& recipe, const std::vector<double>& values,
+                     const std::vector<bool>& skipped);
     void store(const rtde::Field& field, const double* value);
     void applyMasks(const InputRecipe& recipe);
 
@@ -53,6 +68,7 @@ private:
     SoftwareVersion software_;
     std::vector<ClientId> owners_;  ///< by field; 0: nobody
     std::vector<double> values_;    ///< scratch of apply()
+    std::vector<Rest> rests_;
     std::uint64_t packages_ = 0;
 
     // Values of the fields that act on the robot, as last written.

@@ -199,16 +199,62 @@ void RtdeServer::publish() {
         if (!client->started || !client->peer.isOpen()) {
             continue;
         }
-        if (client->periods++ % client->divider != 0) {
-            continue;
-        }
+        const bool on = client->periods++ % client->divider == 0;
         const auto id =
             client->protocol == rtde::ProtocolVersion::V1 ? std::nullopt : std::optional<std::uint8_t>(1);
-        if (!client->peer.send(client->output->write(plant_.telemetry(), id))) {
-            client->peer.close();  // as the guide says of a client that does not read
+        if (plant_.assumptions().data == Assumptions::Data::Even && client->waiting.empty()) {
+            if (on) {
+                send(*client, client->output->write(plant_.telemetry(), id));
+            }
+            continue;
         }
+        if (on) {
+            const rtde::ByteView package = client->output->write(plant_.telemetry(), id);
+            const int times = plant_.assumptions().data == Assumptions::Data::Doubled ? 2 : 1;
+            for (int i = 0; i < times; ++i) {
+                client->waiting.push_back({departure(), {package.begin(), package.end()}});
+            }
+        }
+        sendDue(*client);
     }
     removeGone();
+}
+
+void RtdeServer::send(Client& client, rtde::ByteView package) {
+    if (client.peer.send(package)) {
+        sent_.fetch_add(1, std::memory_order_acq_rel);
+    } else {
+        client.peer.close();  // as the guide says of a client that does not read
+    }
+}
+
+double RtdeServer::departure() const {
+    const double now = plant_.elapsed();
+    switch (plant_.assumptions().data) {
+        case Assumptions::Data::Late: {
+            constexpr double kLeast = 0.004;
+            constexpr double kMore = 0.020;
+            // Any scatter will do; the order is kept by the queue.
+            const auto scatter = static_cast<double>(plant_.tick() * 2654435761U >> 8U & 0xFFU) / 255.0;
+            return now + kLeast + kMore * scatter;
+        }
+        case Assumptions::Data::Bunched: {
+            constexpr std::uint64_t kBunch = 10;
+            return now + static_cast<double>(kBunch - 1 - plant_.tick() % kBunch) * plant_.stepTime();
+        }
+        case Assumptions::Data::Even:
+        case Assumptions::Data::Doubled:
+            break;
+    }
+    return now;
+}
+
+void RtdeServer::sendDue(Client& client) {
+    const double now = plant_.elapsed() + plant_.stepTime() / 2;
+    while (!client.waiting.empty() && client.waiting.front().due <= now && client.peer.isOpen()) {
+        send(client, client.waiting.front().package);
+        client.waiting.pop_front();
+    }
 }
 
 bool RtdeServer::holdInputs(const QStringList& names) {

@@ -15,6 +15,7 @@
 
 #include <QStringList>
 #include <atomic>
+#include <deque>
 
 #include "robot/rtde/codec.h"
 #include "robot/simulator/servers/rtde_inputs.h"
@@ -29,6 +30,8 @@ class RtdeServer final : public Server {
 public:
     explicit RtdeServer(Plant& plant);
 
+    /// Once a control period, before anything is read.
+    void beginPeriod() { inputs_.applyRest(); }
     void service() override;
     void publish() override;
     void closeClients() override;
@@ -40,6 +43,7 @@ public:
 
     /// Of all clients since the start. Threads  any
     std::uint64_t inputPackages() const { return packages_.load(std::memory_order_acquire); }
+    std::uint64_t outputPackages() const { return sent_.load(std::memory_order_acquire); }
     /// Threads  any
     int clients() const { return connected_.load(std::memory_order_acquire); }
 
@@ -61,6 +65,11 @@ private:
         std::optional<double> leaves;     ///< when it is closed, as one too many [s]
         std::uint64_t periods = 0;        ///< since START
         std::vector<InputRecipe> inputs;  ///< index + 1 is the recipe id
+        struct Waiting {
+            double due;  ///< [s]
+            rtde::Bytes package;
+        };
+        std::deque<Waiting> waiting;  ///< packages that have not left yet
     };
 
     void greet(Client& client);
@@ -72,6 +81,10 @@ private:
     void onData(Client& client, rtde::ByteView payload);
     unsigned dividerFor(double frequency) const;
     void reply(Client& client);
+    void send(Client& client, rtde::ByteView package);
+    /// When a package of now leaves [s].
+    double departure() const;
+    void sendDue(Client& client);
     bool placesAreTaken() const;
     void removeGone();
 
@@ -81,6 +94,7 @@ private:
     RtdeInputs::ClientId lastId_ = 0;
     rtde::Bytes reply_;
     std::atomic<std::uint64_t> packages_{0};
+    std::atomic<std::uint64_t> sent_{0};
     std::atomic<int> connected_{0};
 };
 

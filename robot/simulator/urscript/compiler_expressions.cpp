@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Expressions, calls and the paths of nested assignments.
 
+#include <algorithm>
+
 #include "robot/simulator/urscript/compiler.h"
 
 namespace tiller::simulator::urscript {
@@ -223,7 +225,9 @@ void Compiler::call(const Expr* e) {
         }
     } else {
         builtin = findBuiltin(e->text);
-        if (builtin < 0 || (options_.version && !row(builtin).availableIn(*options_.version))) {
+        const bool isMissing =
+            std::find(options_.missing.begin(), options_.missing.end(), e->text) != options_.missing.end();
+        if (builtin < 0 || isMissing || (options_.version && !row(builtin).availableIn(*options_.version))) {
             nameNotFound(e->at, e->text);
             builtin = -1;
         } else {

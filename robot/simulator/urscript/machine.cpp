@@ -211,7 +211,7 @@ Interpreter::Machine::Thread& Interpreter::Machine::start(int function, ThreadId
     auto thread = std::make_unique<Thread>();
     thread->id = nextId_++;
     thread->parent = parent;
-    thread->sliceNs = context_.stepNs;
+    thread->sliceNs = limits_.threadsBeginNextFrame && parent >= 0 ? 0 : context_.stepNs;
     thread->operations = limits_.threadOperationsPerFrame;
     thread->calls.reserve(8);
     threads_.push_back(std::move(thread));

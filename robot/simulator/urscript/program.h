@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "robot/core/version.h"
 #include "robot/simulator/urscript/host.h"
@@ -26,6 +27,8 @@ struct CompileError {
 struct CompileOptions {
     /// Software whose builtins exist; none: all of them.
     std::optional<SoftwareVersion> version;
+    /// Builtins that do not exist although the software has them by its version.
+    std::vector<std::string> missing;
     /// Program name of a text without `def`.
     std::string rawName = "unnamed";
 };

@@ -204,6 +204,8 @@ private Q_SLOTS:
         row("programs without a name", {"simulate", "--listen", ownAddress(), "--programs", ""},
             "--programs");
         row("fault without words", {"simulate", "--listen", ownAddress(), "--fault", ""}, "help");
+        row("assumption", {"simulate", "--assume", "gravity=off"}, "safeguard-reset");
+        row("assumption without its value", {"simulate", "--assume", "registers"}, "kept or zeroed");
         row("boot time", {"simulate", "--boot-time", "long"}, "3600");
         row("headless and local", {"simulate", "--headless", "--local"}, "--local");
         row("fault without address", {"fault"}, "127.0.0.1");
@@ -226,6 +228,8 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("contains");
         QTest::newRow("help") << QStringList{"--help"} << QByteArray("simulate");
         QTest::newRow("simulate help") << QStringList{"simulate", "--help"} << QByteArray("--port-offset");
+        QTest::newRow("assumptions") << QStringList{"simulate", "--assume", "help"}
+                                     << QByteArray("registers=kept|zeroed");
         QTest::newRow("fault help") << QStringList{"fault", "--help"} << QByteArray("hold-registers");
         QTest::newRow("help on faults")
             << QStringList{"simulate", "--fault", "help"} << QByteArray("hold-registers");

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "robot/simulator/assumptions.h"
+
+#include <functional>
+
+namespace tiller::simulator {
+
+namespace {
+
+struct Row {
+    AssumptionInfo info;
+    std::function<void(Assumptions&, int)> set;
+    std::function<int(const Assumptions&)> get;
+};
+
+template <class Value>
+Row row(Value Assumptions::*member, const char* name, const QStringList& readings, const char* help) {
+    return {{QString::fromLatin1(name), readings, QString::fromLatin1(help)},
+            [member](Assumptions& a, int reading) { a.*member = static_cast<Value>(reading); },
+            [member](const Assumptions& a) { return static_cast<int>(a.*member); }};
+}
+
+const std::vector<Row>& rows() {
+    using A = Assumptions;
+    static const QStringList kBuiltin{"present", "missing"};
+    static const std::vector<Row> kRows{
+        row(&A::stops, "stops", {"real", "scaled"}, "stopj and stopl are slowed by the speed slider"),
+        row(&A::programStops, "program-stops", {"real", "scaled"},
+            "so are protective stops and the end of a program"),
+        row(&A::speedCommands, "speed-commands", {"scaled", "real"},
+            "speedj, speedl, servoj and servoc are slowed by the speed slider"),
+        row(&A::registers, "registers", {"kept", "zeroed"}, "RTDE inputs when their client has gone"),
+        row(&A::inputs, "inputs", {"whole", "first-half", "last-half", "scattered"},
+            "a package of RTDE inputs is applied whole, or over two periods: that part of it first"),
+        row(&A::outputs, "outputs", {"same-period", "next-period"},
+            "when RTDE shows the registers that a script has written"),
+        row(&A::data, "data", {"even", "late", "doubled", "bunched"},
+            "RTDE packages leave every period, up to 24 ms late, twice each, or ten at a time"),
+        row(&A::safeguard, "safeguard", {"pauses", "runs"}, "what an open safeguard does to the program"),
+        row(&A::safeguardReset, "safeguard-reset", {"resumes", "waits"},
+            "the paused program goes on by itself, or waits for play"),
+        row(&A::protectiveStop, "protective-stop", {"ends", "pauses", "resumes"},
+            "a program sent over a socket ends, is paused, or goes on by itself when unlocked"),
+        row(&A::emergencyStop, "emergency-stop", {"ends", "pauses"}, "what it does to the program"),
+        row(&A::remoteToLocal, "remote-to-local", {"keeps", "ends"}, "what it does to the program"),
+        row(&A::pause, "pause", {"holds", "frees"},
+            "force mode and freedrive hold still in a pause, or go on"),
+        row(&A::stopReturns, "stop-returns", {"standing", "target"},
+            "stopj and stopl wait until the arm stands, or until its target does"),
+        row(&A::threadStart, "thread-start", {"same-period", "next-period"},
+            "when a thread begins that has been run"),
+        row(&A::teachMode, "teach_mode", kBuiltin, "and end_teach_mode: missing is a compile error"),
+        row(&A::servoc, "servoc", kBuiltin, "missing is a compile error"),
+        row(&A::isWithinSafetyLimits, "is_within_safety_limits", kBuiltin, "missing is a compile error"),
+        row(&A::setPayloadMass, "set_payload_mass", kBuiltin, "missing is a compile error"),
+        row(&A::enableExternalFtSensor, "enable_external_ft_sensor", kBuiltin, "missing is a compile error"),
+    };
+    return kRows;
+}
+
+Error wrong(const QString& what) {
+    return {ErrorCode::InvalidArgument, what, {}};
+}
+
+}  // namespace
+
+std::vector<std::string> Assumptions::missingBuiltins() const {
+    std::vector<std::string> names;
+    const auto add = [&names](Builtin state, std::initializer_list<const char*> of) {
+        if (state == Builtin::Missing) {
+            names.insert(names.end(), of.begin(), of.end());
+        }
+    };
+    add(teachMode, {"teach_mode", "end_teach_mode"});
+    add(servoc, {"servoc"});
+    add(isWithinSafetyLimits, {"is_within_safety_limits"});
+    add(setPayloadMass, {"set_payload_mass"});
+    add(enableExternalFtSensor, {"enable_external_ft_sensor"});
+    return names;
+}
+
+const std::vector<AssumptionInfo>& assumptionTable() {
+    static const std::vector<AssumptionInfo> kTable = [] {
+        std::vector<AssumptionInfo> table;
+        for (const Row& row : rows()) {
+            table.push_back(row.info);
+        }
+        return table;
+    }();
+    return kTable;
+}
+
+Result<void> assume(Assumptions& assumptions, const QString& words) {
+    const QString name = words.section(QLatin1Char('='), 0, 0);
+    const QString value = words.section(QLatin1Char('='), 1);
+    QStringList names;
+    for (const Row& row : rows()) {
+        if (row.info.name == name) {
+            const auto reading = row.info.readings.indexOf(value);
+            if (reading < 0) {
+                return wrong(QStringLiteral("%1 is %2, not '%3'")
+                                 .arg(name, row.info.readings.join(QStringLiteral(" or ")), value));
+            }
+            row.set(assumptions, static_cast<int>(reading));
+            return {};
+        }
+        names << row.info.name;
+    }
+    return wrong(
+        QStringLiteral("'%1' is not known; there are %2").arg(name, names.join(QStringLiteral(", "))));
+}
+
+QString assumptionText(const Assumptions& assumptions) {
+    QStringList parts;
+    for (const Row& row : rows()) {
+        if (const int reading = row.get(assumptions); reading != 0) {
+            parts << QStringLiteral("%1=%2").arg(row.info.name, row.info.readings[reading]);
+        }
+    }
+    return parts.join(QLatin1Char(' '));
+}
+
+QString assumptionHelp() {
+    QString text;
+    for (const Row& row : rows()) {
+        const QString usage =
+            QStringLiteral("%1=%2").arg(row.info.name, row.info.readings.join(QLatin1Char('|')));
+        text += QStringLiteral("  %1\n      %2\n").arg(usage, row.info.help);
+    }
+    return text;
+}
+
+}  // namespace tiller::simulator
