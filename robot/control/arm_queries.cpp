@@ -114,9 +114,12 @@ Result<bool> ArmQueries::isWithinSafetyLimits(const Pose& tcpPose, const Deadlin
     if (!check.ok()) {
         return check.error();
     }
-    return yesOf(ControllerAccess::of(*controller_)
-                     .request(RequestKind::PoseIsSafe, 0, tcpPose.array(),
-                              QStringLiteral("check the safety limits"), deadline));
+    auto& d = ControllerAccess::of(*controller_);
+    const QString context = QStringLiteral("check the safety limits");
+    if (const auto known = d.knows("is_within_safety_limits", context); !known) {
+        return known.error();
+    }
+    return yesOf(d.request(RequestKind::PoseIsSafe, 0, tcpPose.array(), context, deadline));
 }
 
 Result<bool> ArmQueries::isWithinSafetyLimits(const JointPositions& q, const Deadline& deadline) {
@@ -125,9 +128,12 @@ Result<bool> ArmQueries::isWithinSafetyLimits(const JointPositions& q, const Dea
     if (!check.ok()) {
         return check.error();
     }
-    return yesOf(ControllerAccess::of(*controller_)
-                     .request(RequestKind::JointsAreSafe, 0, q.array(),
-                              QStringLiteral("check the safety limits"), deadline));
+    auto& d = ControllerAccess::of(*controller_);
+    const QString context = QStringLiteral("check the safety limits");
+    if (const auto known = d.knows("is_within_safety_limits", context); !known) {
+        return known.error();
+    }
+    return yesOf(d.request(RequestKind::JointsAreSafe, 0, q.array(), context, deadline));
 }
 
 Result<JointTorques> ArmQueries::jointTorques(const Deadline& deadline) {

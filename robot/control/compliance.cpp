@@ -148,6 +148,9 @@ Result<Motion> Compliance::startTeachMode(Holding holding) {
     auto& d = ControllerAccess::of(*controller_);
     const std::uint64_t stops = d.mailbox.epoch().stops();
     const QString context = QStringLiteral("start teach mode");
+    if (const auto known = d.knows("teach_mode", context); !known) {
+        return known.error();
+    }
     if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
         return error;
     }

@@ -37,6 +37,7 @@ void ControlLoop::begin(std::int32_t session, double period, const ArmLimits& ar
     hasData_ = false;
     pace_ = realtime::ArrivalPace(period);
     unansweredSinceNs_ = 0;
+    paused_ = false;
     followed_ = kNoMotion;
     sentMotion_ = kNoMotion;
     status_.inControl = false;
@@ -232,6 +233,7 @@ void ControlLoop::watch(const Feedback& data) {
     }
     if (data.runtimeState != RuntimeState::Playing) {
         const bool asked = endRequested_.load(std::memory_order_acquire);
+        paused_ = data.runtimeState == RuntimeState::Pausing || data.runtimeState == RuntimeState::Paused;
         leave(asked ? endLoss_.load(std::memory_order_relaxed) : ControlLoss::ScriptStopped,
               StopCause::ControlLost, data.hostNs);
         return;
@@ -469,6 +471,7 @@ void ControlLoop::seal(Command& command, std::int64_t nowNs) {
     }
     command.request = request_.newest();
     command.forcePermitted = forcePermitted_.load(std::memory_order_acquire);
+    command.speedFraction = data_.speedFraction;
     constexpr std::int32_t kWrap = 0x3fffffff;
     sequence_ = sequence_ >= kWrap ? 1 : sequence_ + 1;
     command.sequence = sequence_;

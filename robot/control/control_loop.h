@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "robot/control/control_status.h"
 #include "robot/control/mailbox.h"
@@ -105,6 +106,9 @@ public:
     bool confirmControl();
     bool isInControl() const { return inControl_.load(std::memory_order_acquire); }
     ControllerStatus status() const { return published_.load(); }
+    /// True once after our program was paused: it is of no more use, and what it has begun, force mode for
+    /// one, might go on all the same. Threads  the control thread
+    bool takePaused() { return std::exchange(paused_, false); }
     /// How many packages said that a program plays.
     std::uint64_t playing() const { return playing_.load(std::memory_order_acquire); }
     /// For the time in which no control thread runs.
@@ -141,6 +145,7 @@ private:
     std::atomic<std::uint64_t> playing_{0};
     std::atomic<CycleHook*> hook_{nullptr};
     std::atomic<bool> hookInUse_{false};
+    bool paused_ = false;
     std::int32_t asked_ = 0;  ///< under the caller's lock: number of the last request
     realtime::TripleBuffer<Request> request_;
     realtime::Seqlock<Answer> answer_;

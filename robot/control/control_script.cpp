@@ -36,9 +36,17 @@ bool isSince(const SoftwareVersion& version, const QString& since) {
     return version >= SoftwareVersion{parts.value(0).toUInt(), parts.value(1).toUInt(), 0, 0};
 }
 
-/// Empties the lines that are not for this software or this section; none is taken out, so that numbers stay
-/// what they are.
-QString linesFor(const SoftwareVersion& version, const QString& source, const QString& section) {
+/// "teach_mode", or "time 5.17": unless the controller has refused it, and from these versions on.
+bool isCalled(const SoftwareVersion& version, const QString& mark, const QStringList& refused) {
+    const QString since = mark.section(QLatin1Char(' '), 1);
+    return !refused.contains(mark.section(QLatin1Char(' '), 0, 0)) &&
+           (since.isEmpty() || isSince(version, since));
+}
+
+/// Empties the lines that are not for this software, this controller or this section; none is taken out, so
+/// that numbers stay what they are.
+QString linesFor(const SoftwareVersion& version, const QString& source, const QString& section,
+                 const QStringList& refused) {
     QStringList lines = source.split(QLatin1Char('\n'));
     bool wanted = true;
     for (QString& line : lines) {
@@ -47,6 +55,8 @@ QString linesFor(const SoftwareVersion& version, const QString& source, const QS
             wanted = isSince(version, mark.mid(9).chopped(2));
         } else if (mark.startsWith(QLatin1String("#{{USES "))) {
             wanted = section.contains(mark.mid(8).chopped(2));
+        } else if (mark.startsWith(QLatin1String("#{{CALLS "))) {
+            wanted = isCalled(version, mark.mid(9).chopped(2), refused);
         } else if (mark == QLatin1String("#{{ELSE}}")) {
             wanted = !wanted;
         } else if (mark == QLatin1String("#{{END}}")) {
@@ -105,14 +115,28 @@ QString ControlScript::place(int line, int column) const {
     return QStringLiteral("%1 line %2, column %3").arg(part).arg(inPart).arg(column);
 }
 
+QString refusedName(const QString& text) {
+    static const QRegularExpression kUnknown(QStringLiteral("name_not_found:(\\w+):"));
+    static const QRegularExpression kOptional(QStringLiteral("#\\{\\{CALLS (\\w+)"));
+    const QString name = kUnknown.match(text).captured(1);
+    for (auto it = kOptional.globalMatch(QString::fromUtf8(controlScriptTemplate())); it.hasNext();) {
+        const QString block = it.next().captured(1);
+        // What ends teach mode is in the block of what begins it.
+        if (name == block || name == QLatin1String("end_") + block) {
+            return block;
+        }
+    }
+    return {};
+}
+
 ControlScript controlScript(const SoftwareVersion& version, RegisterRange range, std::int32_t session,
                             const MotionLimits& limits, const std::array<double, 6>& jointSpeeds,
-                            const QString& section) {
+                            const QString& section, const QStringList& refused) {
     const QString source = QString::fromUtf8(controlScriptTemplate());
     // Ports that take scripts also take single lines: what stands in front of the program must not be sent.
     const qsizetype begin = source.indexOf(QLatin1String("def "));
     ControlScript script;
-    script.text = prefixed(linesFor(version, source.mid(begin), section));
+    script.text = prefixed(linesFor(version, source.mid(begin), section, refused));
     script.firstLine = static_cast<int>(source.left(begin).count(QLatin1Char('\n'))) + 1;
     const auto fill = [&](const char* name, const QString& value) {
         script.text.replace(QStringLiteral("{{%1}}").arg(QLatin1String(name)), value);

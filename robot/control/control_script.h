@@ -4,6 +4,7 @@
 // The text of control.script as it is sent: names filled in for one robot, one register range, one session.
 
 #include <QString>
+#include <QStringList>
 #include <array>
 #include <cstdint>
 
@@ -32,8 +33,13 @@ struct ControlScript {
 /// section  lines of a path or a function, run by ScriptCommand::Section. Names beginning with tiller_ are
 /// the
 ///          program's own
+/// refused  names in CALLS that this controller does not know: the program does without them
 ControlScript controlScript(const SoftwareVersion& version, RegisterRange range, std::int32_t session,
                             const MotionLimits& limits, const std::array<double, 6>& jointSpeeds,
-                            const QString& section = {});
+                            const QString& section = {}, const QStringList& refused = {});
+
+/// Of what the controller says when it cannot compile the program: the name that it does not know, if the
+/// program can do without it; else empty.
+QString refusedName(const QString& text);
 
 }  // namespace tiller::control

@@ -119,6 +119,9 @@ void Controller::Private::run() {
                 Feedback data = layout.decode(values, now());
                 data.awaited = data.hostNs - doneNs > kBusyNs;
                 alive = answer(loop.tick(data));
+                if (loop.takePaused()) {
+                    primary->requestProgramStop();  // set before this thread began, and until it has ended
+                }
                 break;
             }
             case rtde::Connection::Read::Nothing: {

@@ -49,6 +49,7 @@ struct Controller::Private {
     std::unique_ptr<script::PrimaryClient> primary;  ///< what the controller says about our programs
     ControlScript program;                           ///< the one sent last
     QString sectionName;                             ///< what its section is called in messages
+    QStringList refused;  ///< names that this controller does not know and the program does without
 
     Turn requesting;  ///< one request at a time
     /// Under it: numbers 6 to 17 as the program keeps them; nothing where that is not known.
@@ -86,6 +87,7 @@ struct Controller::Private {
     Result<void> openRegisters(const Deadline& deadline);
     Result<void> checkModes(const Deadline& deadline);
     Result<void> upload(std::int32_t session, const QString& section, const Deadline& deadline);
+    Result<void> uploadOnce(std::int32_t session, const QString& section, const Deadline& deadline);
     void startThread(std::int32_t session, const ArmLimits& limits);
     void stopThread();
     /// What the controller complained of since the last upload; code None when it did not.
@@ -122,6 +124,8 @@ struct Controller::Private {
     /// Errors  VersionUnsupported below these versions; a CB3 version of zeros: never there
     Result<void> needs(const SoftwareVersion& eSeries, const SoftwareVersion& cb3,
                        const QString& context) const;
+    /// Errors  VersionUnsupported when the controller does not know this builtin
+    Result<void> knows(const char* name, const QString& context) const;
 };
 
 /// The way of the commands' classes into the controller.

@@ -3,6 +3,7 @@
 
 #include <QStringList>
 #include <algorithm>
+#include <cmath>
 
 #include "robot/rtde/fields.h"
 
@@ -11,9 +12,10 @@ namespace tiller::control {
 namespace {
 
 constexpr int kIntInputs = 9;
+constexpr int kSliderRegister = 10;
 // Of the range's 24 the last six are left to others: clients set registers 18 to 22 by hand.
 constexpr int kDoubleInputs = 18;
-static_assert(kIntInputs + kDoubleInputs == kCommandSize);
+static_assert(kIntInputs + 1 + kDoubleInputs == kCommandSize);
 constexpr int kWatchdogRegister = 9;
 constexpr int kIntOutputs = 8;
 constexpr int kDoubleOutputs = 6;
@@ -59,6 +61,7 @@ std::vector<std::string> inputNames(RegisterRange range, Inputs recipe) {
     for (int i = 0; i < kIntInputs; ++i) {
         names.push_back(rtde::intRegisterName(rtde::Direction::Input, firstRegister(range) + i));
     }
+    names.push_back(rtde::intRegisterName(rtde::Direction::Input, firstRegister(range) + kSliderRegister));
     for (int i = 0; i < kDoubleInputs; ++i) {
         names.push_back(rtde::doubleRegisterName(rtde::Direction::Input, firstRegister(range) + i));
     }
@@ -152,6 +155,7 @@ std::array<double, kCommandSize> encode(const Command& command) {
     *at++ = static_cast<double>(command.request.kind);
     *at++ = command.request.whole;
     *at++ = command.forcePermitted ? 1 : 0;
+    *at++ = std::round(command.speedFraction * 1000);
     at = std::copy(command.values.begin(), command.values.end(), at);
     *at++ = command.speed;
     *at++ = command.acceleration;

@@ -113,6 +113,7 @@ struct Command {
     std::array<double, 3> rotation{};  ///< JogFrame::Custom: rotation vector of the frame
     Request request;
     bool forcePermitted = false;  ///< force mode may go on
+    double speedFraction = 1;     ///< of the speed slider
 };
 
 /// What control.script says in its output registers.
@@ -167,7 +168,7 @@ private:
     std::array<std::size_t, 6> numbers_{};
 };
 
-inline constexpr std::size_t kCommandSize = 27;
+inline constexpr std::size_t kCommandSize = 28;
 /// The values in the order of inputNames(). Real-time: yes
 std::array<double, kCommandSize> encode(const Command& command);
 

@@ -34,6 +34,20 @@ Result<void> Controller::Private::needs(const SoftwareVersion& eSeries, const So
         QStringLiteral("software %1.%2.%3: %4").arg(has.major).arg(has.minor).arg(has.bugfix).arg(since)};
 }
 
+Result<void> Controller::Private::knows(const char* name, const QString& context) const {
+    const SoftwareVersion has = versionNow();
+    const std::lock_guard lock(arm);
+    if (!refused.contains(QLatin1String(name))) {
+        return {};
+    }
+    return Error{ErrorCode::VersionUnsupported, context,
+                 QStringLiteral("software %1.%2.%3 has no %4")
+                     .arg(has.major)
+                     .arg(has.minor)
+                     .arg(has.bugfix)
+                     .arg(QLatin1String(name))};
+}
+
 Result<Answer> Controller::Private::exchange(const Request& request, const QString& context,
                                              const Deadline& deadline) {
     const std::int32_t number = loop.ask(request);

@@ -234,6 +234,10 @@ Result<PoseServo> Motions::startServoL(const ServoParameters& parameters, Holdin
 }
 
 Result<CircularServo> Motions::startServoC(const CircularServoParameters& parameters, Holding holding) {
+    auto& d = ControllerAccess::of(*controller_);
+    if (const auto known = d.knows("servoc", QStringLiteral("start a stream")); !known) {
+        return known.error();
+    }
     const auto motion =
         startStream(*controller_, ScriptCommand::ServoC, MotionKind::ServoC, parameters, holding);
     return motion ? Result<CircularServo>(CircularServo(*motion, parameters)) : motion.error();

@@ -70,6 +70,7 @@ Result<void> Controller::Private::take(const Deadline& deadline) {
         const std::lock_guard lock(arm);
         armLimits = limits;
         version = connection->version();
+        refused.clear();
         primary = std::move(listener);
     }
     const std::int32_t session = newSession();
@@ -148,12 +149,35 @@ Result<void> Controller::Private::checkModes(const Deadline& deadline) {
                  QStringLiteral("no data package")};
 }
 
+// A name that is dropped from the language makes a controller refuse the whole program: once it has told
+// which, the program does without.
 Result<void> Controller::Private::upload(std::int32_t session, const QString& section,
                                          const Deadline& deadline) {
+    for (;;) {
+        auto sent = uploadOnce(session, section, deadline);
+        if (sent || sent.error().code != ErrorCode::ScriptError) {
+            return sent;
+        }
+        const QString name = refusedName(sent.error().controllerMessage);
+        const std::lock_guard lock(arm);
+        if (name.isEmpty() || refused.contains(name)) {
+            return sent;
+        }
+        refused.append(name);
+    }
+}
+
+Result<void> Controller::Private::uploadOnce(std::int32_t session, const QString& section,
+                                             const Deadline& deadline) {
     const QString context =
         QStringLiteral("start the control program at %1:%2").arg(options.host).arg(primaryPort());
-    const ControlScript script =
-        controlScript(versionNow(), options.registers, session, options.limits, armNow().maxSpeed, section);
+    QStringList without;
+    {
+        const std::lock_guard lock(arm);
+        without = refused;
+    }
+    const ControlScript script = controlScript(versionNow(), options.registers, session, options.limits,
+                                               armNow().maxSpeed, section, without);
     {
         const std::lock_guard lock(arm);
         primary->takeMessages();  // what was said before is not about us

@@ -121,16 +121,23 @@ Result<void> ToolSetup::useExternalSensorLegacy(const ExternalSensor& sensor, co
     if (const Error error = check(kContext, sensor); error.code != ErrorCode::None) {
         return error;
     }
-    return noAnswer(ControllerAccess::of(*controller_)
-                        .request(RequestKind::ExternalSensorLegacy, 1,
-                                 numbersOf(sensor.mass, sensor.measuringOffset, sensor.centreOfGravity),
-                                 QString::fromLatin1(kContext), deadline));
+    auto& d = ControllerAccess::of(*controller_);
+    const QString context = QString::fromLatin1(kContext);
+    if (const auto known = d.knows("enable_external_ft_sensor", context); !known) {
+        return known;
+    }
+    return noAnswer(d.request(RequestKind::ExternalSensorLegacy, 1,
+                              numbersOf(sensor.mass, sensor.measuringOffset, sensor.centreOfGravity), context,
+                              deadline));
 }
 
 Result<void> ToolSetup::useOwnSensor(const Deadline& deadline) {
     auto& d = ControllerAccess::of(*controller_);
     const QString context = QStringLiteral("use the robot's own force sensor");
     const bool modern = d.needs({5, 9, 0, 0}, {3, 14, 0, 0}, context).ok();
+    if (const auto known = d.knows("enable_external_ft_sensor", context); !modern && !known) {
+        return known;
+    }
     return noAnswer(d.request(modern ? RequestKind::ExternalSensor : RequestKind::ExternalSensorLegacy, 0, {},
                               context, deadline));
 }

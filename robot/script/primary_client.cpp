@@ -4,9 +4,11 @@
 #include <QTcpSocket>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
+#include <string_view>
 #include <thread>
 
 #include "robot/core/native_socket.h"
@@ -22,6 +24,7 @@ struct PrimaryClient::Private {
 
     std::thread thread;
     CancelToken cancel;
+    std::atomic<bool> stopWanted{false};
 
     mutable std::mutex mutex;
     mutable std::condition_variable changed;
@@ -86,6 +89,13 @@ Error PrimaryClient::Private::listen() {
     // Short enough that the end of the thread is not felt in the 20 ms in which a cancel takes effect.
     constexpr milliseconds kPoll(5);
     while (!cancel.isCancelled()) {
+        if (stopWanted.exchange(false, std::memory_order_acq_rel)) {
+            static constexpr std::string_view kStop = "stop program\n";
+            // What is so short fits whenever anything does; a connection that takes nothing is told of
+            // elsewhere.
+            (void)native_socket::send(descriptor,
+                                      {reinterpret_cast<const std::uint8_t*>(kStop.data()), kStop.size()});
+        }
         if (!native_socket::waitReadable(descriptor, kPoll)) {
             continue;
         }
@@ -196,6 +206,10 @@ bool PrimaryClient::isConnected() const {
 Error PrimaryClient::connectionError() const {
     const std::lock_guard lock(d_->mutex);
     return d_->error;
+}
+
+void PrimaryClient::requestProgramStop() {
+    d_->stopWanted.store(true, std::memory_order_release);
 }
 
 std::vector<ControllerMessage> PrimaryClient::takeMessages() {

@@ -44,6 +44,10 @@ public:
     /// Why there is no connection now; code None when there is one or none was tried.
     Error connectionError() const;
 
+    /// Lets its thread tell the controller to stop the program that runs or is paused, within some 5 ms. Lost
+    /// when there is no connection. Real-time: yes
+    void requestProgramStop();
+
     /// All messages since the last call, oldest first.
     std::vector<ControllerMessage> takeMessages();
     PrimaryState state() const;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The process that moves the arm is killed without warning (SIGKILL), in every way of moving: the robot alone
-// comes to a stand, by its own clock within the contract's 250 ms, and stays there. Watched through a second
-// RTDE connection.
+// The process that moves the arm is killed without warning (SIGKILL), held (SIGSTOP) or cut off, in every way
+// of moving: the robot alone comes to a stand, by its own clock within the contract's 250 ms, and stays
+// there. Watched through a second RTDE connection. With TILLER_ALL=1 every way is lost in every manner; else
+// all are killed.
 #include <QProcess>
 #include <QTest>
 #include <algorithm>
+#include <csignal>
 #include <vector>
 
 #include "robot/control/registers.h"
@@ -63,20 +65,36 @@ private:
     std::int32_t heard_ = 0;
 };
 
+enum class Loss { Killed, Stopped, Cut };
+constexpr Loss kLosses[] = {Loss::Killed, Loss::Stopped, Loss::Cut};
+
+const char* name(Loss loss) {
+    return loss == Loss::Killed ? "kill -9" : loss == Loss::Stopped ? "SIGSTOP" : "cut cable";
+}
+
 }  // namespace
 
 class TestKilledProcess : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void killMinusNineEndsInStandstill_data() {
+    void aLostProcessEndsInStandstill_data() {
+        QTest::addColumn<QString>("way");
+        QTest::addColumn<int>("loss");
         QTest::addColumn<double>("fast");
         QTest::addColumn<bool>("hand");
         QTest::addColumn<ScriptState>("end");
-        // fast  the speed at which it is killed [m/s]
+        // fast  the speed at which it is lost [m/s]
         const auto row = [](const char* way, double fast, bool hand = false,
                             ScriptState end = ScriptState::Expired) {
-            QTest::newRow(way) << fast << hand << end;
+            for (const Loss loss : kLosses) {
+                // Each way is killed; of the others a run of all does each, and one that is not does some.
+                static int count = 0;
+                if (loss == Loss::Killed || qEnvironmentVariableIsSet("TILLER_ALL") || count++ % 7 == 0) {
+                    QTest::addRow("%s, %s", way, name(loss))
+                        << QString::fromLatin1(way) << static_cast<int>(loss) << fast << hand << end;
+                }
+            }
         };
         constexpr double kFast = 0.095;
         row("jog", kFast);
@@ -103,7 +121,9 @@ private Q_SLOTS:
         row("section in force mode", 0.03);
         row("section in freedrive", 0.05, true);
     }
-    void killMinusNineEndsInStandstill() {
+    void aLostProcessEndsInStandstill() {
+        QFETCH(QString, way);
+        QFETCH(int, loss);
         QFETCH(double, fast);
         QFETCH(bool, hand);
         QFETCH(ScriptState, end);
@@ -120,7 +140,7 @@ private Q_SLOTS:
         helper.setProcessChannelMode(QProcess::ForwardedErrorChannel);
         helper.start(QStringLiteral(MOVING_HELPER),
                      {robot.listenAddress(), QString::number(robot.ports().primary),
-                      QString::number(robot.ports().rtde), QString::fromLatin1(QTest::currentDataTag())});
+                      QString::number(robot.ports().rtde), way});
         QVERIFY(helper.waitForStarted(20'000));
         const double patience = 60;  // [s] of robot time
         QVERIFY(watcher.look());
@@ -134,8 +154,35 @@ private Q_SLOTS:
             }
         }
         const double killedAt = robot.truth().timestamp;
-        helper.kill();  // SIGKILL
-        QVERIFY(helper.waitForFinished(20'000));
+        switch (static_cast<Loss>(loss)) {
+            case Loss::Killed:
+                helper.kill();  // SIGKILL
+                QVERIFY(helper.waitForFinished(20'000));
+                break;
+            case Loss::Stopped:
+                ::kill(static_cast<pid_t>(helper.processId()), SIGSTOP);
+                break;
+            case Loss::Cut:
+                // The watcher hears nothing either: the robot itself is asked.
+                QVERIFY(robot.inject(QStringLiteral("link lost")).ok());
+                break;
+        }
+        if (static_cast<Loss>(loss) == Loss::Cut) {
+            double moved = killedAt;
+            while (robot.truth().timestamp < killedAt + 1.0) {
+                const simulator::Truth now = robot.truth();
+                const bool stands =
+                    now.tcpSpeed.linear.norm() < 0.001 && now.qd.values.cwiseAbs().maxCoeff() < 0.002;
+                moved = stands ? moved : now.timestamp;
+                QTest::qSleep(1);
+            }
+            const double ms = (moved - killedAt) * 1000;
+            qInfo("%s: to standstill: %.0f ms", QTest::currentDataTag(), ms);
+            QVERIFY2(ms <= 250, qPrintable(QString::number(ms)));
+            helper.kill();
+            QVERIFY(helper.waitForFinished(20'000));
+            return;
+        }
         double lastMoved = killedAt;
         while (watcher.time < killedAt + 1.0) {
             QVERIFY(watcher.look());
@@ -145,11 +192,13 @@ private Q_SLOTS:
         }
         // On a busy machine the signal may take its time: what counts then is the last the robot heard.
         const double ms = (lastMoved - std::max(killedAt, watcher.heardAt)) * 1000;
-        qInfo("%s: kill -9 to standstill: %.0f ms", QTest::currentDataTag(), ms);
+        qInfo("%s: to standstill: %.0f ms", QTest::currentDataTag(), ms);
         QVERIFY2(ms <= 250, qPrintable(QString::number(ms)));
         QVERIFY(watcher.stands);
         QCOMPARE(watcher.state, end);
         QCOMPARE(robot.truth().safetyMode, SafetyMode::Normal);
+        helper.kill();
+        QVERIFY(helper.state() == QProcess::NotRunning || helper.waitForFinished(20'000));
     }
 };
 

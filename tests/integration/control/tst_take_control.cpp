@@ -8,7 +8,12 @@
 #include <sched.h>
 #endif
 
+#include "robot/control/arm_queries.h"
+#include "robot/control/compliance.h"
 #include "robot/control/controller.h"
+#include "robot/control/motions.h"
+#include "robot/control/programs.h"
+#include "robot/control/tool_setup.h"
 #include "robot/rtde/connection.h"
 #include "robot/simulator/controller.h"
 #include "tests/support/raw_peer.h"
@@ -85,6 +90,37 @@ class TestTakeControl : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    // One deprecated name that a controller does not know would cost the whole program.
+    void namesTheControllerDoesNotKnowAreDoneWithout() {
+        simulator::ControllerOptions options = robotOptions();
+        for (const char* name : {"teach_mode", "servoc", "is_within_safety_limits", "set_payload_mass",
+                                 "enable_external_ft_sensor"}) {
+            QVERIFY(simulator::assume(options.assumptions, QString::fromLatin1(name) + "=missing").ok());
+        }
+        simulator::Controller robot(options);
+        QVERIFY(robot.start().ok());
+        Controller controller(to(robot));
+        const auto taken = controller.takeControl(soon());
+        QVERIFY2(taken.ok(), qPrintable(taken.ok() ? QString() : taken.error().toString()));
+        const auto is = [](const auto& result, const char* name) {
+            return result.error().code == ErrorCode::VersionUnsupported &&
+                   result.error().controllerMessage.contains(QLatin1String(name));
+        };
+        QVERIFY(is(Compliance(controller).startTeachMode(), "teach_mode"));
+        QVERIFY(is(Motions(controller).startServoC(), "servoc"));
+        QVERIFY(is(ArmQueries(controller).isWithinSafetyLimits(Pose(), soon()), "is_within_safety_limits"));
+        QVERIFY(is(ArmQueries(controller).isWithinSafetyLimits(JointPositions(), soon()),
+                   "is_within_safety_limits"));
+        QVERIFY(is(ToolSetup(controller).useExternalSensorLegacy({}, soon()), "enable_external_ft_sensor"));
+        QVERIFY(ArmQueries(controller).stepTime(soon()).ok());
+        QVERIFY(Compliance(controller).startFreedrive().ok());
+        // A section sends the program again, without them from the start.
+        QVERIFY(Programs(controller)
+                    .startFunction(QStringLiteral("wait"), QStringLiteral("sleep(0.01)"), soon())
+                    .ok());
+        controller.release();
+    }
+
     void theControlThreadStaysOnItsCpus() {
 #ifndef __linux__
         QSKIP("how to ask where a thread may run is written for Linux only");

@@ -5,6 +5,8 @@
 
 #include <QTest>
 #include <algorithm>
+#include <functional>
+#include <map>
 
 #include "robot/control/control_script.h"
 #include "robot/control/registers.h"
@@ -25,7 +27,9 @@ struct ScriptBench {
     std::unique_ptr<urscript::Interpreter> program;
     int first;
     std::int32_t sequence = 1000;
-    Request request;  ///< travels with every package
+    Request request;                             ///< travels with every package
+    std::function<bool(std::size_t)> comesLate;  ///< what of a package is there a frame after the rest
+    std::map<std::size_t, double> late;
     bool forcePermitted = false;
 
     explicit ScriptBench(RegisterRange range = RegisterRange::Upper, SoftwareVersion version = {5, 22, 0, 0},
@@ -62,16 +66,31 @@ struct ScriptBench {
         command.forcePermitted = forcePermitted;
         command.sequence = ++sequence;
         const auto values = encode(command);
-        for (std::size_t i = 0; i < 9; ++i) {
-            host.intIn[static_cast<std::size_t>(first) + i] = static_cast<std::int32_t>(values[i]);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (comesLate && comesLate(i)) {
+                late[i] = values[i];
+            } else {
+                put(i, values[i]);
+            }
         }
-        for (std::size_t i = 0; i < 18; ++i) {
-            host.floatIn[static_cast<std::size_t>(first) + i] = values[9 + i];
+    }
+    /// A value of a package, by its place there.
+    void put(std::size_t i, double value) {
+        constexpr std::size_t kInts = 10;
+        const auto at = static_cast<std::size_t>(first);
+        if (i < kInts) {
+            host.intIn[at + (i == kInts - 1 ? kInts : i)] = static_cast<std::int32_t>(value);
+        } else {
+            host.floatIn[at + i - kInts] = value;
         }
     }
     void frame(int times = 1) {
         for (int i = 0; i < times; ++i) {
             program->runFrame();
+            for (const auto& [place, value] : late) {
+                put(place, value);
+            }
+            late.clear();
             if (program->error()) {
                 qFatal("line %d: %s", program->error()->line, program->error()->text.c_str());
             }
@@ -87,8 +106,8 @@ struct ScriptBench {
     // Asks, and lets the robot answer.
     Answer ask(RequestKind kind, std::int32_t whole = 0, std::array<double, 6> numbers = {}) {
         request = {request.number + 1, kind, whole, numbers};
-        send(ScriptCommand::Idle, idleEpoch);
-        frame();
+        // Served when it has been there for two frames, of which the first may come late.
+        hold(ScriptCommand::Idle, idleEpoch, 3);
         Answer answer;
         answer.number = out(4);
         answer.outcome = static_cast<Outcome>(out(5));

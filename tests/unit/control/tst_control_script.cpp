@@ -40,6 +40,121 @@ private Q_SLOTS:
         }
     }
 
+    // A name the controller does not know is left out, with what needs it.
+    void compilesWithoutWhatItCanDoWithout_data() {
+        QTest::addColumn<QString>("name");
+        for (const char* name :
+             {"teach_mode", "servoc", "is_within_safety_limits", "enable_external_ft_sensor", "time"}) {
+            QTest::newRow(name) << QString::fromLatin1(name);
+        }
+    }
+    void compilesWithoutWhatItCanDoWithout() {
+        QFETCH(QString, name);
+        urscript::CompileOptions options;
+        options.version = SoftwareVersion{5, 22, 0, 0};
+        options.missing = {name.toStdString(), "end_" + name.toStdString()};
+        const auto with = urscript::compile(
+            controlScript(*options.version, RegisterRange::Upper, 1, {}, kJointSpeeds).text.toStdString(),
+            options);
+        QVERIFY(!with);
+        QCOMPARE(refusedName(QString::fromStdString(with.error.text)), name);
+        const auto without = urscript::compile(
+            controlScript(*options.version, RegisterRange::Upper, 1, {}, kJointSpeeds, {}, {name})
+                .text.toStdString(),
+            options);
+        QVERIFY2(bool(without), without.error.text.c_str());
+    }
+    void whatItCannotDoWithoutIsNotLeftOut() {
+        QCOMPARE(refusedName(QStringLiteral("compile_error_name_not_found:speedl:")), QString());
+        QCOMPARE(refusedName(QStringLiteral("syntax_error_on_line:3:teach_mode():")), QString());
+    }
+
+    // A controller may take two periods to hand over a package: each then shows a mixture of the newest two.
+    void halfAPackageMovesNothing_data() {
+        QTest::addColumn<int>("pattern");
+        QTest::newRow("first half first") << 0;
+        QTest::newRow("last half first") << 1;
+        QTest::newRow("every other") << 2;
+        QTest::newRow("the others") << 3;
+    }
+    void halfAPackageMovesNothing() {
+        QFETCH(int, pattern);
+        Bench bench;
+        bench.comesLate = [pattern](std::size_t i) {
+            return pattern == 0   ? i >= kCommandSize / 2
+                   : pattern == 1 ? i < kCommandSize / 2
+                                  : i % 2 == static_cast<std::size_t>(pattern - 2);
+        };
+        bench.hold(ScriptCommand::Idle, 1, 3);
+        const JointPositions there(0.3, -1, 1, -1, -1, 0.1);
+        bench.hold(ScriptCommand::MoveJ, 2, 5, there.array());
+        QCOMPARE(bench.count<urscript::Move>(), 1);
+        const auto target = [](const urscript::Move& move) { return std::get<JointPositions>(move.target); };
+        QCOMPARE(target(*bench.last<urscript::Move>()), there);
+        // Another one behind it, with numbers of its own.
+        const JointPositions elsewhere(-0.2, -0.9, 1.1, -1.2, -1.4, 0.5);
+        bench.hold(ScriptCommand::MoveJ, 3, 60, elsewhere.array());
+        QCOMPARE(bench.count<urscript::Move>(), 2);
+        QCOMPARE(target(*bench.last<urscript::Move>()), elsewhere);
+        QCOMPARE(bench.state(), ScriptState::Done);
+        // A stop is not lost, and what begins after it is not dead with it.
+        bench.hold(ScriptCommand::JogCartesian, 4, 5, {0.05, 0, 0, 0, 0, 0});
+        QCOMPARE(bench.state(), ScriptState::Executing);
+        bench.hold(ScriptCommand::Idle, 5, 2);
+        QCOMPARE(bench.state(), ScriptState::Braking);
+        bench.hold(ScriptCommand::Idle, 5, 40);
+        QCOMPARE(bench.state(), ScriptState::Ready);
+        bench.hold(ScriptCommand::JogCartesian, 6, 4, {0.05, 0, 0, 0, 0, 0});
+        QCOMPARE(bench.state(), ScriptState::Executing);
+        // Straight from one kind into another, and a servo whose first target comes later.
+        bench.hold(ScriptCommand::Idle, 7, 40);
+        Command servo;
+        servo.kind = ScriptCommand::ServoJ;
+        servo.epoch = 8;
+        servo.speed = 0.002;
+        servo.acceleration = 0.1;
+        servo.rotationAcceleration = 300;
+        for (int i = 0; i < 10; ++i) {
+            servo.choice = i < 5 ? 0 : 1;
+            servo.values = i < 5 ? std::array<double, 6>{} : bench.host.q.array();
+            bench.send(servo);
+            bench.frame();
+        }
+        QCOMPARE(bench.state(), ScriptState::Executing);
+        bench.hold(ScriptCommand::Idle, 9, 40);
+        for (const auto& motion : bench.host.motions) {
+            const auto* servoed = std::get_if<urscript::ServoJ>(&motion.command);
+            QVERIFY(servoed == nullptr || (servoed->q == bench.host.q && servoed->lookahead >= 0.03));
+        }
+        // A request comes with its numbers.
+        bench.idleEpoch = 9;
+        QCOMPARE(bench.ask(RequestKind::SetPayload, 1, {1.5, 0, 0, 0.1, 0, 0}).outcome, Outcome::Done);
+        QCOMPARE(bench.host.load.mass, 1.5);
+        QCOMPARE(bench.ask(RequestKind::SetPayload, 1, {2.5, 0, 0, 0.1, 0, 0}).outcome, Outcome::Done);
+        QCOMPARE(bench.host.load.mass, 2.5);
+        QVERIFY(bench.running());
+    }
+
+    // Its own count of periods stands still in a pause; the clock does not.
+    void whatWasToldBeforeAPauseIsOver() {
+        for (const bool isMove : {false, true}) {
+            Bench bench;
+            bench.host.moveFrames = 1000;
+            const ScriptCommand kind = isMove ? ScriptCommand::MoveJ : ScriptCommand::JogCartesian;
+            bench.hold(ScriptCommand::Idle, 1, 2);
+            bench.hold(kind, 2, 10, {0.1, 0, 0, 0, 0, 0});
+            QCOMPARE(bench.state(), ScriptState::Executing);
+            bench.host.timeNs += 90'000'000;
+            bench.hold(kind, 2, 3, {0.1, 0, 0, 0, 0, 0});
+            QCOMPARE(bench.state(), ScriptState::Executing);
+            bench.host.timeNs += 110'000'000;
+            bench.hold(kind, 2, 1, {0.1, 0, 0, 0, 0, 0});
+            QCOMPARE(bench.state(), ScriptState::Braking);
+            bench.hold(kind, 2, 1100, {0.1, 0, 0, 0, 0, 0});
+            QCOMPARE(bench.state(), ScriptState::Expired);
+        }
+    }
+
     void nothingIsLeftUnfilled() {
         const ControlScript script = controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {}, kJointSpeeds);
         QVERIFY(!script.text.contains(QLatin1String("{{")));
@@ -94,9 +209,10 @@ private Q_SLOTS:
     void aJogRunsEachFrameWithTheNewestValues() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
-        bench.send(ScriptCommand::JogCartesian, 2, {0.05, 0, 0, 0, 0, 0});
-        bench.frame();
-        QCOMPARE(bench.count<urscript::SpeedL>(), 1);  // in the very frame
+        bench.hold(ScriptCommand::JogCartesian, 2, 1, {0.05, 0, 0, 0, 0, 0});
+        QCOMPARE(bench.count<urscript::SpeedL>(), 0);  // half of it might still be missing
+        bench.hold(ScriptCommand::JogCartesian, 2, 1, {0.05, 0, 0, 0, 0, 0});
+        QCOMPARE(bench.count<urscript::SpeedL>(), 1);
         QCOMPARE(bench.state(), ScriptState::Executing);
         const auto* motion = bench.last<urscript::SpeedL>();
         QVERIFY(motion != nullptr);
@@ -119,7 +235,7 @@ private Q_SLOTS:
         jog.choice = static_cast<std::int32_t>(JogFrame::Tool);
         jog.values = {0.01, 0.02, 0.03, 0.1, 0.2, 0.3};
         bench.send(jog);
-        bench.frame();
+        bench.frame(2);
         const Eigen::Matrix3d R = rotationMatrix(bench.host.tcpPose(urscript::Source::Target).rotation);
         QVERIFY(near(bench.last<urscript::SpeedL>()->xd.linear, R * Eigen::Vector3d(0.01, 0.02, 0.03)));
         QVERIFY(near(bench.last<urscript::SpeedL>()->xd.angular, R * Eigen::Vector3d(0.1, 0.2, 0.3)));
@@ -136,7 +252,7 @@ private Q_SLOTS:
     void aJointJogRunsSpeedj() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
-        bench.hold(ScriptCommand::JogJoints, 2, 5, {0, 0, 0.1, 0, 0, 0});
+        bench.hold(ScriptCommand::JogJoints, 2, 6, {0, 0, 0.1, 0, 0, 0});
         QVERIFY(bench.count<urscript::SpeedJ>() >= 5);
         QCOMPARE(bench.last<urscript::SpeedJ>()->qd[2], 0.1);
     }

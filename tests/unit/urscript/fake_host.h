@@ -19,6 +19,7 @@ class FakeHost final : public Host {
 public:
     // ---- what tests set and look at
     double step = 0.002;
+    std::int64_t timeNs = 12'345'000'000;
     int moveFrames = 5;        ///< moves and stops
     double durationScale = 1;  ///< 4: speed slider at 25 %
     std::vector<std::string> messages;
@@ -234,7 +235,7 @@ public:
     Result<int> requestValue(RequestKind, std::string_view) override { return 1; }
     std::optional<RequestAnswer> requestedValue(int) override { return answer; }
     double stepTime() const override { return step; }
-    std::int64_t controllerTimeNs() const override { return 12'345'000'000; }
+    std::int64_t controllerTimeNs() const override { return timeNs; }
     std::int64_t systemTimeNs() const override { return 1'700'000'000'000'000'000; }
     Result<void> protectiveStop() override {
         calls.push_back("protective_stop");

@@ -1,0 +1,445 @@
+// SPDX-License-Identifier: MIT
+#include "tests/integration/control/contract_cell.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tiller::test {
+
+using namespace tiller::control;
+using std::chrono::milliseconds;
+
+namespace {
+
+constexpr double kSpeed = 0.1;         ///< of the tool, the jog contract's [m/s]
+constexpr double kAcceleration = 0.5;  ///< [m/s2]
+constexpr double kTurn = 0.3;          ///< of a joint: about the same at the tool [rad/s]
+
+Deadline patience() {
+    return Deadline::after(std::chrono::seconds(30));
+}
+
+JogTarget up(double contactForce = 0) {
+    JogTarget target;
+    target.twist.linear.z() = kSpeed;
+    target.contactForce = contactForce;
+    return target;
+}
+
+JogTarget turning() {
+    JogTarget target;
+    target.kind = JogTarget::Kind::Joint;
+    target.qd[0] = kTurn;
+    return target;
+}
+
+Pose raised(const ContractCell& cell, double by) {
+    Pose pose = Pose::fromArray(cell.controller->status().tcpPose);
+    pose.position.z() += by;
+    return pose;
+}
+
+JointPositions turned(const ContractCell& cell, double by) {
+    JointPositions q(cell.controller->status().q);
+    q[0] += by;
+    return q;
+}
+
+Error beginJog(ContractCell& cell, const JogTarget& target) {
+    const auto jog = cell.controller->startJog(target);
+    cell.jog = jog ? *jog : kNoMotion;
+    return jog ? Error() : jog.error();
+}
+
+Error take(ContractCell& cell, const Result<Motion>& motion) {
+    cell.motion = motion ? *motion : Motion();
+    return motion ? Error() : motion.error();
+}
+
+/// Keeps a stream fed, from a copy of its handle.
+template <class Stream, class Next>
+Error stream(ContractCell& cell, const Result<Stream>& started, Next next) {
+    if (!started) {
+        return started.error();
+    }
+    cell.motion = started->motion();
+    cell.send = [stream = *started, next]() mutable { (void)stream.send(next()); };
+    return {};
+}
+
+void holdJog(ContractCell& cell) {
+    (void)cell.controller->refreshJog(cell.jog);
+}
+void holdMove(ContractCell& cell) {
+    (void)cell.controller->refreshMove(cell.motion.id());
+}
+void feed(ContractCell& cell) {
+    if (cell.send) {
+        cell.send();
+    }
+}
+void nothing(ContractCell&) {}
+
+Error section(ContractCell& cell, const char* body) {
+    return take(cell, cell.during([&] {
+        return Programs(*cell.controller)
+            .startFunction(QStringLiteral("contract"), QString::fromLatin1(body), patience(), Holding::Held);
+    }));
+}
+
+Error push(ContractCell& cell) {
+    const auto on = cell.during([&] {
+        ForceMode mode;
+        mode.compliant[2] = true;
+        mode.wrench.force.z() = 30;
+        mode.limits = {0.1, 0.1, kSpeed, 0.5, 0.5, 0.5};
+        return Compliance(*cell.controller).setForceMode(mode, patience());
+    });
+    return on ? Error() : on.error();
+}
+
+}  // namespace
+
+const std::vector<ContractMotion>& contractMotions() {
+    // By now the arm's own place is known; each goes a way that leads nowhere near a limit.
+    static const std::vector<ContractMotion> kMotions{
+        {"jog", nullptr, false, false, kSpeed, [](ContractCell& c) { return beginJog(c, up()); }, holdJog},
+        {"jog a joint", nullptr, false, false, 0.08, [](ContractCell& c) { return beginJog(c, turning()); },
+         holdJog},
+        {"jog until contact", nullptr, false, false, kSpeed,
+         [](ContractCell& c) { return beginJog(c, up(30)); }, holdJog},
+        {"moveJ", nullptr, false, false, 0.08,
+         [](ContractCell& c) {
+             return take(c, Motions(*c.controller).moveJ(turned(c, 0.8), {kTurn, 1.4, Holding::Free}));
+         },
+         nothing},
+        {"moveJ to a pose", nullptr, false, false, 0.03,
+         [](ContractCell& c) {
+             return take(c, Motions(*c.controller).moveJ(raised(c, 0.25), {kTurn, 1.4, Holding::Free}));
+         },
+         nothing},
+        {"moveL", nullptr, false, false, kSpeed,
+         [](ContractCell& c) {
+             return take(
+                 c, Motions(*c.controller).moveL(raised(c, 0.25), {kSpeed, kAcceleration, Holding::Free}));
+         },
+         nothing},
+        {"moveL to joints", nullptr, false, false, kSpeed,
+         [](ContractCell& c) {
+             return take(
+                 c, Motions(*c.controller).moveL(turned(c, 0.6), {kSpeed, kAcceleration, Holding::Free}));
+         },
+         nothing},
+        {"held moveL", nullptr, false, false, kSpeed,
+         [](ContractCell& c) {
+             return take(
+                 c, Motions(*c.controller).moveL(raised(c, 0.25), {kSpeed, kAcceleration, Holding::Held}));
+         },
+         holdMove},
+        {"path", nullptr, false, true, kSpeed,
+         [](ContractCell& c) {
+             const PathEntry there{PathEntry::Kind::MoveL, raised(c, 0.25), {}, kSpeed, kAcceleration, 0};
+             const PathEntry back{PathEntry::Kind::MoveL, raised(c, 0), {}, kSpeed, kAcceleration, 0};
+             return take(c, c.during([&] {
+                 return Motions(*c.controller).movePath({there, back, there}, patience(), Holding::Free);
+             }));
+         },
+         nothing},
+        {"move until contact", nullptr, false, false, kSpeed,
+         [](ContractCell& c) {
+             return take(c, c.during([&] {
+                 return Motions(*c.controller).moveUntilContact(up().twist, {}, kAcceleration, patience());
+             }));
+         },
+         nothing},
+        {"servoJ", nullptr, false, false, 0.07,
+         [](ContractCell& c) {
+             return stream(c, Motions(*c.controller).startServoJ(),
+                           [q = turned(c, 0)]() mutable { return q[0] += kTurn * 0.002, q; });
+         },
+         feed},
+        {"servoL", nullptr, false, false, 0.08,
+         [](ContractCell& c) {
+             return stream(c, Motions(*c.controller).startServoL(), [pose = raised(c, 0)]() mutable {
+                 return pose.position.z() += kSpeed * 0.002, pose;
+             });
+         },
+         feed},
+        {"servoC", "servoc", false, false, 0.08,
+         [](ContractCell& c) {
+             return stream(c, Motions(*c.controller).startServoC({kSpeed, kAcceleration, 0}),
+                           [pose = raised(c, 0.25)] { return pose; });
+         },
+         feed},
+        {"speedJ", nullptr, false, false, 0.08,
+         [](ContractCell& c) {
+             return stream(c, Motions(*c.controller).startSpeedJ(),
+                           [] { return JointVelocities(kTurn, 0, 0, 0, 0, 0); });
+         },
+         feed},
+        {"speedL", nullptr, false, false, kSpeed,
+         [](ContractCell& c) {
+             return stream(c, Motions(*c.controller).startSpeedL(), [] { return up().twist; });
+         },
+         feed},
+        {"freedrive", nullptr, true, false, 0.03,
+         [](ContractCell& c) { return take(c, Compliance(*c.controller).startFreedrive({}, Holding::Held)); },
+         holdMove, true},
+        {"teach", "teach_mode", true, false, 0.03,
+         [](ContractCell& c) { return take(c, Compliance(*c.controller).startTeachMode(Holding::Held)); },
+         holdMove, true},
+        {"force mode", nullptr, false, false, 0.03, push, nothing, true},
+        {"jog in force mode", nullptr, false, false, 0.03,
+         [](ContractCell& c) {
+             const Error error = push(c);
+             return error.code == ErrorCode::None ? beginJog(c, turning()) : error;
+         },
+         holdJog, true},
+        {"function", nullptr, false, true, kSpeed,
+         [](ContractCell& c) {
+             return section(c,
+                            "while True:\n"
+                            "  movel(pose_add(get_target_tcp_pose(), p[0,0,0.2,0,0,0]), a=0.5, v=0.1)\n"
+                            "  movel(pose_add(get_target_tcp_pose(), p[0,0,-0.2,0,0,0]), a=0.5, v=0.1)\n"
+                            "end");
+         },
+         holdMove},
+        {"function in force mode", nullptr, false, true, 0.03,
+         [](ContractCell& c) {
+             return section(c,
+                            "force_mode(p[0,0,0,0,0,0], [0,0,1,0,0,0], [0,0,30,0,0,0], 2, "
+                            "[0.1,0.1,0.1,0.5,0.5,0.5])\n"
+                            "sleep(1000)");
+         },
+         holdMove, true},
+    };
+    return kMotions;
+}
+
+const std::vector<ContractEvent>& contractEvents() {
+    using Step = std::function<void(ContractCell&)>;
+    const Step play = [](ContractCell& c) { c.say("run program"); };
+    constexpr double kReleaseMs = 100;
+    constexpr double kLostMs = 250;
+    static const std::vector<ContractEvent> kEvents{
+        {"release",
+         kReleaseMs,
+         [](ContractCell& c) {
+             c.holding = false;
+             c.controller->stop(StopCause::Released);
+         },
+         {[](ContractCell& c) { c.holding = true; }}},
+        {"kill -9",
+         kLostMs,
+         [](ContractCell& c) {
+             c.holding = c.reachable = false;
+             c.robot.closeClients();
+         },
+         {}},
+        {"SIGSTOP",
+         kLostMs,
+         [](ContractCell& c) {
+             c.reachable = false;
+             c.clock.freeze(true);
+         },
+         {}},
+        {"cut cable",
+         kLostMs,
+         [](ContractCell& c) {
+             c.reachable = false;
+             c.inject("link lost");
+         },
+         {[](ContractCell& c) {
+             c.inject("link back");
+             c.reachable = true;
+         }}},
+        {"silent link",
+         kLostMs,
+         [](ContractCell& c) {
+             c.reachable = false;
+             c.inject("silence on");
+         },
+         {[](ContractCell& c) {
+             c.inject("silence off");
+             c.reachable = true;
+         }}},
+        {"debugger pause",
+         kLostMs,
+         [](ContractCell& c) {
+             c.reachable = false;
+             c.clock.freeze(true);
+         },
+         {[](ContractCell& c) {
+             c.clock.freeze(false);
+             c.reachable = true;
+         }}},
+        {"protective stop",
+         kLostMs,
+         [](ContractCell& c) { c.robot.protectiveStop(); },
+         {[](ContractCell& c) { c.say("set unlock protective stop"); }, play}},
+        {"pause and play", kLostMs, [](ContractCell& c) { c.say("pause program"); }, {play}},
+        {"safeguard",
+         kLostMs,
+         [](ContractCell& c) { c.inject("safeguard on"); },
+         {[](ContractCell& c) { c.inject("safeguard off"); }, play}},
+        {"emergency stop",
+         kLostMs,
+         [](ContractCell& c) { c.inject("emergency-stop on"); },
+         {[](ContractCell& c) { c.inject("emergency-stop off"); }, [](ContractCell& c) { c.say("power on"); },
+          [](ContractCell& c) { c.say("set robotmode run"); }, play}},
+        // A pause that the process does not live to see the end of.
+        {"pause, kill -9, play",
+         kLostMs,
+         [](ContractCell& c) {
+             c.say("pause program");
+             c.holding = c.reachable = false;
+             c.clock.freeze(true);
+         },
+         {play},
+         true},
+    };
+    return kEvents;
+}
+
+ContractCell::ContractCell(const simulator::Assumptions& assumptions, double slider)
+    : robot([&] {
+        simulator::ControllerOptions options;
+        options.anyFreePorts = true;
+        options.time = simulator::Time::Virtual;
+        options.poweredOn = true;
+        options.fastTransitions = true;
+        options.startJoints = JointPositions(-1.57, -1.2, -2.3, -1.2, 1.57, 0);
+        options.assumptions = assumptions;
+        return options;
+    }())
+    , slider_(slider) {
+    if (const auto started = robot.start(); !started) {
+        qFatal("%s", qPrintable(started.error().toString()));
+    }
+    primary_ = std::make_unique<script::ScriptClient>(robot.listenAddress(), robot.ports().primary);
+    ControllerOptions options;
+    options.host = robot.listenAddress();
+    options.primaryPort = robot.ports().primary;
+    options.rtdePort = robot.ports().rtde;
+    options.clock = &clock;
+    options.priority = 0;
+    controller = std::make_unique<Controller>(options);
+}
+
+ContractCell::~ContractCell() {
+    clock.freeze(false);
+    robot.stop();  // first: nobody then waits for it
+    controller.reset();
+}
+
+void ContractCell::step() {
+    step(20'000);
+}
+
+void ContractCell::step(int patienceMs) {
+    clock.advanceNs(2 * kNsPerMs);
+    if (held_ != nullptr && holding && !clock.isFrozen()) {
+        held_->hold(*this);
+    }
+    if (reachable && robot.truth().runtimeState == RuntimeState::Paused) {
+        // The controller stops a paused program on another connection, in its own time.
+        std::this_thread::sleep_for(milliseconds(1));
+    }
+    if (reachable) {
+        // Each package is answered before time goes on.
+        robot.stepAnswered(Deadline::after(milliseconds(patienceMs)));
+    } else {
+        robot.step();
+    }
+}
+
+bool ContractCell::takeControl(QString& why) {
+    constexpr int kShort = 2;  // until the control thread runs, nobody answers
+    const auto taken =
+        during([this] { return controller->takeControl(Deadline::after(std::chrono::seconds(30))); }, kShort);
+    why = taken ? QString() : taken.error().toString();
+    return taken.ok();
+}
+
+ContractOutcome ContractCell::run(const ContractMotion& what, const ContractEvent& event) {
+    ContractOutcome outcome;
+    robot.setSpeedSlider(slider_);
+    if (!takeControl(outcome.problem)) {
+        return outcome;
+    }
+    if (const auto connected = primary_->connect(Deadline::after(std::chrono::seconds(20))); !connected) {
+        outcome.problem = connected.error().toString();
+        return outcome;
+    }
+    stepMs(20);
+    const Error refused = what.begin(*this);
+    if (refused.code == ErrorCode::VersionUnsupported && what.needs != nullptr) {
+        outcome.applies = false;
+        return outcome;
+    }
+    if (refused.code != ErrorCode::None) {
+        outcome.problem = "not begun: " + refused.toString();
+        return outcome;
+    }
+    held_ = &what;
+    const double fast = 0.9 * what.fast * slider_;
+    const int atMost = static_cast<int>(3000 / slider_);
+    int waited = 0;
+    while (robot.truth().tcpSpeed.linear.norm() < fast && waited < atMost) {
+        step();
+        waited += 2;
+        // Not before: who is pushed when freedrive begins gets a protective stop.
+        if (what.byHand && waited == 60) {
+            robot.pressHand({{0, 0, 12}, {0, 0, 0}});
+        }
+    }
+    if (waited >= atMost) {
+        outcome.problem = QStringLiteral("it moves at %1 m/s only, ended by %2")
+                              .arg(robot.truth().tcpSpeed.linear.norm())
+                              .arg(static_cast<int>(controller->status().lastCause));
+        return outcome;
+    }
+    stepMs(20);
+
+    const simulator::Truth before = robot.truth();
+    event.happen(*this);
+    simulator::Truth last = before;
+    constexpr double kWatched = 0.4;
+    while (robot.truth().timestamp < before.timestamp + kWatched) {
+        step();
+        if (!isStanding()) {
+            last = robot.truth();
+        }
+    }
+    const simulator::Truth rest = robot.truth();
+    outcome.standstillMs = (last.timestamp - before.timestamp) * 1000;
+    outcome.driftMm = (rest.tcpPose.position - before.tcpPose.position).norm() * 1000;
+    if (outcome.standstillMs > event.limitMs) {
+        outcome.problem = QStringLiteral("%1 ms to standstill").arg(outcome.standstillMs, 0, 'f', 0);
+    }
+    for (const auto& next : event.after) {
+        next(*this);
+        for (int t = 0; t < 200; t += 2) {
+            step();
+            const simulator::Truth now = robot.truth();
+            outcome.resumedMm =
+                std::max(outcome.resumedMm, (now.tcpPose.position - rest.tcpPose.position).norm() * 1000);
+        }
+    }
+    constexpr double kNothing = 0.3;  // [mm]: a step or two of what was left, and the noise
+    if (outcome.resumedMm > kNothing && outcome.problem.isEmpty()) {
+        outcome.problem = QStringLiteral("it resumed by %1 mm").arg(outcome.resumedMm, 0, 'f', 2);
+    }
+    if (!isStanding() && outcome.problem.isEmpty()) {
+        outcome.problem = QStringLiteral("it moves at the end");
+    }
+    const bool told = !clock.isFrozen() && reachable;
+    if (told && outcome.problem.isEmpty() &&
+        (motion.isActive() ||
+         (jog != kNoMotion && controller->motionState(jog).phase == MotionPhase::Active))) {
+        outcome.problem = QStringLiteral("the motion is said to go on");
+    }
+    return outcome;
+}
+
+}  // namespace tiller::test
