@@ -12,9 +12,10 @@ constexpr char kHelp[] = "tillerHelp";
 constexpr char kObstacle[] = "tillerObstacle";
 constexpr char kBuiltIn[] = "tillerBuiltInKeys";
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("ActionTable", text);
-}
+/// The texts of this file for the translators: lupdate finds them by this name.
+struct MenuText {
+    Q_DECLARE_TR_FUNCTIONS(ActionTable)
+};
 
 void showObstacle(QAction& action, const QString& obstacle) {
     action.setProperty(kObstacle, obstacle);
@@ -26,15 +27,15 @@ void showObstacle(QAction& action, const QString& obstacle) {
 }  // namespace
 
 QList<QPair<QString, QString>> actionMenus() {
-    return {{"robot", tr("Robot")},
-            {"project", tr("Project")},
-            {"power", tr("Power and safety")},
-            {"control", tr("Control and programs")},
-            {"jog", tr("Jog")},
-            {"waypoint", tr("Waypoints")},
-            {"frame", tr("Frames")},
-            {"view", tr("View")},
-            {"app", tr("Program Tiller")}};
+    return {{"robot", MenuText::tr("Robot")},
+            {"project", MenuText::tr("Project")},
+            {"power", MenuText::tr("Power and safety")},
+            {"control", MenuText::tr("Control and programs")},
+            {"jog", MenuText::tr("Jog")},
+            {"waypoint", MenuText::tr("Waypoints")},
+            {"frame", MenuText::tr("Frames")},
+            {"view", MenuText::tr("View")},
+            {"app", MenuText::tr("Program Tiller")}};
 }
 
 ActionTable::ActionTable(QWidget& owner) : QObject(&owner), owner_(owner) {}

@@ -5,35 +5,47 @@
 #include <QCoreApplication>
 
 namespace tiller::app {
+namespace {
+
+/// The texts of this file for the translators: lupdate finds them by this name.
+struct CommandLineText {
+    Q_DECLARE_TR_FUNCTIONS(CommandLine)
+};
+
+}  // namespace
 
 Result<CommandLine> parseCommandLine(const QStringList& arguments) {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("CommandLine", text); };
-
     QCommandLineParser parser;
-    parser.setApplicationDescription(tr("Jog, teach, run and monitor a Universal Robots arm from a PC."));
+    parser.setApplicationDescription(
+        CommandLineText::tr("Jog, teach, run and monitor a Universal Robots arm from a PC."));
     const QCommandLineOption help = parser.addHelpOption();
     const QCommandLineOption version = parser.addVersionOption();
-    const QCommandLineOption simulator("simulator", tr("Start with the built-in simulated UR5e."));
-    const QCommandLineOption robot("robot", tr("Connect to the robot at this address or host name."), "host");
+    const QCommandLineOption simulator("simulator",
+                                       CommandLineText::tr("Start with the built-in simulated UR5e."));
+    const QCommandLineOption robot(
+        "robot", CommandLineText::tr("Connect to the robot at this address or host name."), "host");
     const QCommandLineOption demo(
         "demo",
-        tr("Run the scripted demonstration on the simulated robot, leave its files in this folder, exit."),
+        CommandLineText::tr(
+            "Run the scripted demonstration on the simulated robot, leave its files in this folder, exit."),
         "folder");
-    const QCommandLineOption project("project", tr("Open this project file (.tiller)."), "file");
+    const QCommandLineOption project("project", CommandLineText::tr("Open this project file (.tiller)."),
+                                     "file");
     // As earlier versions called it.
     QCommandLineOption session("session", project.description(), "file");
     session.setFlags(QCommandLineOption::HiddenFromHelp);
-    const QCommandLineOption theme("theme", tr("Colours: light or dark."), "name");
+    const QCommandLineOption theme("theme", CommandLineText::tr("Colours: light or dark."), "name");
     parser.addOptions({simulator, robot, demo, project, session, theme});
 
     const auto wrong = [&](const QString& what) {
-        return Error{ErrorCode::InvalidArgument, what, tr("see tiller --help")};
+        return Error{ErrorCode::InvalidArgument, what, CommandLineText::tr("see tiller --help")};
     };
     if (!parser.parse(arguments)) {
         return wrong(parser.errorText());
     }
     if (!parser.positionalArguments().isEmpty()) {
-        return wrong(tr("\"%1\" was not expected").arg(parser.positionalArguments().constFirst()));
+        return wrong(
+            CommandLineText::tr("\"%1\" was not expected").arg(parser.positionalArguments().constFirst()));
     }
 
     CommandLine line;
@@ -44,22 +56,22 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     line.projectFile = parser.value(parser.isSet(project) ? project : session);
     line.theme = parser.value(theme).toLower();
     if (!line.theme.isEmpty() && line.theme != "light" && line.theme != "dark") {
-        return wrong(tr("--theme takes light or dark, not \"%1\"").arg(line.theme));
+        return wrong(CommandLineText::tr("--theme takes light or dark, not \"%1\"").arg(line.theme));
     }
     if (parser.isSet(robot) && parser.isSet(simulator)) {
-        return wrong(tr("--robot and --simulator exclude each other"));
+        return wrong(CommandLineText::tr("--robot and --simulator exclude each other"));
     }
     if (parser.isSet(demo) && parser.isSet(robot)) {
         // The demonstration moves the arm by itself: never on a real one.
-        return wrong(tr("--demo runs on the simulated robot only, not with --robot"));
+        return wrong(CommandLineText::tr("--demo runs on the simulated robot only, not with --robot"));
     }
     if (parser.isSet(demo) && line.demoDirectory.isEmpty()) {
-        return wrong(tr("--demo needs a folder"));
+        return wrong(CommandLineText::tr("--demo needs a folder"));
     }
     if (parser.isSet(robot)) {
         line.robotHost = parser.value(robot).trimmed();
         if (line.robotHost.isEmpty()) {
-            return wrong(tr("--robot needs an address, as in --robot 192.168.0.10"));
+            return wrong(CommandLineText::tr("--robot needs an address, as in --robot 192.168.0.10"));
         }
         line.start = CommandLine::Start::Robot;
     } else if (parser.isSet(simulator) || parser.isSet(demo)) {

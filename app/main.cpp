@@ -78,6 +78,13 @@ int main(int argc, char* argv[]) {
     QApplication::setOrganizationName(QStringLiteral("Tiller"));
     QApplication::setApplicationVersion(QStringLiteral(TILLER_VERSION));
 
+    QTranslator translator;
+    // The English texts say the plurals, where no other language is there.
+    if (translator.load(QLocale(), QStringLiteral("tiller"), QStringLiteral("_"), QStringLiteral(":/i18n")) ||
+        translator.load(QStringLiteral(":/i18n/tiller_en"))) {
+        QApplication::installTranslator(&translator);
+    }
+
     const Result<app::CommandLine> line = app::parseCommandLine(QApplication::arguments());
     if (!line) {
         print(stderr,
@@ -100,12 +107,6 @@ int main(int argc, char* argv[]) {
         return kNoDisplay;
     }
 
-    QTranslator translator;
-    // The English texts say the plurals, where no other language is there.
-    if (translator.load(QLocale(), QStringLiteral("tiller"), QStringLiteral("_"), QStringLiteral(":/i18n")) ||
-        translator.load(QStringLiteral(":/i18n/tiller_en"))) {
-        QApplication::installTranslator(&translator);
-    }
     initResources();
     const bool demonstration = !line->demoDirectory.isEmpty();
     // The demonstration shows the default layout and leaves no traces in the user's settings.

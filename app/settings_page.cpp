@@ -212,7 +212,7 @@ QWidget* SettingsPage::buildShortcuts() {
     shortcuts_->setTabKeyNavigation(false);
     hint_ = note({}, "warning");
     hint_->setObjectName("settings.shortcutHint");
-    auto* defaults = new QPushButton(tr("All keys as at first"));
+    auto* defaults = new QPushButton(tr("Restore default shortcuts"));
     defaults->setObjectName("settings.shortcutDefaults");
     defaults->setAutoDefault(false);
     connect(defaults, &QPushButton::clicked, this, [this] {

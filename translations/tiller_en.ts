@@ -2,73 +2,41 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
-    <name>AnalogRow</name>
+    <name>ActionTable</name>
     <message>
-        <source>4–20 mA</source>
+        <source>Robot</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>0–10 V</source>
+        <source>Project</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 domain</source>
+        <source>Power and safety</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 value</source>
+        <source>Control and programs</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Set</source>
+        <source>Jog</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Set %1</source>
+        <source>Waypoints</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: %2
-Right click or F2 to rename and scale.</source>
+        <source>Frames</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rename…</source>
+        <source>View</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Scale…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Name of %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Scale of %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>bar; empty: not scaled</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>At 4 mA or 0 V</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>At 20 mA or 10 V</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>AxisJog</name>
-    <message>
-        <source>Click into the window first.</source>
+        <source>Program Tiller</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -80,100 +48,57 @@ Right click or F2 to rename and scale.</source>
     </message>
 </context>
 <context>
-    <name>CommandPalette</name>
+    <name>CommandLine</name>
     <message>
-        <source>Commands</source>
+        <source>Jog, teach, run and monitor a Universal Robots arm from a PC.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Search a command</source>
+        <source>Start with the built-in simulated UR5e.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Type what you want to do</source>
+        <source>Connect to the robot at this address or host name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Commands found</source>
+        <source>Run the scripted demonstration on the simulated robot, leave its files in this folder, exit.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>not possible now</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>ConnectDialog</name>
-    <message>
-        <source>Enter the robot&apos;s address, as shown on the teach pendant under About.</source>
+        <source>Open this project file (.tiller).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>An address has four numbers of 0 to 255, as in 192.168.0.10.</source>
+        <source>Colours: light or dark.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A host name has letters, digits, dots and hyphens only.</source>
+        <source>see tiller --help</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Connect</source>
+        <source>&quot;%1&quot; was not expected</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Try the simulator</source>
+        <source>--theme takes light or dark, not &quot;%1&quot;</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A simulated UR5e inside this program. Everything works, nothing can be hurt.</source>
+        <source>--robot and --simulator exclude each other</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Start the simulated robot</source>
+        <source>--demo runs on the simulated robot only, not with --robot</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Connect a robot</source>
+        <source>--demo needs a folder</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Address or host name of the robot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Name shown for the robot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Lab UR5e</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Address</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Robots connected to before</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Before you move a real arm: keep everybody out of its reach, have the emergency stop at hand, check payload and TCP, start slowly. The STOP of this window is not an emergency stop.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open a session…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Waypoints from a file, without a robot: everything but moving works.</source>
+        <source>--robot needs an address, as in --robot 192.168.0.10</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -369,209 +294,6 @@ Right click or F2 to rename and scale.</source>
     </message>
 </context>
 <context>
-    <name>Demonstration</name>
-    <message>
-        <source>make the folder %1: choose one that may be written to</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>connect</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>power on</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>release the brakes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>take control</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>start recording</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>teach the first waypoint</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>jog X+ in Base for 50 mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>let go</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>teach the second waypoint</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>go to the first waypoint (held)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>let go of Go to</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>digital output 0 on</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>digital output 0 off</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>take the screenshots</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>write the screenshots to %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>stop recording</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1: did not happen within %2 s (%3)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the robot reports no reason</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>jogged               </source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>release to standstill </source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>packets              </source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> received, </source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> late, </source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> lost
-</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>recorded             </source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> rows, </source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>files                </source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>there is no key &quot;%1&quot; in the window</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>pressed anew         %1 times: the motion had stopped before the key was let go</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>DeviceSettings</name>
-    <message>
-        <source>Device that moves the arm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Try it out…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What each device says now, and which way it will go.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Moves the arm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Gamepad</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>SpaceMouse</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Dead zone of the %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>So far a stick may be out without moving anything.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Curve of the %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>exponent </source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>1: even. Higher: gentle near the middle, fast at the end of the way.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Only the axis that is out furthest</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1: only the axis that is out furthest</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Dead zone</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Curve</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Only while its dead-man is held. It is not remembered: after a start no device moves the arm.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>DeviceTrainer</name>
     <message>
         <source>%1 in %2</source>
@@ -581,492 +303,334 @@ Right click or F2 to rename and scale.</source>
         <source>Axes of the device</source>
         <translation type="unfinished"></translation>
     </message>
+</context>
+<context>
+    <name>Doctor</name>
     <message>
-        <source>Moves the arm (until the program ends)</source>
+        <source>%1 and %2 more</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Only the axis that is out furthest</source>
+        <source>the RTDE port takes connections but does not answer</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Gamepad and SpaceMouse</source>
+        <source>what answers on port %1 does not speak RTDE</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Device</source>
+        <source>Too many RTDE clients, or a controller that hangs: close other programs, then restart the controller.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Which way the arm would go</source>
+        <source>Check the address: this is another device, or another program took the port.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Dead-man</source>
+        <source>protocol version %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Would move</source>
+        <source>another program holds %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt they turn, 1 to 6 with + and − a joint, Home, End align, Backspace back, F freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
+        <source>End the other program that controls this robot (another window, ROS, ur_rtde).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Close</source>
+        <source>this software has no registers 24 to 47</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <source>Update the robot&apos;s software to 3.9 or 5.3.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>● held (%1)</source>
+        <source>24 to 47 are free</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>○ not held: hold the %1</source>
+        <source>a fieldbus adapter or another program holds %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>nothing: neutral</source>
+        <source>Nothing to do for jogging. To use these registers, switch EtherNet/IP, PROFINET or MODBUS off in the robot&apos;s installation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0 to 23 are free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This software is too old. Update the robot to %1.%2 or newer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Some values and the registers for control are missing. Update the robot to %1.%2 or newer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the arm, remove the cause, then recover: Recover… in the header, or on the teach pendant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power on and release the brakes: the header&apos;s button leads the way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot takes the subscription but sends no data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close other RTDE programs, then restart the robot&apos;s controller.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 packages a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Packages are missing: use a cable, not a radio link; close other programs that load the robot or this PC.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>priority %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the system grants this user no real-time priority</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP %1 mm from the flange, payload %2 kg</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>If a tool is mounted, set TCP and payload in the robot&apos;s installation: a wrong payload causes protective stops and lets the arm sag in Freedrive.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no address, and no host of that name is known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter the four numbers shown on the teach pendant under About, or ask who runs the network for the name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no way to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check that the robot is switched on and the cable is plugged in, and that no firewall stands between.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 answers, but none of a robot&apos;s services is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check that this is the robot&apos;s own address. A robot that has just been switched on needs another minute.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 answers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dashboard, port %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>port %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>port %1 is closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>port %1 does not answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch this interface on at the robot: Settings, Security, Services.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A firewall swallows this port: allow TCP port %1 to the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch the robot to Remote control on the teach pendant, at the top right. Without that, Tiller only watches.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the dashboard takes connections but does not answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what answers on port %1 is not a dashboard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restart the robot&apos;s controller; if it stays like this, see its log.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the address, and that no other program uses this port.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this series has no Local/Remote switch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remote</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Local</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>neither the dashboard (port %1) nor the Robot API (port %2) is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch the Dashboard Server on at the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot API %1, port %2; popups are closed on the tablet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the primary interface does not describe the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check that this is the robot&apos;s own address, and restart its controller.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>robot type %1 is newer than this program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Watching works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Address resolves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Host answers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RTDE port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Primary port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Secondary port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Real-time port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dashboard or Robot API</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RTDE is understood</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Controller software</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remote control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safety</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power and brakes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Registers for control free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No fieldbus holds registers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Data rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Real-time privilege of this PC</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP and payload</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
-    <name>FrameDetails</name>
+    <name>Freedrive</name>
     <message>
-        <source>Selected frame</source>
+        <source>All axes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Origin X</source>
+        <source>Position only</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Origin Y</source>
+        <source>Orientation only</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Origin Z</source>
+        <source>Plane X Y</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotation about X (RX)</source>
+        <source>Line Z</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotation about Y (RY)</source>
+        <source>Let the arm come to rest before freedrive.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotation about Z (RZ)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1, in Base. Enter applies it; nothing moves but the frame.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no waypoint uses it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>1 waypoint moves with it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 waypoints move with it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 from the TCP</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>FrameModel</name>
-    <message>
-        <source>Delete “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A frame needs a name.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Base</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tool</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>“%1” is a frame every robot has. Choose another name.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>“%1” is taken by another frame. Choose another name.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rename “%1” to “%2”</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Origin %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Origin in Base, X Y Z, %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rotation rad</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rotation</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rotation vector in Base, radians</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Roll, pitch and yaw in Base</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Waypoints that move with it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>TCP %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Distance of the TCP, %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>FrameTable</name>
-    <message>
-        <source>Frames</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>FrameTeacher</name>
-    <message>
-        <source>Cancel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Frame from three points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Cancel the frame</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Origin</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>On +X</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Towards +Y</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Take the origin here</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Take the point on +X here</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Take the point towards +Y here</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Take</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Make frame</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The robot sent no valid place. Take the point again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The point on +X is only %1 from the origin. Take it again at least %2 away: the further, the truer the axes.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The third point is only %1 from the origin. Take it again at least %2 away.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The three points lie in a line: the third is only %1 beside the X axis. Take it again at least %2 to the side of +Y.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ready: the point on +X is %1 away, the third lies %2 beside the X axis.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Jog the tip to where the frame begins, and take it (P).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Now to a point on +X: %1 from the origin, %2 is the least.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Now to the side of +Y: %1 beside the X axis, %2 is the least.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Take  P</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Again</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>FramesTab</name>
-    <message>
-        <source>Frames</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>From TCP</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Teach a frame from the TCP</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>3 points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Teach a frame from three points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Touch up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Touch up the frame</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>More about frames</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to take origin, +X and +Y.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Set the place of “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>“%1” is set in figures. %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>new frame</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The robot&apos;s data are old. Wait until they come again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A frame where the TCP is, with the tool&apos;s axes (Shift+T)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Origin, a point on +X, a point towards +Y (Ctrl+Shift+T)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The selected frame goes to where the TCP is (Shift+U)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Select a frame to touch up.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No waypoint moved with it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>1 waypoint moved with it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 waypoints moved with it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>1 of them is out of reach there.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 of them are out of reach there.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Teach frame from the TCP</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Teach frame from three points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Take the next point of the frame</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Make the frame of the points taken</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Take no more points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Touch up frame from the TCP</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Touch up frame from three points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Jog in this frame</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rename frame</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Set frame in figures</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Duplicate frame</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Delete frame</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Touch up “%1” from three points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>New frame from three points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Touch up…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Make frame</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>frame</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Teach “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>It moves by %1 (%2, base frame).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No waypoint is given in it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>1 waypoint moves with it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 waypoints move with it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Touch up “%1”?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Touch up “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>“%1” is touched up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Duplicate “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Delete “%1”?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>1 waypoint is given in it. It stays where it is, given in Base.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 waypoints are given in it. They stay where they are, given in Base.</source>
+        <source>The arm feels %1 with a payload of %2 kg: it would move by itself. Let go of the tool, or correct payload and TCP.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1082,201 +646,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
     </message>
 </context>
 <context>
-    <name>HeaderBar</name>
-    <message>
-        <source>ROBOT</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>ROBOT MODE</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>SAFETY</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>CONTROL</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>LINK</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>LAST STOP</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>State of the robot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>NO DATA</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>From the stop to standstill, measured. Cause: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No stop measured yet</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Next step</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 ms · %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>▲ Speed cap raised to %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The arm may get faster than %1. Lower the cap in Settings; it ends with the program.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>HoldGuard</name>
-    <message>
-        <source>the window was not the active one; press again</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>IoChannel</name>
-    <message>
-        <source>no data</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>on</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>pending…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1, old data</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>
-Cannot be switched while no data come from the robot.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rename…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Name of %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>
-Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>(held by another)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pulse</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>IoTab</name>
-    <message>
-        <source>Inputs and outputs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Digital outputs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Digital inputs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Configurable outputs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Configurable inputs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tool outputs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tool inputs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>▲ The robot did not confirm %1. Another program or the installation may own it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Search inputs and outputs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Search by terminal or name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Analog</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Registers of the robot&apos;s programs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No data from the robot.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>JogColumn</name>
-    <message>
-        <source>Jog</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>hold to move · stops by itself in 150 ms</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pose</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Joints</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Shown below the pad</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>Base</source>
         <translation type="unfinished"></translation>
@@ -1290,209 +660,98 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Frame</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hold</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Motion</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Moves while the key is held</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Moves every joint to the home position while held</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Axes of the picture: X right, Y away from you, Z up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Needs the 3D view</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The arm has not moved yet.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Freedrive</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Home</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Align</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Turns the tool to the nearest axis of the chosen frame while held</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Goes back the way the arm came while held</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>home</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>aligned</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Another key is held.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1, turns %2°</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>%1: %2 left, then %3 is at its limit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1: %2 left, then the end of the reach or a singularity</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The arm follows the hand while held: %1. Right click: other axes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Freedrive, %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Freedrive…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>≤ %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Slowly until the tool touches something with %1 N, while held. Click again for other steps</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>One step a press: %1. Click again for other steps</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Other step…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Until contact, %1 N</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Until contact, other force…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Force that ends the motion, in N</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Other speed…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Check the payload first (until the next connection)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No frame taught yet. Teach one in the tab Frames.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Last stop: %1, standstill after %2 ms, %3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>One step a press: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 · turns %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Step in %1 (turns: as many degrees as millimetres)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed of the TCP in %1</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
-    <name>JogKey</name>
+    <name>Limiter</name>
     <message>
-        <source>%1 left this way</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>JogPad</name>
-    <message>
-        <source>Jog keys</source>
+        <source>Elbow almost straight</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>JointRow</name>
-    <message>
-        <source>%1 minus</source>
+        <source>Elbow almost straight: %1 of the speed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 plus</source>
+        <source>bend the elbow</source>
         <translation type="unfinished"></translation>
     </message>
-</context>
-<context>
-    <name>JointRows</name>
     <message>
-        <source>Joints</source>
+        <source>jog %1 or bend the elbow</source>
         <translation type="unfinished"></translation>
     </message>
-</context>
-<context>
-    <name>KeyboardJog</name>
     <message>
-        <source>Keyboard jogging is armed</source>
+        <source>Wrist above the base axis</source>
         <translation type="unfinished"></translation>
     </message>
-</context>
-<context>
-    <name>LimiterLine</name>
     <message>
-        <source>Limiter</source>
+        <source>Wrist above the base axis: %1 of the speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move outwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>jog %1 or turn the base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wrist 2 near 0° or 180°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wrist 2 near 0° or 180°: %1 of the speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn wrist 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>jog %1 or turn wrist 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2° from its limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>jog %1 or turn %2 %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP at its speed cap: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cap is in the settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Elbow at its speed cap: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move less sideways</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turning at its cap: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at its top speed: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a slower class</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1504,123 +763,33 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
 </context>
 <context>
-    <name>LogModel</name>
+    <name>ModeLook</name>
     <message>
-        <source>Info</source>
+        <source>MOVING</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ Warning</source>
+        <source>The robot confirms that the arm moves.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>⬣ Error</source>
+        <source>Remote</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Time</source>
+        <source>Local</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Severity</source>
+        <source>Manual</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What happened</source>
+        <source>Automatic</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Tiller</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the operator</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the robot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 · from %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 times from %2 to %3 · from %4</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>LogTab</name>
-    <message>
-        <source>All</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Warnings</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Errors</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Log</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Show from severity</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Filter the log by words</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Filter</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Copy the selected lines, or all that are shown (Ctrl+C)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Export…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Write the lines that are shown to a file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>write %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Export the log</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Text (*.txt)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Log written to %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The selected line in full</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>MainWindow</name>
-    <message>
-        <source>Tiller</source>
+        <source>Taking control…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1628,19 +797,87 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Plots</source>
+        <source>Move</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Waypoints</source>
+        <source>Ready</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>I/O</source>
+        <source>In control</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Log</source>
+        <source>Refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not in control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>monitoring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Packets come late or not at all: jogging may stop by itself and plots have gaps. Use a cable, not a radio link, and close other programs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commands take longer than 20 ms: the arm follows the key noticeably late. Jog slowly.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Good: the arm follows the key at once, and a cut link stops it within a quarter of a second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 packets, %2 late, %3 lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No robot connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Late: %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NO DATA</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 Hz · %2 late</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> · %1 lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LINK · JOG STOPS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LINK</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LINK · JOG MAY STOP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LINK · ARM LAGS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LINK · GOOD</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1648,107 +885,11 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Simulated robot</source>
+        <source>Power on</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Disconnect</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Give control back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Float %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reset layout</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Quit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keyboard jogging disarmed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 is gone. What it moved has been stopped.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Connect to a robot first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Give control back first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No program runs on the robot.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A program runs already.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose the simulator, a robot or a session.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Starts the simulated robot and connects to it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Check the connection…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Looks at everything between this PC and the robot, each with its fix.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose a robot first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ends the connection; a motion of ours stops first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No robot is connected.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Powers the arm. Brakes stay engaged.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The arm has power, or is getting it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The arm may sag by a few millimetres. Keep clear.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Engages the brakes and takes the arm&apos;s power away; programs stop.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The arm is off.</source>
+        <source>Release brakes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1756,255 +897,27 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, and the way back.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No stop of the safety system.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>After a violation or a fault, once its cause is found. The arm stays off.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Only after a violation or a fault.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Closes the popups on the teach pendant.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Take control</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Choose the simulator or the address of a robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Powers the arm. Brakes stay engaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm may sag by a few millimetres. Keep clear.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows what stopped the arm, the last five seconds, and the way back. Nothing moves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Starts the control program on the robot, which stops any other program.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>In control already.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ends the control program on the robot.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not in control.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Software stop of whatever moves. Not an emergency stop.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Load program…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Loads a program of the robot&apos;s own by its name.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Starts the loaded program, or goes on with a paused one: the arm may move at once.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pauses the program that runs.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stops the robot&apos;s own program.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Show waypoints</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Show I/O</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Show log</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Brings this tab to the front.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Makes it a window of its own, for a second screen, or puts it back.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>All parts back to where they were at first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Light colours</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Dark colours</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Changes the colours at once and remembers it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Commands…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Finds a command by its name.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Settings…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Help</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>All commands with their keys, and the rules of jogging.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stops the arm, ends the connection and closes the window.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Load program</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Name of the program on the robot, as in pick.urp</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while a key of the pad is held, and stops when it is let go: also when the pointer leaves the key, the window loses the focus, anything opens over it, a second button is pressed, or data from the robot are late. A stopped motion needs a new press. &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from everywhere. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Arm or disarm the keyboard</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Armed, the arrow keys move the arm; a frame stands around the window. Ends by itself after half a minute.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Gamepad and SpaceMouse…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What each device says now, and which way it will go.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Zero here</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Counts the way of the TCP from where it is now; once more: since the press again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stops the arm; the next press has this speed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Moves by this much, only while the key is held.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Moves by this much at each press.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Jog until contact, %1 N</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A held key moves slowly and ends when the tool meets this force.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Freedrive: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What the hand can move while Freedrive is held.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Waypoints, Frames, I/O, Log</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Frames</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 has gone silent while it moved the arm, which was stopped. Let go of it; if it stays silent, plug it in again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Show frames</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Colours, sizes, units, the speed cap, devices, and the key of every command.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Name of the program on the robot, as the tablet shows it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed cap %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Jog speed %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Jog step %1, %2°</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Jog speed, other…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Asks for the speed of the TCP; turns and joints in proportion.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Jog step, other…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Asks for the length of a step; turns make as many degrees as millimetres.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Jog until contact, other force…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Asks for the force in N at which the motion ends.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2314,420 +1227,102 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <source>The program is going on: the arm may move.</source>
         <translation type="unfinished"></translation>
     </message>
-</context>
-<context>
-    <name>NoticeBar</name>
     <message>
-        <source>Notice</source>
+        <source>Unknown robot mode %1. See the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Accept</source>
+        <source>Unknown safety mode %1. See the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Dismiss</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Cancel</source>
+        <source>Unknown program state %1. See the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
-    <name>PlotDock</name>
+    <name>Reasons</name>
     <message>
-        <source>Plots</source>
+        <source>No robot connected. Choose one at the top left.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>TCP force [N] · joint current [A]</source>
+        <source>Connecting…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Cursor read-out</source>
+        <source>No data from the robot. Reconnecting by itself.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Click in the plots to place the cursors A and B; drag them, or use the keys A, B and the arrows. Click a name in a legend to read that signal.</source>
+        <source>Robot data is late. Waiting for it to come back.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Time window</source>
+        <source>Taking control…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How much time the plots show. The wheel over the plots zooms.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pause the plots</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Export the shown range</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Export…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Save what is shown as a picture (PNG) or as values (CSV)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Record to a CSV file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Record every packet of the robot to a CSV file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Paused · %1 s back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Paused</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 min</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Resume</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hold the plots still; data and recording go on</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Back to the newest samples</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>● REC %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>● Record</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop recording</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>export to %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the folder does not exist</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Exported the shown range to %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing was exported: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Picture (*.png)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Values (*.csv)</source>
+        <source>Not in control. Press “Take control” in the header.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
-    <name>PlotView</name>
-    <message>
-        <source>Plots of TCP force and joint current over time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; plus and minus change the time window; End goes back to the newest samples</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> min</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A–B Δt %1 s · Δ%2 %3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 %2 s · %3 %4</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No samples yet: connect to a robot</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>PoseView</name>
-    <message>
-        <source>TCP pose in Base</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>TCP pose in Base, orientation as chosen in Settings. Δ₀: way since zero. Click: way since the press</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>TCP pose in Base, orientation as chosen in Settings. Δ: way since the press. Click: zero here</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>PreflightPage</name>
-    <message>
-        <source>Good</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Look</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Bad</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not looked at</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Before you connect to %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Conditions</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Look again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Connect</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Looking at %1…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Something is in the way</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ready; some things want a look</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Everything is ready</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Connect anyway</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keep everybody out of the arm&apos;s reach.
-Keep the emergency stop at hand: STOP in this window is a software stop.
-Begin slowly: the first speed is %1.
-Watch the arm, not the screen, while a key is held.
-Let go of the key and the arm stops.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>RecoveryPage</name>
-    <message>
-        <source>Recovery</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Force at the TCP</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Joint current</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed of the TCP</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>At X %1, Y %2, Z %3.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Suspected joint: %1, whose current left its target furthest.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> (%1 s)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tick what you have looked at.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Asked; waiting for the robot…</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>RegisterPanel</name>
-    <message>
-        <source>General purpose registers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Int %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Number %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Int</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Number</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Bit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Kind of input register</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Number of the input register</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Value for the input register</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Write</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>RobotSession</name>
-    <message>
-        <source>Connecting to %1 (%2)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Disconnected from %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Power on</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Power off</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Protective stop unlocked by the operator</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>In control</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Output %1 %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>on</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Recording to %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Recorded %1 rows to %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Connected to %1</source>
-        <translation type="unfinished"></translation>
-    </message>
+    <name>RecoveryGuide</name>
     <message>
         <source>Safety is normal again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Program: %1</source>
+        <source>The arm can be moved. What was armed before the stop does not move it: every motion needs a new press.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Program error in line %1, column %2: %3</source>
+        <source>The arm is ready. Take control to move it, or go on on the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Popup on the robot: %1 %2</source>
+        <source>Taking control…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing is recorded: connect to a robot first.</source>
+        <source>No data from the robot</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 failed. %2</source>
+        <source>Waiting for the connection</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Release brakes</source>
+        <source>I looked at the arm: nobody touches it, nothing is caught.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What stopped it is known and removed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Payload and TCP are those of the tool that is mounted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Possible in %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>I looked at the arm and at the robot&apos;s log: the cause is known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cause is removed, and nobody is in the arm&apos;s reach.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing to press here: it ends when its cause is gone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unlock</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2735,265 +1330,19 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Close popups</source>
+        <source>Power on</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Play program</source>
+        <source>Release brakes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pause program</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop program</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Load program %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Analog output %1: %2 %3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Input register %1: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stopped: %1 (%2 ms, %3)</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>RobotSession::Backend</name>
-    <message>
-        <source>Not connected to a robot.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Waiting for data from %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Connecting to %1…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No data from the robot. Reconnecting by itself; motion does not resume.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Data from the robot are late.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Taking control…</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>SceneDock</name>
-    <message>
-        <source>View</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>SceneView</name>
-    <message>
-        <source>View of the arm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Drag or use the arrow keys to look from another side, the wheel or plus and minus to come nearer, double click or Home for the first view. Nothing here moves the robot.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>NO DATA</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not connected</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>ghost “%1” · out of reach</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>ghost “%1” · reachable · largest turn %2 %3 · %4 s at %5</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>SessionStore</name>
-    <message>
-        <source>waypoints not saved to a file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>disk full</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 — not saved: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 — saving…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 — saved</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no file chosen</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>SettingsPage</name>
-    <message>
-        <source>Settings</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Look and motion</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keys</source>
+        <source>Take control</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Colours</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Dark</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Size of keys and rows</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Compact</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mouse</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Touch</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Lengths</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Millimetres</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Inches</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rotations</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Roll, pitch, yaw in degrees</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rotation vector in radians, as scripts write it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed cap of this program</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed cap</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keys of the commands</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Command</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Key</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>All keys as at first</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Press the new key in the field; Backspace takes it away. Space and Esc always stop the arm.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Key for %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 stops the arm and nothing else.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 belongs to &quot;%2&quot;. Take it away there first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Devices</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How lengths, speeds of the TCP and orientations are shown and typed. Plots and files keep metres, millimetres and degrees.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>▲ Above %1. Nothing else limits a jog from a PC: neither manual mode nor the enabling device of the pendant. The header says so, and it ends with the program.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No motion of this program gets above it, at the TCP and at the elbow. It holds at once and stops what moves.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>SimulationChip</name>
-    <message>
-        <source>Simulation</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This robot is simulated. Nothing moves but pixels.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>SIMULATION</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3009,496 +1358,14 @@ Let go of the key and the arm stops.</source>
     </message>
 </context>
 <context>
-    <name>SpeedChip</name>
+    <name>StartProject</name>
     <message>
-        <source>Speed slider</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed slider of the robot, 2 to 100 %</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>SPEED</source>
+        <source>The project worked in last is not there any more: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
-    <name>StatusLine</name>
-    <message>
-        <source>Recording, session and last message</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 — %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>saved</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>not saved</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>REC %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 samples · %2 · %3 free</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Recording ended</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not recording</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>StopButton</name>
-    <message>
-        <source>STOP</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Software stop. Not an emergency stop. Power stays on.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Space / Esc
-not an e-stop</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>StopPlot</name>
-    <message>
-        <source>Highest value %1 in the last five seconds</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>max %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>WaypointDetails</name>
-    <message>
-        <source>Selected waypoint</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>used in 1 step</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>used in %1 steps</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 from the live pose</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>joints rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>pose rules</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Frame of the waypoint</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Frames</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The frame it is given in and moves with. The place stays where it is. —: the joints rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>WaypointModel</name>
-    <message>
-        <source>✕ joint</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>✕ frame</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>✕ line</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>✕ reach</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A joint would leave its range. Touch the waypoint up from another arm posture.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Its frame is not in this session. Choose another frame.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The straight line from here leaves the arm&apos;s reach. Use MoveJ, or start elsewhere.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Out of reach. Touch it up nearer to the base.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Delete “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Delete %1 waypoints</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change the order</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Base</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>missing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>MoveJ: all joints start and stop together</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>MoveL: the TCP goes along a straight line</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The joints rule: the arm comes back in the same posture</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The pose rules: it moves with its frame</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Can be reached</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Move</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Frame</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reach</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A waypoint needs a name.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>“%1” is taken by waypoint %2. Choose another name.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rename “%1” to “%2”</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Make “%1” a Move%2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Let the joints of “%1” rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>There is no frame “%1” in this session.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Give “%1” in %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>“%1” is not a number.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Set the blend of “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Set the speed of “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Blend %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 is outside %2 to %3.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>WaypointTable</name>
-    <message>
-        <source>Waypoints</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>WaypointsTab</name>
-    <message>
-        <source>Waypoints</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The damaged session file was kept as %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The waypoints could not be saved</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Teach here  T</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Teach here</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Touch up  U</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Touch up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Go to (hold)  G</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Go to, hold</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>More</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No waypoints yet.
-Jog the arm to a place and press Teach here (T).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The robot&apos;s data are old. Wait until they come again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Select a waypoint to go to.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The arm is not under control. Take control first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Add the place where the arm stands, after the selection (T)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Replace the selected place by where the arm stands (U)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Select a waypoint to touch up.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Moves the arm to the selected waypoint while the key is held (G)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rename</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Duplicate</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Move up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Move down</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Copy as table</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Paste</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open session…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Save session as…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>waypoint</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Teach “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The frame of “%1” is not in this session. Choose another frame first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The live place is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Touch up “%1”?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Touch up “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Duplicate “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Duplicate %1 waypoints</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing was pasted</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>There are no waypoints on the clipboard.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Paste %1 waypoints</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tiller sessions (*.tiller)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Save session</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open session</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The session could not be opened</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 is damaged</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1. %2 of its waypoints can be read, %3 cannot. The damaged file is kept.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open the %1 readable</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The session could not be saved</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>program</name>
-    <message>
-        <source>is missing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>“%1” is neither J nor L</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>“%1” is neither joints nor pose</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>there is no frame “%1” in this session</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>tiller</name>
+    <name>StateLane</name>
     <message>
         <source>Protective stop</source>
         <translation type="unfinished"></translation>
@@ -3571,355 +1438,9 @@ Jog the arm to a place and press Teach here (T).</source>
         <source>Idle</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Power on</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>MOVING</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The robot confirms that the arm moves.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Remote</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Local</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Taking control…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Move</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ready</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>In control</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Refused</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not in control</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 packets, %2 late, %3 lost</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No robot connected</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Connecting…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Late: %1 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>NO DATA</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 Hz · %2 late</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> · %1 lost</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Connect…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Release brakes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Take control</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose the simulator or the address of a robot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Powers the arm. Brakes stay engaged.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The arm may sag by a few millimetres. Keep clear.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Starts the control program on the robot, which stops any other program.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Unknown robot mode %1. See the teach pendant.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Unknown safety mode %1. See the teach pendant.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Unknown program state %1. See the teach pendant.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Safety is normal again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The arm can be moved. What was armed before the stop does not move it: every motion needs a new press.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The arm is ready. Take control to move it, or go on on the teach pendant.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No data from the robot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Waiting for the connection</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>I looked at the arm: nobody touches it, nothing is caught.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What stopped it is known and removed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Payload and TCP are those of the tool that is mounted.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Possible in %1 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>I looked at the arm and at the robot&apos;s log: the cause is known.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The cause is removed, and nobody is in the arm&apos;s reach.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing to press here: it ends when its cause is gone.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Unlock</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Restart safety</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Manual</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>monitoring</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Packets come late or not at all: jogging may stop by itself and plots have gaps. Use a cable, not a radio link, and close other programs.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Commands take longer than 20 ms: the arm follows the key noticeably late. Jog slowly.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Good: the arm follows the key at once, and a cut link stops it within a quarter of a second.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>LINK · JOG STOPS</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>LINK</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>LINK · JOG MAY STOP</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>LINK · ARM LAGS</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>LINK · GOOD</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Recover…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Shows what stopped the arm, the last five seconds, and the way back. Nothing moves.</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
-    <name>tiller::PlotDock</name>
-    <message>
-        <source>5 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>10 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>30 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>2 min</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>10 min</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>30 min</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>export to %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>export: there are no samples in this range</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>tiller::app</name>
-    <message>
-        <source>Jog, teach, run and monitor a Universal Robots arm from a PC.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Start with the built-in simulated UR5e.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Connect to the robot at this address or host name.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Run the scripted demonstration on the simulated robot, leave its files in this folder, exit.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open this session file (waypoints).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Colours: light or dark.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>see tiller --help</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; was not expected</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>--theme takes light or dark, not &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>--robot and --simulator exclude each other</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>--demo runs on the simulated robot only, not with --robot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>--demo needs a folder</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>--robot needs an address, as in --robot 192.168.0.10</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Robot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Power and safety</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Control and programs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Jog</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Waypoints</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Program Tiller</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Frames</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>tiller::texts</name>
+    <name>Texts</name>
     <message>
         <source>Check the address: four numbers as in 192.168.0.10, or a name the network knows.</source>
         <translation type="unfinished"></translation>
@@ -4201,6 +1722,34 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>contact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>target cannot be reached</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>target too far away for one step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no sign that it was still held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>held for the longest time; press again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PolyScope X before 10.11 takes no such commands over the network: use the tablet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PolyScope X has no command for closing popups over the network: use the tablet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Only watching. Take control to move the arm.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4225,39 +1774,12 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>contact</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>target cannot be reached</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>target too far away for one step</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A script of your own is running. Control comes back when it ends.</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>PolyScope X before 10.11 takes no such commands over the network: use the tablet.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>PolyScope X has no command for closing popups over the network: use the tablet.</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
-    <name>tiller::waypoint_clipboard</name>
-    <message>
-        <source>This is not a table of waypoints. Copy one from the list to see its columns.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>tiller::waypoint_clipboard::Line</name>
+    <name>WaypointClipboard</name>
     <message>
         <source>is missing</source>
         <translation type="unfinished"></translation>
@@ -4272,6 +1794,3005 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
     <message>
         <source>Line %1, %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is not a table of waypoints. Copy one from the list to see its columns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is neither J nor L</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is neither joints nor pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no frame “%1” in this project</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::AnalogRow</name>
+    <message>
+        <source>4–20 mA</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0–10 V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 domain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2
+Right click or F2 to rename and scale.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bar; empty: not scaled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At 4 mA or 0 V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At 20 mA or 10 V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::AxisJog</name>
+    <message>
+        <source>Click into the window first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::DeviceTrainer</name>
+    <message>
+        <source>Moves the arm (until the program ends)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the axis that is out furthest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which way the arm would go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dead-man</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Would move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt they turn, 1 to 6 with + and − a joint, Home, End align, Backspace back, F freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>● held (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>○ not held: hold the %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing: neutral</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameDetails</name>
+    <message>
+        <source>Selected frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Origin X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Origin Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Origin Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation about X (RX)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation about Y (RY)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation about Z (RZ)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, in Base. Enter applies it; nothing moves but the frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no waypoint uses it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints move with it</source>
+        <translation>
+            <numerusform>%n waypoint moves with it</numerusform>
+            <numerusform>%n waypoints move with it</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 from the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameModel</name>
+    <message>
+        <source>A frame needs a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is a frame every robot has. Choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another frame. Choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Origin %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Origin in Base, X Y Z, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation rad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation vector in Base, radians</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roll, pitch and yaw in Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waypoints that move with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of the TCP, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameTable</name>
+    <message>
+        <source>Frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameTeacher</name>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame from three points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel the frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On +X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Towards +Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the origin here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the point on +X here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the point towards +Y here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the point again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The point on +X is only %1 from the origin. Take it again at least %2 away: the further, the truer the axes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The third point is only %1 from the origin. Take it again at least %2 away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The three points lie in a line: the third is only %1 beside the X axis. Take it again at least %2 to the side of +Y.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready: the point on +X is %1 away, the third lies %2 beside the X axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog the tip to where the frame begins, and take it (P).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now to a point on +X: %1 from the origin, %2 is the least.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now to the side of +Y: %1 beside the X axis, %2 is the least.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take  P</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FramesTab</name>
+    <message>
+        <source>Frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach a frame from the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach a frame from three points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up the frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More about frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No frames yet.
+Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to take origin, +X and +Y.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the place of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is set in figures. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>new frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A frame where the TCP is, with the tool&apos;s axes (Shift+T)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Origin, a point on +X, a point towards +Y (Ctrl+Shift+T)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The selected frame goes to where the TCP is (Shift+U)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a frame to touch up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No waypoint moved with it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints moved with it.</source>
+        <translation>
+            <numerusform>%n waypoint moved with it.</numerusform>
+            <numerusform>%n waypoints moved with it.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them are out of reach there.</source>
+        <translation>
+            <numerusform>%n of them is out of reach there.</numerusform>
+            <numerusform>%n of them are out of reach there.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Teach frame from the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach frame from three points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the next point of the frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the frame of the points taken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel frame teaching</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up frame from the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up frame from three points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog in this frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set frame in figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up “%1” from three points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New frame from three points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It moves by %1 (%2, base frame).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No waypoint is given in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints move with it.</source>
+        <translation>
+            <numerusform>%n waypoint moves with it.</numerusform>
+            <numerusform>%n waypoints move with it.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is touched up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete “%1”?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints are given in it. They stay where they are, given in Base.</source>
+        <translation>
+            <numerusform>%n waypoint is given in it. It stays where it is, given in Base.</numerusform>
+            <numerusform>%n waypoints are given in it. They stay where they are, given in Base.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HeaderBar</name>
+    <message>
+        <source>ROBOT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ROBOT MODE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SAFETY</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CONTROL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LINK</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LAST STOP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State of the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NO DATA</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ms · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the stop to standstill, measured. Cause: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No stop measured yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Speed cap raised to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm may get faster than %1. Lower the cap in Settings; it ends with the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HoldGuard</name>
+    <message>
+        <source>the window was not the active one; press again</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IoChannel</name>
+    <message>
+        <source>no data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pending…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, old data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>
+Cannot be switched while no data come from the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>
+Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (held by another)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pulse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IoTab</name>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search inputs and outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search by terminal or name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Digital outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Digital inputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Configurable outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Configurable inputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool inputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ The robot did not confirm %1. Another program or the installation may own it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Analog</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Registers of the robot&apos;s programs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No data from the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogColumn</name>
+    <message>
+        <source>Jog</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold to move · release to stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown below the pad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves while the key is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axes of the picture: X right, Y away from you, Z up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Needs the 3D view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No frame taught yet. Teach one in the tab Frames.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm has not moved yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Freedrive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves every joint to the home position while held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Align</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns the tool to the nearest axis of the chosen frame while held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes back the way the arm came while held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>aligned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another key is held.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 left, then %3 is at its limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 left, then the end of the reach or a singularity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last stop: %1, standstill after %2 ms, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm follows the hand while held: %1. Right click: other axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Freedrive, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Freedrive…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One step a press: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>≤ %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slowly until the tool touches something with %1 N, while held. Click again for other steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One step a press: %1. Click again for other steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · turns %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other step…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Until contact, %1 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Until contact, other force…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other speed…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the payload first (until the next connection)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step in %1 (turns: as many degrees as millimetres)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the TCP in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force that ends the motion, in N</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogKey</name>
+    <message>
+        <source>%1 left this way</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogPad</name>
+    <message>
+        <source>Jog keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JointRow</name>
+    <message>
+        <source>%1 minus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 plus</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JointRows</name>
+    <message>
+        <source>Joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::KeyboardJog</name>
+    <message>
+        <source>Keyboard jogging is armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::LimiterLine</name>
+    <message>
+        <source>Limiter</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::LogModel</name>
+    <message>
+        <source>Info</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Warning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>⬣ Error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tiller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the operator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · from %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 times from %2 to %3 · from %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::LogTab</name>
+    <message>
+        <source>All</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show from severity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter the log by words</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the selected lines, or all that are shown (Ctrl+C)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the lines that are shown to a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The selected line in full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Log written to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::NoticeBar</name>
+    <message>
+        <source>Notice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotDock</name>
+    <message>
+        <source>5 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>10 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>30 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2 min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>10 min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>30 min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>export to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>export: there are no samples in this range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP force [N] · joint current [A]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cursor read-out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click in the plots to place the cursors A and B; drag them, or use the keys A, B and the arrows. Click a name in a legend to read that signal.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much time the plots show. The wheel over the plots zooms.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause the plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the shown range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save what is shown as a picture (PNG) or as values (CSV)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record to a CSV file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record every packet of the robot to a CSV file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paused · %1 s back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold the plots still; data and recording go on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the newest samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>● REC %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>● Record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the folder does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exported the shown range to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was exported: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture (*.png)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotView</name>
+    <message>
+        <source>Plots of TCP force and joint current over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; plus and minus change the time window; End goes back to the newest samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A–B Δt %1 s · Δ%2 %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 s · %3 %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No samples yet: connect to a robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PoseView</name>
+    <message>
+        <source>TCP pose in Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP pose in Base, orientation as chosen in Settings. Δ₀: way since zero. Click: way since the press</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP pose in Base, orientation as chosen in Settings. Δ: way since the press. Click: zero here</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PreflightPage</name>
+    <message>
+        <source>Good</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not looked at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before you connect to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep everybody out of the arm&apos;s reach.
+Keep the emergency stop at hand: STOP in this window is a software stop.
+Begin slowly: the first speed is %1.
+Watch the arm, not the screen, while a key is held.
+Let go of the key and the arm stops.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking at %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Something is in the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready, with warnings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything is ready</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProjectDocument</name>
+    <message>
+        <source>Delete “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n waypoints</source>
+        <translation>
+            <numerusform>Delete %n waypoint</numerusform>
+            <numerusform>Delete %n waypoints</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change the order</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProjectFiles</name>
+    <message>
+        <source>The damaged project file was kept as %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The project could not be saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. Update Tiller to open it. The file was left as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tiller projects (*.tiller)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The project could not be opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. Waypoints that can be read: %2, that cannot: %3. The damaged file is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Open %n waypoints</source>
+        <translation>
+            <numerusform>Open %n waypoint</numerusform>
+            <numerusform>Open %n waypoints</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProjectStore</name>
+    <message>
+        <source>project not saved to a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>disk full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 — not saved: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 — saving…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 — saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no file chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RecoveryPage</name>
+    <message>
+        <source>Recovery</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force at the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At X %1, Y %2, Z %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Suspected joint: %1, whose current left its target furthest.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> (%1 s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tick what you have looked at.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asked; waiting for the robot…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RegisterPanel</name>
+    <message>
+        <source>General purpose registers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Int %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Int</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind of input register</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of the input register</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value for the input register</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RobotSession</name>
+    <message>
+        <source>Stopped: %1 (%2 ms, %3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connecting to %1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disconnected from %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is recorded: connect to a robot first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Recorded %n rows to %1</source>
+        <translation>
+            <numerusform>Recorded %n row to %1</numerusform>
+            <numerusform>Recorded %n rows to %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Connected to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safety is normal again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program error in line %1, column %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Popup on the robot: %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 failed. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Release brakes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restart safety</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close popups</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Protective stop unlocked by the operator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load program %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Output %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Analog output %1: %2 %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Input register %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not connected to a robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting for data from %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connecting to %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No data from the robot. Reconnecting by itself; motion does not resume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Data from the robot are late.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SceneDock</name>
+    <message>
+        <source>View</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SceneView</name>
+    <message>
+        <source>View of the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag or use the arrow keys to look from another side, the wheel or plus and minus to come nearer, double click or Home for the first view. Nothing here moves the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NO DATA</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ghost “%1” · out of reach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ghost “%1” · reachable · largest turn %2 %3 · %4 s at %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SimulationChip</name>
+    <message>
+        <source>Simulation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This robot is simulated. Nothing moves but pixels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SIMULATION</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SpeedChip</name>
+    <message>
+        <source>Speed slider</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed slider of the robot, 2 to 100 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SPEED</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StatusLine</name>
+    <message>
+        <source>Recording, session and last message</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 — %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>REC %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 samples · %2 · %3 free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording ended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StopButton</name>
+    <message>
+        <source>STOP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Software stop. Not an emergency stop. Power stays on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Space / Esc
+not an e-stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StopPlot</name>
+    <message>
+        <source>Highest value %1 in the last five seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>max %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointDetails</name>
+    <message>
+        <source>Selected waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame of the waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The frame it is given in and moves with. The place stays where it is. —: the joints rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>used in %n steps</source>
+        <translation>
+            <numerusform>used in %n step</numerusform>
+            <numerusform>used in %n steps</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 from the live pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joints rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pose rules</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointModel</name>
+    <message>
+        <source>✕ joint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ reach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A joint would leave its range. Touch the waypoint up from another arm posture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its frame is not in this project. Choose another frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The straight line from here leaves the arm&apos;s reach. Use MoveJ, or start elsewhere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Out of reach. Touch it up nearer to the base.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MoveJ: all joints start and stop together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MoveL: the TCP goes along a straight line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The joints rule: the arm comes back in the same posture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pose rules: it moves with its frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Can be reached</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blend %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A waypoint needs a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is taken by waypoint %2. Choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make “%1” a MoveJ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make “%1” a MoveL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use joint positions for “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no frame “%1” in this project.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give “%1” in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is not a number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is outside %2 to %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the blend of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the speed of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointTable</name>
+    <message>
+        <source>Waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointsTab</name>
+    <message>
+        <source>Waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach here  T</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up  U</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to (hold)  G</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to, hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No waypoints yet.
+Jog the arm to a place and press Teach here (T).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a waypoint to go to.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add the place where the arm stands, after the selection (T)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace the selected place by where the arm stands (U)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a waypoint to touch up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves the arm to the selected waypoint while the key is held (G)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy as table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The frame of “%1” is not in this project. Choose another frame first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The live place is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n waypoints</source>
+        <translation>
+            <numerusform>Duplicate %n waypoint</numerusform>
+            <numerusform>Duplicate %n waypoints</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing was pasted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are no waypoints on the clipboard.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Paste %n waypoints</source>
+        <translation>
+            <numerusform>Paste %n waypoint</numerusform>
+            <numerusform>Paste %n waypoints</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::CommandPalette</name>
+    <message>
+        <source>Commands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search a command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type what you want to do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commands found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not possible now</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::ConnectDialog</name>
+    <message>
+        <source>Enter the robot&apos;s address, as shown on the teach pendant under About.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An address has four numbers of 0 to 255, as in 192.168.0.10.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A host name has letters, digits, dots and hyphens only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try the simulator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A simulated UR5e inside this program. Everything works, nothing can be hurt.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start the simulated robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect a robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Address or host name of the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name shown for the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lab UR5e</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robots connected to before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before you move a real arm: keep everybody out of its reach, have the emergency stop at hand, check payload and TCP, start slowly. The STOP of this window is not an emergency stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a project…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waypoints from a file, without a robot: everything but moving works.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Demonstration</name>
+    <message>
+        <source>make the folder %1: choose one that may be written to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>connect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>power on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>release the brakes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>take control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>start recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>teach the first waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>jog X+ in Base for 50 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>let go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>teach the second waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to the first waypoint (held)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>let go of Go to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>digital output 0 on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>digital output 0 off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>take the screenshots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write the screenshots to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stop recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: did not happen within %2 s (%3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot reports no reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pressed anew         %1 times: the motion had stopped before the key was let go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>jogged               </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>release to standstill </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>packets              </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> received, </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> late, </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> lost
+</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recorded             </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> rows, </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>files                </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no key &quot;%1&quot; in the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::DeviceSettings</name>
+    <message>
+        <source>Device that moves the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try it out…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What each device says now, and which way it will go.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gamepad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SpaceMouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dead zone of the %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So far a stick may be out without moving anything.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curve of the %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exponent </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1: even. Higher: gentle near the middle, fast at the end of the way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the axis that is out furthest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: only the axis that is out furthest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dead zone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only while its dead-man is held. It is not remembered: after a start no device moves the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::MainWindow</name>
+    <message>
+        <source>Tiller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keyboard jogging disarmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waypoints, Frames, I/O, Log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>I/O</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 disconnected. The arm was stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has gone silent while it moved the arm, which was stopped. Let go of it; if it stays silent, plug it in again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect to a robot first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give control back first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No program runs on the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program runs already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open recent project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the simulator, a robot or a project.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starts the simulated robot and connects to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the connection…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looks at everything between this PC and the robot, each with its fix.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a robot first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends the connection; a motion of ours stops first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No robot is connected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Powers the arm. Brakes stay engaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm has power, or is getting it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm may sag by a few millimetres. Keep clear.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Engages the brakes and takes the arm&apos;s power away; programs stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recover…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows what stopped the arm, and the way back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No stop of the safety system.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After a violation or a fault, once its cause is found. The arm stays off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only after a violation or a fault.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closes the popups on the teach pendant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open project…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opens waypoints and frames from a file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save project as…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saves to this file now, and every change from now on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot, which stops any other program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In control already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give control back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends the control program on the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not in control.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Software stop of whatever moves. Not an emergency stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load program…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loads a program of the robot&apos;s own by its name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starts the loaded program, or goes on with a paused one: the arm may move at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pauses the program that runs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops the robot&apos;s own program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show I/O</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brings this tab to the front.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Float %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Makes it a window of its own, for a second screen, or puts it back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset layout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All parts back to where they were at first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dark colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changes the colours at once and remembers it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commands…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finds a command by its name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours, sizes, units, the speed cap, devices, and the key of every command.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All commands with their keys, and the rules of jogging.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops the arm, ends the connection and closes the window.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the program on the robot, as the tablet shows it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the program on the robot, as in pick.urp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed cap %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while a key of the pad is held, and stops when it is let go: also when the pointer leaves the key, the window loses the focus, anything opens over it, a second button is pressed, or data from the robot are late. A stopped motion needs a new press. &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from everywhere. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog speed %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog step %1, %2°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm or disarm the keyboard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Armed, the arrow keys move the arm; a frame stands around the window. Ends by itself after half a minute.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What each device says now, and which way it will go.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zero here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counts the way of the TCP from where it is now; once more: since the press again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops the arm; the next press has this speed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves by this much, only while the key is held.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves by this much at each press.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog until contact, %1 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A held key moves slowly and ends when the tool meets this force.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog speed, other…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks for the speed of the TCP; turns and joints in proportion.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog step, other…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks for the length of a step; turns make as many degrees as millimetres.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog until contact, other force…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks for the force in N at which the motion ends.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Freedrive: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the hand can move while Freedrive is held.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::SettingsPage</name>
+    <message>
+        <source>Settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look and motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size of keys and rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roll, pitch, yaw in degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation vector in radians, as scripts write it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed cap of this program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How lengths, speeds of the TCP and orientations are shown and typed. Plots and files keep metres, millimetres and degrees.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed cap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Above %1. Nothing else limits a jog from a PC: neither manual mode nor the enabling device of the pendant. The header says so, and it ends with the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No motion of this program gets above it, at the TCP and at the elbow. It holds at once and stops what moves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys of the commands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restore default shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press the new key in the field; Backspace takes it away. Space and Esc always stop the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Key for %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 stops the arm and nothing else.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 belongs to &quot;%2&quot;. Take it away there first.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

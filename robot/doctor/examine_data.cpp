@@ -2,7 +2,6 @@
 
 // What the RTDE connection gives: protocol, software, registers, modes, data rate.
 
-#include <QCoreApplication>
 #include <QStringList>
 #include <QTcpSocket>
 #include <algorithm>
@@ -28,10 +27,6 @@ constexpr double kLeastShare = 0.9;
 /// The registers control.script talks through, counted from the first of a range.
 constexpr int kIntRegisters = 5;
 constexpr int kDoubleRegisters = 12;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("Doctor", text);
-}
 
 std::vector<std::string> registersFrom(int first) {
     std::vector<std::string> names;
@@ -67,7 +62,7 @@ QString joined(const std::vector<std::string>& names) {
     for (const std::string& name : names) {
         list << QString::fromStdString(name);
     }
-    return list.size() > 3 ? tr("%1 and %2 more").arg(list.first()).arg(list.size() - 1)
+    return list.size() > 3 ? DoctorText::tr("%1 and %2 more").arg(list.first()).arg(list.size() - 1)
                            : list.join(QStringLiteral(", "));
 }
 
@@ -90,16 +85,19 @@ void Examiner::examineRegisters() {
             code == ErrorCode::Timeout && !saysAnything(address_, patient_.ports.rtde, within(kProbeMs));
         found(Condition::Protocol, Verdict::Bad,
               mute ? QStringLiteral("rtde.mute") : QStringLiteral("rtde.not-rtde"),
-              mute ? tr("the RTDE port takes connections but does not answer")
-                   : tr("what answers on port %1 does not speak RTDE").arg(patient_.ports.rtde),
-              mute ? tr("Too many RTDE clients, or a controller that hangs: close other programs, then "
-                        "restart the "
-                        "controller.")
-                   : tr("Check the address: this is another device, or another program took the port."));
+              mute ? DoctorText::tr("the RTDE port takes connections but does not answer")
+                   : DoctorText::tr("what answers on port %1 does not speak RTDE").arg(patient_.ports.rtde),
+              mute ? DoctorText::tr(
+                         "Too many RTDE clients, or a controller that hangs: close other programs, then "
+                         "restart the "
+                         "controller.")
+                   : DoctorText::tr(
+                         "Check the address: this is another device, or another program took the port."));
         return;
     }
     const rtde::Connection& connection = **opened;
-    good(Condition::Protocol, tr("protocol version %1").arg(static_cast<int>(connection.protocol())));
+    good(Condition::Protocol,
+         DoctorText::tr("protocol version %1").arg(static_cast<int>(connection.protocol())));
     version_ = connection.version();
     judgeSoftware(*version_);
 
@@ -109,24 +107,26 @@ void Examiner::examineRegisters() {
         return;
     }
     if (!inUse[0].empty()) {
-        found(Condition::UpperRegisters, Verdict::Bad, QStringLiteral("registers.upper.taken"),
-              tr("another program holds %1").arg(joined(inUse[0])),
-              tr("End the other program that controls this robot (another window, ROS, ur_rtde)."));
+        found(
+            Condition::UpperRegisters, Verdict::Bad, QStringLiteral("registers.upper.taken"),
+            DoctorText::tr("another program holds %1").arg(joined(inUse[0])),
+            DoctorText::tr("End the other program that controls this robot (another window, ROS, ur_rtde)."));
     } else if (!recipes[0].isValid()) {
         found(Condition::UpperRegisters, Verdict::Attention, QStringLiteral("registers.upper.absent"),
-              tr("this software has no registers 24 to 47"),
-              tr("Update the robot's software to 3.9 or 5.3."));
+              DoctorText::tr("this software has no registers 24 to 47"),
+              DoctorText::tr("Update the robot's software to 3.9 or 5.3."));
     } else {
-        good(Condition::UpperRegisters, tr("24 to 47 are free"));
+        good(Condition::UpperRegisters, DoctorText::tr("24 to 47 are free"));
     }
     if (!inUse[1].empty()) {
         found(Condition::LowerRegisters, Verdict::Attention, QStringLiteral("registers.lower.taken"),
-              tr("a fieldbus adapter or another program holds %1").arg(joined(inUse[1])),
-              tr("Nothing to do for jogging. To use these registers, switch EtherNet/IP, PROFINET or MODBUS "
-                 "off in "
-                 "the robot's installation."));
+              DoctorText::tr("a fieldbus adapter or another program holds %1").arg(joined(inUse[1])),
+              DoctorText::tr(
+                  "Nothing to do for jogging. To use these registers, switch EtherNet/IP, PROFINET or MODBUS "
+                  "off in "
+                  "the robot's installation."));
     } else {
-        good(Condition::LowerRegisters, tr("0 to 23 are free"));
+        good(Condition::LowerRegisters, DoctorText::tr("0 to 23 are free"));
     }
 }
 
@@ -137,14 +137,16 @@ void Examiner::judgeSoftware(const SoftwareVersion& version) {
         version.isCb3() ? SoftwareVersion{3, 9, 0, 0} : SoftwareVersion{5, 3, 0, 0};
     if (version < least) {
         found(Condition::Software, Verdict::Bad, QStringLiteral("software.unsupported"), text,
-              tr("This software is too old. Update the robot to %1.%2 or newer.")
+              DoctorText::tr("This software is too old. Update the robot to %1.%2 or newer.")
                   .arg(wanted.major)
                   .arg(wanted.minor));
     } else if (version < wanted) {
-        found(Condition::Software, Verdict::Attention, QStringLiteral("software.old"), text,
-              tr("Some values and the registers for control are missing. Update the robot to %1.%2 or newer.")
-                  .arg(wanted.major)
-                  .arg(wanted.minor));
+        found(
+            Condition::Software, Verdict::Attention, QStringLiteral("software.old"), text,
+            DoctorText::tr(
+                "Some values and the registers for control are missing. Update the robot to %1.%2 or newer.")
+                .arg(wanted.major)
+                .arg(wanted.minor));
     } else {
         good(Condition::Software, text);
     }
@@ -155,14 +157,15 @@ void Examiner::judgeModes(RobotMode mode, SafetyMode safety) {
         good(Condition::Safety, safetyModeName(safety));
     } else {
         found(Condition::Safety, Verdict::Bad, QStringLiteral("safety.stopped"), safetyModeName(safety),
-              tr("Look at the arm, remove the cause, then recover: Recover… in the header, or on the teach "
-                 "pendant."));
+              DoctorText::tr(
+                  "Look at the arm, remove the cause, then recover: Recover… in the header, or on the teach "
+                  "pendant."));
     }
     if (mode == RobotMode::Running) {
         good(Condition::Power, robotModeName(mode));
     } else {
         found(Condition::Power, Verdict::Attention, QStringLiteral("power.not-running"), robotModeName(mode),
-              tr("Power on and release the brakes: the header's button leads the way."));
+              DoctorText::tr("Power on and release the brakes: the header's button leads the way."));
     }
 }
 
@@ -197,27 +200,29 @@ void Examiner::examineData() {
     receiver.stop();
     if (packages == 0) {
         found(Condition::DataRate, Verdict::Bad, QStringLiteral("rate.none"),
-              tr("the robot takes the subscription but sends no data"),
-              tr("Close other RTDE programs, then restart the robot's controller."));
+              DoctorText::tr("the robot takes the subscription but sends no data"),
+              DoctorText::tr("Close other RTDE programs, then restart the robot's controller."));
         return;
     }
     // By the controller's own time stamps: how busy this PC is does not count against the robot.
     const double wanted = receiver.version().maxFrequency();
     const double rate = last > first ? (packages - 1) / (last - first) : 0;
-    const QString detail = tr("%1 of %2 packages a second").arg(rate, 0, 'f', 0).arg(wanted, 0, 'f', 0);
+    const QString detail =
+        DoctorText::tr("%1 of %2 packages a second").arg(rate, 0, 'f', 0).arg(wanted, 0, 'f', 0);
     if (rate < kLeastShare * wanted) {
         found(Condition::DataRate, Verdict::Bad, QStringLiteral("rate.low"), detail,
-              tr("Packages are missing: use a cable, not a radio link; close other programs that load the "
-                 "robot or "
-                 "this PC."));
+              DoctorText::tr(
+                  "Packages are missing: use a cable, not a radio link; close other programs that load the "
+                  "robot or "
+                  "this PC."));
     } else {
         good(Condition::DataRate, detail);
     }
     if (priority.ok()) {
-        good(Condition::Privilege, tr("priority %1").arg(priority.granted));
+        good(Condition::Privilege, DoctorText::tr("priority %1").arg(priority.granted));
     } else {
         found(Condition::Privilege, Verdict::Attention, QStringLiteral("privilege.none"),
-              tr("the system grants this user no real-time priority"), priority.advice);
+              DoctorText::tr("the system grants this user no real-time priority"), priority.advice);
     }
     const receive::RobotState robot(sample);
     judgeModes(robot.robotMode(), robot.safetyMode());
@@ -226,14 +231,15 @@ void Examiner::examineData() {
     }
     const bool noTool = robot.tcpOffset().position.norm() < 1e-6;
     const bool noPayload = robot.payloadMass() < 1e-6;
-    const QString tool = tr("TCP %1 mm from the flange, payload %2 kg")
+    const QString tool = DoctorText::tr("TCP %1 mm from the flange, payload %2 kg")
                              .arg(robot.tcpOffset().position.norm() * 1e3, 0, 'f', 1)
                              .arg(robot.payloadMass(), 0, 'f', 2);
     if (noTool || noPayload) {
         found(Condition::ToolAndPayload, Verdict::Attention, QStringLiteral("payload.unset"), tool,
-              tr("If a tool is mounted, set TCP and payload in the robot's installation: a wrong payload "
-                 "causes "
-                 "protective stops and lets the arm sag in Freedrive."));
+              DoctorText::tr(
+                  "If a tool is mounted, set TCP and payload in the robot's installation: a wrong payload "
+                  "causes "
+                  "protective stops and lets the arm sag in Freedrive."));
     } else {
         good(Condition::ToolAndPayload, tool);
     }

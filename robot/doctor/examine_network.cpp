@@ -2,7 +2,6 @@
 
 // Is there a host, and what listens on it.
 
-#include <QCoreApplication>
 #include <QHostAddress>
 #include <QHostInfo>
 #include <QTcpSocket>
@@ -16,10 +15,6 @@ namespace tiller::doctor {
 namespace {
 
 constexpr int kConnectMs = 2000;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("Doctor", text);
-}
 
 struct Door {
     Condition condition;
@@ -59,11 +54,13 @@ bool Examiner::examineAddress() {
             return true;
         }
     }
-    found(Condition::Address, Verdict::Bad, QStringLiteral("address.unresolved"),
-          tr("\"%1\" is no address, and no host of that name is known").arg(host),
-          tr("Enter the four numbers shown on the teach pendant under About, or ask who runs the network for "
-             "the "
-             "name."));
+    found(
+        Condition::Address, Verdict::Bad, QStringLiteral("address.unresolved"),
+        DoctorText::tr("\"%1\" is no address, and no host of that name is known").arg(host),
+        DoctorText::tr(
+            "Enter the four numbers shown on the teach pendant under About, or ask who runs the network for "
+            "the "
+            "name."));
     return false;
 }
 
@@ -89,33 +86,37 @@ void Examiner::examinePorts() {
         found(
             Condition::Host, Verdict::Bad,
             silent ? QStringLiteral("host.silent") : QStringLiteral("host.unreachable"),
-            silent ? tr("%1 does not answer").arg(address_) : tr("There is no way to %1").arg(address_),
+            silent ? DoctorText::tr("%1 does not answer").arg(address_)
+                   : DoctorText::tr("There is no way to %1").arg(address_),
             silent
-                ? tr("Check that the robot is switched on and the cable is plugged in, and that no firewall "
-                     "stands between.")
-                : tr("Give this PC an address in the robot's network (the same first three numbers), and "
-                     "check "
-                     "the cable."));
+                ? DoctorText::tr(
+                      "Check that the robot is switched on and the cable is plugged in, and that no firewall "
+                      "stands between.")
+                : DoctorText::tr(
+                      "Give this PC an address in the robot's network (the same first three numbers), and "
+                      "check "
+                      "the cable."));
         return;
     }
     if (open == 0 && refused == static_cast<int>(doors.size())) {
         found(Condition::Host, Verdict::Bad, QStringLiteral("host.no-robot"),
-              tr("%1 answers, but none of a robot's services is there").arg(address_),
-              tr("Check that this is the robot's own address. A robot that has just been switched on needs "
-                 "another "
-                 "minute."));
+              DoctorText::tr("%1 answers, but none of a robot's services is there").arg(address_),
+              DoctorText::tr(
+                  "Check that this is the robot's own address. A robot that has just been switched on needs "
+                  "another "
+                  "minute."));
         return;
     }
-    good(Condition::Host, tr("%1 answers").arg(address_));
+    good(Condition::Host, DoctorText::tr("%1 answers").arg(address_));
     for (const Door& door : doors) {
         if (door.condition == Condition::ServicePort) {
             if (door.error.code == ErrorCode::None) {
-                good(door.condition, tr("dashboard, port %1").arg(door.port));
+                good(door.condition, DoctorText::tr("dashboard, port %1").arg(door.port));
             }
             continue;  // PolyScope X has another one: see examineService()
         }
         if (door.error.code == ErrorCode::None) {
-            good(door.condition, tr("port %1").arg(door.port));
+            good(door.condition, DoctorText::tr("port %1").arg(door.port));
             continue;
         }
         const bool wasRefused = door.error.code == ErrorCode::ConnectionRefused;
@@ -123,11 +124,12 @@ void Examiner::examinePorts() {
               QStringLiteral("port.%1.%2")
                   .arg(QLatin1String(door.name),
                        wasRefused ? QStringLiteral("refused") : QStringLiteral("silent")),
-              wasRefused ? tr("port %1 is closed").arg(door.port)
-                         : tr("port %1 does not answer").arg(door.port),
+              wasRefused ? DoctorText::tr("port %1 is closed").arg(door.port)
+                         : DoctorText::tr("port %1 does not answer").arg(door.port),
               wasRefused
-                  ? tr("Switch this interface on at the robot: Settings, Security, Services.")
-                  : tr("A firewall swallows this port: allow TCP port %1 to the robot.").arg(door.port));
+                  ? DoctorText::tr("Switch this interface on at the robot: Settings, Security, Services.")
+                  : DoctorText::tr("A firewall swallows this port: allow TCP port %1 to the robot.")
+                        .arg(door.port));
     }
 }
 

@@ -3,8 +3,6 @@
 // The service for power and programs (the dashboard, or the Robot API of PolyScope X), and what the primary
 // interface says about the arm.
 
-#include <QCoreApplication>
-
 #include "robot/core/robot_model.h"
 #include "robot/dashboard/dashboard_client.h"
 #include "robot/dashboard/robot_api_client.h"
@@ -17,12 +15,8 @@ namespace {
 constexpr int kReplyMs = 2000;
 constexpr int kStateMs = 2500;
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("Doctor", text);
-}
-
 QString remoteFix() {
-    return tr(
+    return DoctorText::tr(
         "Switch the robot to Remote control on the teach pendant, at the top right. Without that, Tiller "
         "only "
         "watches.");
@@ -48,27 +42,28 @@ void Examiner::examineDashboard() {
         const bool mute = version.error().code == ErrorCode::Timeout;
         // The port was open: what is behind it is the condition's real content.
         findings_.erase(Condition::ServicePort);
-        found(Condition::ServicePort, Verdict::Bad,
-              mute ? QStringLiteral("service.mute") : QStringLiteral("service.not-dashboard"),
-              mute ? tr("the dashboard takes connections but does not answer")
-                   : tr("what answers on port %1 is not a dashboard").arg(patient_.ports.dashboard),
-              mute ? tr("Restart the robot's controller; if it stays like this, see its log.")
-                   : tr("Check the address, and that no other program uses this port."));
+        found(
+            Condition::ServicePort, Verdict::Bad,
+            mute ? QStringLiteral("service.mute") : QStringLiteral("service.not-dashboard"),
+            mute ? DoctorText::tr("the dashboard takes connections but does not answer")
+                 : DoctorText::tr("what answers on port %1 is not a dashboard").arg(patient_.ports.dashboard),
+            mute ? DoctorText::tr("Restart the robot's controller; if it stays like this, see its log.")
+                 : DoctorText::tr("Check the address, and that no other program uses this port."));
         return;
     }
     if (version->isCb3()) {
-        good(Condition::RemoteControl, tr("this series has no Local/Remote switch"));
+        good(Condition::RemoteControl, DoctorText::tr("this series has no Local/Remote switch"));
         return;
     }
     const Result<bool> remote = client.isInRemoteControl(within(kReplyMs));
     if (remote && *remote) {
-        good(Condition::RemoteControl, tr("Remote"));
+        good(Condition::RemoteControl, DoctorText::tr("Remote"));
     } else if (remote) {
-        found(Condition::RemoteControl, Verdict::Bad, QStringLiteral("control.local"), tr("Local"),
-              remoteFix());
+        found(Condition::RemoteControl, Verdict::Bad, QStringLiteral("control.local"),
+              DoctorText::tr("Local"), remoteFix());
     } else if (remote.error().code == ErrorCode::RemoteControlRequired) {
-        found(Condition::RemoteControl, Verdict::Bad, QStringLiteral("control.local"), tr("Local"),
-              remoteFix());
+        found(Condition::RemoteControl, Verdict::Bad, QStringLiteral("control.local"),
+              DoctorText::tr("Local"), remoteFix());
     }
 }
 
@@ -80,25 +75,26 @@ void Examiner::examineRobotApi() {
         const bool silent = version.error().code == ErrorCode::Timeout;
         found(Condition::ServicePort, Verdict::Bad,
               silent ? QStringLiteral("port.service.silent") : QStringLiteral("port.service.refused"),
-              tr("neither the dashboard (port %1) nor the Robot API (port %2) is there")
+              DoctorText::tr("neither the dashboard (port %1) nor the Robot API (port %2) is there")
                   .arg(patient_.ports.dashboard)
                   .arg(port),
-              tr("Switch the Dashboard Server on at the robot: Settings, Security, Services. PolyScope X "
-                 "needs 10.11 "
-                 "or newer for the Robot API."));
+              DoctorText::tr(
+                  "Switch the Dashboard Server on at the robot: Settings, Security, Services. PolyScope X "
+                  "needs 10.11 "
+                  "or newer for the Robot API."));
         return;
     }
     good(Condition::ServicePort,
-         tr("Robot API %1, port %2; popups are closed on the tablet").arg(*version).arg(port));
+         DoctorText::tr("Robot API %1, port %2; popups are closed on the tablet").arg(*version).arg(port));
     const Result<bool> remote = client.isInRemoteControl(within(kReplyMs));
     if (!remote) {
         return;  // before 10.12 it cannot be asked
     }
     if (*remote) {
-        good(Condition::RemoteControl, tr("Remote"));
+        good(Condition::RemoteControl, DoctorText::tr("Remote"));
     } else {
-        found(Condition::RemoteControl, Verdict::Bad, QStringLiteral("control.local"), tr("Local"),
-              remoteFix());
+        found(Condition::RemoteControl, Verdict::Bad, QStringLiteral("control.local"),
+              DoctorText::tr("Local"), remoteFix());
     }
 }
 
@@ -117,8 +113,8 @@ void Examiner::examineModel() {
     const auto configuration = client.configuration();
     if (!heard || !configuration) {
         found(Condition::Model, Verdict::Bad, QStringLiteral("model.untold"),
-              tr("the primary interface does not describe the arm"),
-              tr("Check that this is the robot's own address, and restart its controller."));
+              DoctorText::tr("the primary interface does not describe the arm"),
+              DoctorText::tr("Check that this is the robot's own address, and restart its controller."));
         return;
     }
     for (const RobotModel& model : robotModels()) {
@@ -129,10 +125,10 @@ void Examiner::examineModel() {
             return;
         }
     }
-    found(
-        Condition::Model, Verdict::Attention, QStringLiteral("model.unknown"),
-        tr("robot type %1 is newer than this program").arg(configuration->robotType),
-        tr("Watching works. Limits and previews use the dimensions the robot reports; jog slowly at first."));
+    found(Condition::Model, Verdict::Attention, QStringLiteral("model.unknown"),
+          DoctorText::tr("robot type %1 is newer than this program").arg(configuration->robotType),
+          DoctorText::tr("Watching works. Limits and previews use the dimensions the robot reports; jog "
+                         "slowly at first."));
 }
 
 }  // namespace tiller::doctor

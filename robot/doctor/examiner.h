@@ -3,6 +3,7 @@
 
 // One examination under way. Private to robot/doctor.
 
+#include <QCoreApplication>
 #include <map>
 #include <optional>
 
@@ -12,6 +13,11 @@
 #include "robot/doctor/examination.h"
 
 namespace tiller::doctor {
+
+/// The texts of the doctor for the translators: lupdate finds them by this name.
+struct DoctorText {
+    Q_DECLARE_TR_FUNCTIONS(Doctor)
+};
 
 class Examiner {
 public:

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "robot/core/angles.h"
 #include "robot/project/waypoint_list.h"
 #include "widgets/common/elided_label.h"
 #include "widgets/common/figure_box.h"
@@ -21,7 +22,6 @@
 namespace tiller {
 namespace {
 
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 constexpr double kFarthest = 10.0;  ///< [m] no frame of a cell is further from the base
 constexpr std::array<const char*, 6> kNames = {"x", "y", "z", "rx", "ry", "rz"};
 constexpr std::array<const char*, 6> kLetters = {"X", "Y", "Z", "RX", "RY", "RZ"};
@@ -34,7 +34,7 @@ bool asVector() {
 std::array<double, 6> figuresOf(const Pose& pose) {
     const Eigen::Vector3d position = pose.position / format::metresPerUnit();
     const Eigen::Vector3d turns =
-        asVector() ? pose.rotation : Eigen::Vector3d(rpyFromRotationVector(pose.rotation) * kDegPerRad);
+        asVector() ? pose.rotation : Eigen::Vector3d(rpyFromRotationVector(pose.rotation) * toDegrees(1));
     return {position.x(), position.y(), position.z(), turns.x(), turns.y(), turns.z()};
 }
 
@@ -137,9 +137,8 @@ void FrameDetails::showFacts() {
         facts_->setFullText({});
         return;
     }
-    QStringList facts = {waypoints_ == 0   ? tr("no waypoint uses it")
-                         : waypoints_ == 1 ? tr("1 waypoint moves with it")
-                                           : tr("%1 waypoints move with it").arg(waypoints_)};
+    QStringList facts = {waypoints_ == 0 ? tr("no waypoint uses it")
+                                         : tr("%n waypoints move with it", nullptr, waypoints_)};
     if (tcp_) {
         const project::PoseDifference away = project::poseDifference(frame_->T_base_frame, *tcp_);
         facts << tr("%1 from the TCP").arg(format::difference(away.distance, away.angle));
@@ -164,7 +163,7 @@ void FrameDetails::take(int figure) {
         pose.rotation = rotationVector(rotationMatrix(pose.rotation));
     } else {
         Eigen::Vector3d rpy = rpyFromRotationVector(pose.rotation);
-        rpy[figure - 3] = shown_[at] / kDegPerRad;
+        rpy[figure - 3] = toRadians(shown_[at]);
         pose.rotation = rotationVectorFromRpy(rpy);
     }
     Q_EMIT placeEntered(pose);

@@ -19,15 +19,13 @@ namespace tiller {
 namespace {
 
 QString movedText(int waypoints) {
-    return waypoints == 0   ? FramesTab::tr("No waypoint moved with it.")
-           : waypoints == 1 ? FramesTab::tr("1 waypoint moved with it.")
-                            : FramesTab::tr("%1 waypoints moved with it.").arg(waypoints);
+    return waypoints == 0 ? FramesTab::tr("No waypoint moved with it.")
+                          : FramesTab::tr("%n waypoints moved with it.", nullptr, waypoints);
 }
 
 QString outOfReachText(int waypoints) {
-    return waypoints == 0   ? QString()
-           : waypoints == 1 ? FramesTab::tr("1 of them is out of reach there.")
-                            : FramesTab::tr("%1 of them are out of reach there.").arg(waypoints);
+    return waypoints == 0 ? QString()
+                          : FramesTab::tr("%n of them are out of reach there.", nullptr, waypoints);
 }
 
 }  // namespace
@@ -78,7 +76,7 @@ void FramesTab::buildActions() {
     everywhere(with(addCommand("make", tr("Make the frame of the points taken"),
                                QKeySequence(Qt::CTRL | Qt::Key_Return), [this] { teacher_->finish(); }),
                     "t"));
-    everywhere(with(addCommand("cancel", tr("Take no more points"), {}, [this] { endTeaching(); }), "t"));
+    everywhere(with(addCommand("cancel", tr("Cancel frame teaching"), {}, [this] { endTeaching(); }), "t"));
     menu->addAction(everywhere(with(addCommand("touchUp", tr("Touch up frame from the TCP"),
                                                QKeySequence(Qt::SHIFT | Qt::Key_U), [this] { touchUp(); }),
                                     "sl")));
@@ -196,9 +194,8 @@ void FramesTab::askToMove(const QUuid& id, const Pose& T_base_frame) {
     QStringList lines = {tr("It moves by %1 (%2, base frame).")
                              .arg(format::difference(by.distance, by.angle),
                                   format::shift(T_base_frame.position - frame.T_base_frame.position)),
-                         use.waypoints == 0   ? tr("No waypoint is given in it.")
-                         : use.waypoints == 1 ? tr("1 waypoint moves with it.")
-                                              : tr("%1 waypoints move with it.").arg(use.waypoints)};
+                         use.waypoints == 0 ? tr("No waypoint is given in it.")
+                                            : tr("%n waypoints move with it.", nullptr, use.waypoints)};
     if (use.outOfReach > 0) {
         lines << outOfReachText(use.outOfReach);
     }
@@ -253,9 +250,7 @@ void FramesTab::deleteSelected() {
     }
     notice_->show(
         NoticeBar::Kind::Question, tr("Delete “%1”?").arg(frame->name),
-        waypoints == 1
-            ? tr("1 waypoint is given in it. It stays where it is, given in Base.")
-            : tr("%1 waypoints are given in it. They stay where they are, given in Base.").arg(waypoints),
+        tr("%n waypoints are given in it. They stay where they are, given in Base.", nullptr, waypoints),
         tr("Delete frame"), [this, id = frame->id] {
             if (const int row = model_->rowOf(id); row >= 0) {
                 document_.removeFrame(row);

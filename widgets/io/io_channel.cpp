@@ -131,8 +131,7 @@ void IoChannel::paintEvent(QPaintEvent*) {
     painter.setFont(textFont(14));
     painter.setPen(live ? theme.text : theme.disabledText);
     const QRect nameBox = nameRect();
-    const QString shown =
-        obstacle_.isEmpty() ? name_ : (name_ + QLatin1Char(' ') + tr("(held by another)")).trimmed();
+    const QString shown = obstacle_.isEmpty() ? name_ : tr("%1 (held by another)").arg(name_).trimmed();
     painter.drawText(nameBox, Qt::AlignVCenter | Qt::AlignLeft,
                      painter.fontMetrics().elidedText(shown, Qt::ElideRight, nameBox.width()));
 

@@ -9,24 +9,25 @@ namespace tiller {
 
 namespace {
 
-QString text(const char* source) {
-    return QCoreApplication::translate("Freedrive", source);
-}
+/// The texts of this file for the translators: lupdate finds them by this name.
+struct FreedriveText {
+    Q_DECLARE_TR_FUNCTIONS(Freedrive)
+};
 
 }  // namespace
 
 QString freedriveAxesText(FreedriveAxes axes) {
     switch (axes) {
         case FreedriveAxes::All:
-            return text("All axes");
+            return FreedriveText::tr("All axes");
         case FreedriveAxes::Position:
-            return text("Position only");
+            return FreedriveText::tr("Position only");
         case FreedriveAxes::Orientation:
-            return text("Orientation only");
+            return FreedriveText::tr("Orientation only");
         case FreedriveAxes::Plane:
-            return text("Plane X Y");
+            return FreedriveText::tr("Plane X Y");
         case FreedriveAxes::Line:
-            return text("Line Z");
+            return FreedriveText::tr("Line Z");
     }
     return {};
 }
@@ -58,7 +59,7 @@ control::Freedrive freedriveOf(FreedriveAxes axes, const Eigen::Matrix3d& R_base
 
 QString payloadDoubt(const SessionState& state) {
     if (state.moving) {
-        return text("Let the arm come to rest before freedrive.");
+        return FreedriveText::tr("Let the arm come to rest before freedrive.");
     }
     const double force = state.tcpForce.force.norm();
     const double torque = state.tcpForce.torque.norm();
@@ -66,7 +67,7 @@ QString payloadDoubt(const SessionState& state) {
         return {};
     }
     const QString felt = force > kPayloadForce ? format::newtons(force) : format::newtonMetres(torque);
-    return text(
+    return FreedriveText::tr(
                "The arm feels %1 with a payload of %2 kg: it would move by itself. Let go of the tool, or "
                "correct "
                "payload and TCP.")

@@ -39,7 +39,7 @@ constexpr int kCompactBelow = 800;
 
 JogColumn::JogColumn(JogPort port, QWidget* parent) : Panel(tr("Jog"), parent), port_(std::move(port)) {
     setObjectName(QStringLiteral("jogColumn"));
-    setHint(tr("hold to move · stops by itself in 150 ms"));
+    setHint(tr("Hold to move · release to stop"));
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
 
     auto* body = new QWidget(this);

@@ -4,8 +4,8 @@
 #include <QCoreApplication>
 #include <QPainter>
 #include <cmath>
-#include <numbers>
 
+#include "robot/core/angles.h"
 #include "robot/kinematics/arm_kinematics.h"
 #include "widgets/common/format.h"
 #include "widgets/common/shapes.h"
@@ -16,14 +16,14 @@ namespace tiller {
 
 namespace {
 
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 constexpr double kWarnDegrees = 15.0;
 constexpr double kShoulderWarnMetres = 0.06;
 constexpr double kSineWarnDegrees = 8;
 
-QString text(const char* source) {
-    return QCoreApplication::translate("Limiter", source);
-}
+/// The texts of this file for the translators: lupdate finds them by this name.
+struct LimiterText {
+    Q_DECLARE_TR_FUNCTIONS(Limiter)
+};
 
 Limiter nearestSingularity(const SessionState& state, const Eigen::Matrix3d& R_base_frame) {
     struct Kind {
@@ -37,17 +37,19 @@ Limiter nearestSingularity(const SessionState& state, const Eigen::Matrix3d& R_b
     };
     const DhParameters& dh = robotModel(state.model).dh;
     const auto measure = kinematics::singularityMeasure(dh, state.q);
-    const auto degrees = [](double sine) { return std::asin(std::min(1.0, std::abs(sine))) * kDegPerRad; };
+    const auto degrees = [](double sine) { return toDegrees(std::asin(std::min(1.0, std::abs(sine)))); };
     const Kind kinds[] = {
-        {Singularity::Elbow, 2, degrees(measure.elbow) < kSineWarnDegrees, text("Elbow almost straight"),
-         text("Elbow almost straight: %1 of the speed"), text("bend the elbow"),
-         text("jog %1 or bend the elbow")},
-        {Singularity::Shoulder, 0, measure.shoulder < kShoulderWarnMetres, text("Wrist above the base axis"),
-         text("Wrist above the base axis: %1 of the speed"), text("move outwards"),
-         text("jog %1 or turn the base")},
-        {Singularity::Wrist, 4, degrees(measure.wrist) < kSineWarnDegrees, text("Wrist 2 near 0° or 180°"),
-         text("Wrist 2 near 0° or 180°: %1 of the speed"), text("turn wrist 2"),
-         text("jog %1 or turn wrist 2")}};
+        {Singularity::Elbow, 2, degrees(measure.elbow) < kSineWarnDegrees,
+         LimiterText::tr("Elbow almost straight"), LimiterText::tr("Elbow almost straight: %1 of the speed"),
+         LimiterText::tr("bend the elbow"), LimiterText::tr("jog %1 or bend the elbow")},
+        {Singularity::Shoulder, 0, measure.shoulder < kShoulderWarnMetres,
+         LimiterText::tr("Wrist above the base axis"),
+         LimiterText::tr("Wrist above the base axis: %1 of the speed"), LimiterText::tr("move outwards"),
+         LimiterText::tr("jog %1 or turn the base")},
+        {Singularity::Wrist, 4, degrees(measure.wrist) < kSineWarnDegrees,
+         LimiterText::tr("Wrist 2 near 0° or 180°"),
+         LimiterText::tr("Wrist 2 near 0° or 180°: %1 of the speed"), LimiterText::tr("turn wrist 2"),
+         LimiterText::tr("jog %1 or turn wrist 2")}};
     // What slows the jog down comes first; after it ended there the controller still says so.
     const bool slowed = state.limiter.kind == control::LimiterKind::Singularity && state.limiter.scale < 0.98;
     for (const bool slowing : {true, false}) {
@@ -69,35 +71,39 @@ Limiter nearestLimiter(const SessionState& state, const Eigen::Matrix3d& R_base_
     int nearest = -1;
     double least = kWarnDegrees;
     for (int joint = 0; joint < kJointCount; ++joint) {
-        const double left = (kJointPositionLimit - std::abs(state.q[joint])) * kDegPerRad;
+        const double left = toDegrees(kJointPositionLimit - std::abs(state.q[joint]));
         if (left < least) {
             least = left;
             nearest = joint;
         }
     }
     if (nearest >= 0) {
-        const QString name = text(kJointNames[static_cast<std::size_t>(nearest)]);
+        const QString name = LimiterText::tr(kJointNames[static_cast<std::size_t>(nearest)]);
         const QString back = state.q[nearest] > 0 ? QStringLiteral("−") : QStringLiteral("+");
         const int key = wayOut(robotModel(state.model).dh, state.q, state.tcpOffset, R_base_frame, nearest);
-        return {text("%1 %2° from its limit").arg(name).arg(std::max(0.0, least), 0, 'f', 0),
-                key < 0 ? text("turn %1 %2").arg(name, back)
-                        : text("jog %1 or turn %2 %3").arg(travelKeyName(key), name, back)};
+        return {LimiterText::tr("%1 %2° from its limit").arg(name).arg(std::max(0.0, least), 0, 'f', 0),
+                key < 0 ? LimiterText::tr("turn %1 %2").arg(name, back)
+                        : LimiterText::tr("jog %1 or turn %2 %3").arg(travelKeyName(key), name, back)};
     }
     if (state.motionActive && state.limiter.scale < 0.98) {
         const QString percent = format::percent(state.limiter.scale);
         switch (state.limiter.kind) {
             case control::LimiterKind::TcpSpeed:
-                return {text("TCP at its speed cap: %1").arg(percent), text("the cap is in the settings")};
+                return {LimiterText::tr("TCP at its speed cap: %1").arg(percent),
+                        LimiterText::tr("the cap is in the settings")};
             case control::LimiterKind::ElbowSpeed:
-                return {text("Elbow at its speed cap: %1").arg(percent), text("move less sideways")};
+                return {LimiterText::tr("Elbow at its speed cap: %1").arg(percent),
+                        LimiterText::tr("move less sideways")};
             case control::LimiterKind::RotationSpeed:
-                return {text("Turning at its cap: %1").arg(percent), text("the cap is in the settings")};
+                return {LimiterText::tr("Turning at its cap: %1").arg(percent),
+                        LimiterText::tr("the cap is in the settings")};
             case control::LimiterKind::JointSpeed:
                 if (state.limiter.joint >= 0) {
                     return {
-                        text("%1 at its top speed: %2")
-                            .arg(text(kJointNames[static_cast<std::size_t>(state.limiter.joint)]), percent),
-                        text("choose a slower class")};
+                        LimiterText::tr("%1 at its top speed: %2")
+                            .arg(LimiterText::tr(kJointNames[static_cast<std::size_t>(state.limiter.joint)]),
+                                 percent),
+                        LimiterText::tr("choose a slower class")};
                 }
                 break;
             default:

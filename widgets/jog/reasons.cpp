@@ -6,11 +6,18 @@
 #include "widgets/session/texts.h"
 
 namespace tiller {
+namespace {
+
+/// The texts of this file for the translators: lupdate finds them by this name.
+struct ReasonsText {
+    Q_DECLARE_TR_FUNCTIONS(Reasons)
+};
+
+}  // namespace
 
 using control::StopCause;
 
 QString cannotMoveReason(const SessionState& state) {
-    const auto text = [](const char* source) { return QCoreApplication::translate("Reasons", source); };
     if (state.canMove()) {
         return {};
     }
@@ -19,14 +26,15 @@ QString cannotMoveReason(const SessionState& state) {
     }
     switch (state.link) {
         case LinkState::Disconnected:
-            return text("No robot connected. Choose one at the top left.");
+            return ReasonsText::tr("No robot connected. Choose one at the top left.");
         case LinkState::Connecting:
-            return text("Connecting…");
+            return ReasonsText::tr("Connecting…");
         case LinkState::Lost:
-            return state.linkReason.isEmpty() ? text("No data from the robot. Reconnecting by itself.")
-                                              : state.linkReason;
+            return state.linkReason.isEmpty()
+                       ? ReasonsText::tr("No data from the robot. Reconnecting by itself.")
+                       : state.linkReason;
         case LinkState::Stale:
-            return text("Robot data is late. Waiting for it to come back.");
+            return ReasonsText::tr("Robot data is late. Waiting for it to come back.");
         case LinkState::Live:
             break;
     }
@@ -37,8 +45,8 @@ QString cannotMoveReason(const SessionState& state) {
         return mode;
     }
     return state.control == ControlState::Taking
-               ? text("Taking control…")
-               : text("Not in control. Press “Take control” in the header.");
+               ? ReasonsText::tr("Taking control…")
+               : ReasonsText::tr("Not in control. Press “Take control” in the header.");
 }
 
 StopCause stopCauseFor(const SessionState& state) {

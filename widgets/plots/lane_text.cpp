@@ -7,53 +7,54 @@ namespace tiller {
 
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("tiller::StateLane", text);
-}
+/// The texts of this file for the translators: lupdate finds them by this name.
+struct StateLaneText {
+    Q_DECLARE_TR_FUNCTIONS(StateLane)
+};
 
 QString safetyWord(SafetyMode mode) {
     switch (mode) {
         case SafetyMode::ProtectiveStop:
-            return tr("Protective stop");
+            return StateLaneText::tr("Protective stop");
         case SafetyMode::Recovery:
-            return tr("Recovery");
+            return StateLaneText::tr("Recovery");
         case SafetyMode::SafeguardStop:
         case SafetyMode::AutomaticModeSafeguardStop:
         case SafetyMode::ImmiSafeguardStop:
         case SafetyMode::ProfisafeSafeguardStop:
         case SafetyMode::ProfisafeAutomaticModeSafeguardStop:
         case SafetyMode::SafetyApiSafeguardStop:
-            return tr("Safeguard stop");
+            return StateLaneText::tr("Safeguard stop");
         case SafetyMode::SystemEmergencyStop:
         case SafetyMode::RobotEmergencyStop:
         case SafetyMode::ImmiEmergencyStop:
         case SafetyMode::ProfisafeEmergencyStop:
-            return tr("Emergency stop");
+            return StateLaneText::tr("Emergency stop");
         case SafetyMode::SystemThreePositionEnablingStop:
         case SafetyMode::TpThreePositionEnablingStop:
-            return tr("Enabling device released");
+            return StateLaneText::tr("Enabling device released");
         case SafetyMode::Violation:
-            return tr("Safety violation");
+            return StateLaneText::tr("Safety violation");
         case SafetyMode::Fault:
-            return tr("Safety fault");
+            return StateLaneText::tr("Safety fault");
         default:
-            return tr("Stopped");
+            return StateLaneText::tr("Stopped");
     }
 }
 
 QString robotModeWord(RobotMode mode) {
     switch (mode) {
         case RobotMode::PowerOff:
-            return tr("Power off");
+            return StateLaneText::tr("Power off");
         case RobotMode::Booting:
         case RobotMode::PowerOn:
-            return tr("Starting");
+            return StateLaneText::tr("Starting");
         case RobotMode::Idle:
-            return tr("Brakes on");
+            return StateLaneText::tr("Brakes on");
         case RobotMode::Backdrive:
-            return tr("Backdrive");
+            return StateLaneText::tr("Backdrive");
         default:
-            return tr("Not running");
+            return StateLaneText::tr("Not running");
     }
 }
 
@@ -61,7 +62,7 @@ QString robotModeWord(RobotMode mode) {
 
 LaneEntry laneEntry(const SessionState& state, const QString& jogLabel) {
     if (!state.hasData()) {
-        return {LaneKind::NoData, tr("No data")};
+        return {LaneKind::NoData, StateLaneText::tr("No data")};
     }
     if (!allowsMotion(state.safetyMode) && state.safetyMode != SafetyMode::Undefined) {
         return {LaneKind::Stopped, safetyWord(state.safetyMode)};
@@ -70,9 +71,11 @@ LaneEntry laneEntry(const SessionState& state, const QString& jogLabel) {
         return {LaneKind::Off, robotModeWord(state.robotMode)};
     }
     if (state.moving && state.jogActive) {
-        return {LaneKind::Moving, jogLabel.isEmpty() ? tr("Jog") : tr("Jog %1").arg(jogLabel)};
+        return {LaneKind::Moving,
+                jogLabel.isEmpty() ? StateLaneText::tr("Jog") : StateLaneText::tr("Jog %1").arg(jogLabel)};
     }
-    return state.moving ? LaneEntry{LaneKind::Moving, tr("Moving")} : LaneEntry{LaneKind::Idle, tr("Idle")};
+    return state.moving ? LaneEntry{LaneKind::Moving, StateLaneText::tr("Moving")}
+                        : LaneEntry{LaneKind::Idle, StateLaneText::tr("Idle")};
 }
 
 }  // namespace tiller

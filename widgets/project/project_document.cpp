@@ -59,9 +59,8 @@ void ProjectDocument::removeWaypoints(QList<int> rows) {
     if (rows.isEmpty()) {
         return;
     }
-    const QString text = rows.size() == 1
-                             ? tr("Delete “%1”").arg(waypoints().at(rows.first()).name)
-                             : tr("Delete %n waypoint(s)", nullptr, static_cast<int>(rows.size()));
+    const QString text = rows.size() == 1 ? tr("Delete “%1”").arg(waypoints().at(rows.first()).name)
+                                          : tr("Delete %n waypoints", nullptr, static_cast<int>(rows.size()));
     undo_.push(new RemoveWaypoints(*this, rows, text));
 }
 

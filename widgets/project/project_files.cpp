@@ -80,7 +80,7 @@ void ProjectFiles::offerRecovery(const QString& path, const Error& error) {
                              .arg(error.context)
                              .arg(whole)
                              .arg(found->lostWaypoints),
-                         tr("Open %n waypoint(s)", nullptr, whole), [this, path] {
+                         tr("Open %n waypoints", nullptr, whole), [this, path] {
                              if (const auto recovered = store_.openRecovered(path); !recovered) {
                                  warn(tr("The project could not be opened"), recovered.error());
                              }

@@ -14,9 +14,10 @@ struct Row {
     const char* advice;
 };
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("ModeWords", text);
-}
+/// The texts of this file for the translators: lupdate finds them by this name.
+struct ModeWordsText {
+    Q_DECLARE_TR_FUNCTIONS(ModeWords)
+};
 
 template <class Mode, std::size_t N>
 const Row<Mode>* rowOf(const std::array<Row<Mode>, N>& table, Mode mode) {
@@ -151,26 +152,28 @@ constexpr auto kRuntime = std::to_array<Row<RuntimeState>>({
 
 ModeWords robotModeWords(RobotMode mode) {
     if (const auto* row = rowOf(kRobotModes, mode)) {
-        return {tr(row->text), tr(row->advice)};
+        return {ModeWordsText::tr(row->text), ModeWordsText::tr(row->advice)};
     }
     return {robotModeName(mode),
-            tr("Unknown robot mode %1. See the teach pendant.").arg(static_cast<int>(mode))};
+            ModeWordsText::tr("Unknown robot mode %1. See the teach pendant.").arg(static_cast<int>(mode))};
 }
 
 ModeWords safetyWords(SafetyStatus status) {
     if (const auto* row = rowOf(kSafety, status)) {
-        return {tr(row->text), tr(row->advice)};
+        return {ModeWordsText::tr(row->text), ModeWordsText::tr(row->advice)};
     }
-    return {safetyModeName(status),
-            tr("Unknown safety mode %1. See the teach pendant.").arg(static_cast<int>(status))};
+    return {
+        safetyModeName(status),
+        ModeWordsText::tr("Unknown safety mode %1. See the teach pendant.").arg(static_cast<int>(status))};
 }
 
 ModeWords runtimeWords(RuntimeState state) {
     if (const auto* row = rowOf(kRuntime, state)) {
-        return {tr(row->text), tr(row->advice)};
+        return {ModeWordsText::tr(row->text), ModeWordsText::tr(row->advice)};
     }
-    return {runtimeStateName(state),
-            tr("Unknown program state %1. See the teach pendant.").arg(static_cast<int>(state))};
+    return {
+        runtimeStateName(state),
+        ModeWordsText::tr("Unknown program state %1. See the teach pendant.").arg(static_cast<int>(state))};
 }
 
 SafetyStatus shownSafety(SafetyMode mode, SafetyStatus status) {

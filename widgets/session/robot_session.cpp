@@ -369,7 +369,8 @@ void RobotSession::stopRecording() {
             const recording::RecorderProgress progress = d_->recorder.progress();
             if (progress.state == recording::RecorderState::Finished) {
                 Q_EMIT message(Severity::Info,
-                               tr("Recorded %1 rows to %2").arg(progress.rows).arg(d_->recorder.path()));
+                               tr("Recorded %n rows to %1", nullptr, static_cast<int>(progress.rows))
+                                   .arg(d_->recorder.path()));
             } else if (progress.state == recording::RecorderState::Failed) {
                 Q_EMIT message(Severity::Error, texts::errorText(d_->recorder.error()));
             }

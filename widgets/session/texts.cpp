@@ -9,67 +9,74 @@
 namespace tiller::texts {
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("Texts", text);
-}
+/// The texts of this file for the translators: lupdate finds them by this name.
+struct TextsText {
+    Q_DECLARE_TR_FUNCTIONS(Texts)
+};
 
 /// What to do about it; empty where the happening explains itself.
 QString advice(ErrorCode code) {
     switch (code) {
         case ErrorCode::AddressInvalid:
-            return tr("Check the address: four numbers as in 192.168.0.10, or a name the network knows.");
+            return TextsText::tr(
+                "Check the address: four numbers as in 192.168.0.10, or a name the network knows.");
         case ErrorCode::HostUnreachable:
-            return tr(
+            return TextsText::tr(
                 "Check that the robot is switched on, the cable is plugged in, and this PC is in the same "
                 "network.");
         case ErrorCode::ConnectionRefused:
-            return tr(
+            return TextsText::tr(
                 "Switch the interface on at the robot: Settings, Security, Services. A robot that has just "
                 "been "
                 "started may need another minute.");
         case ErrorCode::ConnectionClosed:
-            return tr(
+            return TextsText::tr(
                 "The robot ended the connection: it may be restarting, or was switched between Local and "
                 "Remote.");
         case ErrorCode::Timeout:
-            return tr("The robot does not answer. Check the cable and that the address is the robot's own.");
+            return TextsText::tr(
+                "The robot does not answer. Check the cable and that the address is the robot's own.");
         case ErrorCode::LinkLost:
-            return tr(
+            return TextsText::tr(
                 "Data stopped coming. Check the cable; the connection comes back by itself, motion does "
                 "not.");
         case ErrorCode::ProtocolError:
-            return tr("What answers there does not speak RTDE as it should. Check address and port.");
+            return TextsText::tr(
+                "What answers there does not speak RTDE as it should. Check address and port.");
         case ErrorCode::VersionUnsupported:
-            return tr("The robot's software is too old for this.");
+            return TextsText::tr("The robot's software is too old for this.");
         case ErrorCode::FieldUnknown:
-            return tr("The robot's software does not have this value.");
+            return TextsText::tr("The robot's software does not have this value.");
         case ErrorCode::RegisterInUse:
-            return tr(
+            return TextsText::tr(
                 "Another program or a fieldbus on the robot owns these registers: close the other program, "
                 "or switch "
                 "the fieldbus off in the installation.");
         case ErrorCode::NotConnected:
-            return tr("Connect to a robot first.");
+            return TextsText::tr("Connect to a robot first.");
         case ErrorCode::NotInControl:
-            return tr("Take control first.");
+            return TextsText::tr("Take control first.");
         case ErrorCode::UnsafeState:
-            return tr("Bring the robot to Running and its safety to Normal first.");
+            return TextsText::tr("Bring the robot to Running and its safety to Normal first.");
         case ErrorCode::RemoteControlRequired:
-            return tr("Switch the robot to Remote control on the teach pendant, at the top right.");
+            return TextsText::tr(
+                "Switch the robot to Remote control on the teach pendant, at the top right.");
         case ErrorCode::LimitExceeded:
-            return tr("Choose a target inside the arm's range and a speed within the cap.");
+            return TextsText::tr("Choose a target inside the arm's range and a speed within the cap.");
         case ErrorCode::NoSolution:
-            return tr("The arm cannot reach this pose: move the point nearer or turn the tool.");
+            return TextsText::tr("The arm cannot reach this pose: move the point nearer or turn the tool.");
         case ErrorCode::ScriptError:
-            return tr("The robot could not run the program it was sent. See the log for its own words.");
+            return TextsText::tr(
+                "The robot could not run the program it was sent. See the log for its own words.");
         case ErrorCode::FileNotReadable:
-            return tr("Check that the file exists and may be read.");
+            return TextsText::tr("Check that the file exists and may be read.");
         case ErrorCode::FileNotWritable:
-            return tr("Choose a folder you may write to.");
+            return TextsText::tr("Choose a folder you may write to.");
         case ErrorCode::FileCorrupt:
-            return tr("The file was left as it is. Open a backup, or repair the named place.");
+            return TextsText::tr("The file was left as it is. Open a backup, or repair the named place.");
         case ErrorCode::DiskFull:
-            return tr("The disk is full: what was recorded so far is kept. Free some space and record anew.");
+            return TextsText::tr(
+                "The disk is full: what was recorded so far is kept. Free some space and record anew.");
         case ErrorCode::None:
         case ErrorCode::Cancelled:
         case ErrorCode::Stopped:
@@ -84,61 +91,61 @@ QString advice(ErrorCode code) {
 QString happening(ErrorCode code) {
     switch (code) {
         case ErrorCode::None:
-            return tr("Done");
+            return TextsText::tr("Done");
         case ErrorCode::AddressInvalid:
-            return tr("Address not found");
+            return TextsText::tr("Address not found");
         case ErrorCode::HostUnreachable:
-            return tr("Robot not reachable");
+            return TextsText::tr("Robot not reachable");
         case ErrorCode::ConnectionRefused:
-            return tr("Connection refused");
+            return TextsText::tr("Connection refused");
         case ErrorCode::ConnectionClosed:
-            return tr("Connection ended by the robot");
+            return TextsText::tr("Connection ended by the robot");
         case ErrorCode::Timeout:
-            return tr("No answer in time");
+            return TextsText::tr("No answer in time");
         case ErrorCode::Cancelled:
-            return tr("Cancelled");
+            return TextsText::tr("Cancelled");
         case ErrorCode::LinkLost:
-            return tr("Link lost");
+            return TextsText::tr("Link lost");
         case ErrorCode::ProtocolError:
-            return tr("Not understood");
+            return TextsText::tr("Not understood");
         case ErrorCode::VersionUnsupported:
-            return tr("Not supported by this robot");
+            return TextsText::tr("Not supported by this robot");
         case ErrorCode::FieldUnknown:
-            return tr("Value not available");
+            return TextsText::tr("Value not available");
         case ErrorCode::RegisterInUse:
-            return tr("Registers in use");
+            return TextsText::tr("Registers in use");
         case ErrorCode::NotConnected:
-            return tr("Not connected");
+            return TextsText::tr("Not connected");
         case ErrorCode::NotInControl:
-            return tr("Not in control");
+            return TextsText::tr("Not in control");
         case ErrorCode::UnsafeState:
-            return tr("Not possible in this state");
+            return TextsText::tr("Not possible in this state");
         case ErrorCode::RemoteControlRequired:
-            return tr("Robot is in Local control");
+            return TextsText::tr("Robot is in Local control");
         case ErrorCode::LimitExceeded:
-            return tr("Outside the limits");
+            return TextsText::tr("Outside the limits");
         case ErrorCode::InvalidArgument:
-            return tr("Not a valid value");
+            return TextsText::tr("Not a valid value");
         case ErrorCode::NoSolution:
-            return tr("Out of reach");
+            return TextsText::tr("Out of reach");
         case ErrorCode::Stopped:
-            return tr("Stopped");
+            return TextsText::tr("Stopped");
         case ErrorCode::Rejected:
-            return tr("Refused by the robot");
+            return TextsText::tr("Refused by the robot");
         case ErrorCode::ScriptError:
-            return tr("Program error on the robot");
+            return TextsText::tr("Program error on the robot");
         case ErrorCode::FileNotReadable:
-            return tr("File cannot be read");
+            return TextsText::tr("File cannot be read");
         case ErrorCode::FileNotWritable:
-            return tr("File cannot be written");
+            return TextsText::tr("File cannot be written");
         case ErrorCode::FileCorrupt:
-            return tr("File is damaged");
+            return TextsText::tr("File is damaged");
         case ErrorCode::DiskFull:
-            return tr("Disk full");
+            return TextsText::tr("Disk full");
         case ErrorCode::Internal:
-            return tr("Internal error");
+            return TextsText::tr("Internal error");
     }
-    return tr("Internal error");
+    return TextsText::tr("Internal error");
 }
 
 }  // namespace
@@ -160,61 +167,61 @@ QString stopCauseText(control::StopCause cause) {
     using control::StopCause;
     switch (cause) {
         case StopCause::None:
-            return tr("ended");
+            return TextsText::tr("ended");
         case StopCause::Released:
-            return tr("released");
+            return TextsText::tr("released");
         case StopCause::PointerLeft:
-            return tr("pointer left the key");
+            return TextsText::tr("pointer left the key");
         case StopCause::FocusLost:
-            return tr("focus lost");
+            return TextsText::tr("focus lost");
         case StopCause::WindowDeactivated:
-            return tr("window no longer active");
+            return TextsText::tr("window no longer active");
         case StopCause::WindowClosed:
-            return tr("window closed");
+            return TextsText::tr("window closed");
         case StopCause::DialogOpened:
-            return tr("a dialog or menu opened");
+            return TextsText::tr("a dialog or menu opened");
         case StopCause::SelectionChanged:
-            return tr("selection changed");
+            return TextsText::tr("selection changed");
         case StopCause::SecondButton:
-            return tr("second button");
+            return TextsText::tr("second button");
         case StopCause::Escape:
-            return tr("Esc");
+            return TextsText::tr("Esc");
         case StopCause::Space:
-            return tr("Space");
+            return TextsText::tr("Space");
         case StopCause::StopButton:
-            return tr("STOP");
+            return TextsText::tr("STOP");
         case StopCause::DeviceLost:
-            return tr("input device lost");
+            return TextsText::tr("input device lost");
         case StopCause::DataStale:
-            return tr("robot data too old");
+            return TextsText::tr("robot data too old");
         case StopCause::UnsafeMode:
-            return tr("robot or safety mode changed");
+            return TextsText::tr("robot or safety mode changed");
         case StopCause::EventLoopStalled:
-            return tr("not refreshed in time");
+            return TextsText::tr("not refreshed in time");
         case StopCause::Sleep:
-            return tr("PC going to sleep");
+            return TextsText::tr("PC going to sleep");
         case StopCause::LinkLost:
-            return tr("link lost");
+            return TextsText::tr("link lost");
         case StopCause::LimitReached:
-            return tr("limit reached");
+            return TextsText::tr("limit reached");
         case StopCause::ControlLost:
-            return tr("control lost");
+            return TextsText::tr("control lost");
         case StopCause::Completed:
-            return tr("target reached");
+            return TextsText::tr("target reached");
         case StopCause::ApiCall:
-            return tr("stopped by a program");
+            return TextsText::tr("stopped by a program");
         case StopCause::Contact:
-            return tr("contact");
+            return TextsText::tr("contact");
         case StopCause::Unreachable:
-            return tr("target cannot be reached");
+            return TextsText::tr("target cannot be reached");
         case StopCause::TargetTooFar:
-            return tr("target too far away for one step");
+            return TextsText::tr("target too far away for one step");
         case StopCause::HoldUnproven:
-            return tr("no sign that it was still held");
+            return TextsText::tr("no sign that it was still held");
         case StopCause::HeldTooLong:
-            return tr("held for the longest time; press again");
+            return TextsText::tr("held for the longest time; press again");
         default:
-            return tr("ended");
+            return TextsText::tr("ended");
     }
 }
 
@@ -234,14 +241,16 @@ QString serviceObstacle(const SessionState& state) {
     const bool withoutApi = state.version.isPolyScopeX() && state.version < SoftwareVersion{10, 11, 0, 0} &&
                             state.service == dashboard::ServiceKind::Unknown;
     return withoutApi
-               ? tr("PolyScope X before 10.11 takes no such commands over the network: use the tablet.")
+               ? TextsText::tr(
+                     "PolyScope X before 10.11 takes no such commands over the network: use the tablet.")
                : QString();
 }
 
 QString serviceObstacle(const SessionState& state, dashboard::RobotCommand command) {
     return dashboard::offers(state.service, command)
                ? serviceObstacle(state)
-               : tr("PolyScope X has no command for closing popups over the network: use the tablet.");
+               : TextsText::tr(
+                     "PolyScope X has no command for closing popups over the network: use the tablet.");
 }
 
 QString controlLossText(control::ControlLoss loss) {
@@ -250,19 +259,19 @@ QString controlLossText(control::ControlLoss loss) {
         case ControlLoss::None:
             return {};
         case ControlLoss::NotTaken:
-            return tr("Only watching. Take control to move the arm.");
+            return TextsText::tr("Only watching. Take control to move the arm.");
         case ControlLoss::Taking:
-            return tr("Taking control…");
+            return TextsText::tr("Taking control…");
         case ControlLoss::Released:
-            return tr("Control was given back. Take control to move the arm.");
+            return TextsText::tr("Control was given back. Take control to move the arm.");
         case ControlLoss::ScriptStopped:
-            return tr("The control program was stopped on the robot. Take control again.");
+            return TextsText::tr("The control program was stopped on the robot. Take control again.");
         case ControlLoss::EchoStalled:
-            return tr("The control program does not answer. Take control again.");
+            return TextsText::tr("The control program does not answer. Take control again.");
         case ControlLoss::LinkLost:
-            return tr("The link was lost. Take control again.");
+            return TextsText::tr("The link was lost. Take control again.");
         case ControlLoss::OwnScript:
-            return tr("A script of your own is running. Control comes back when it ends.");
+            return TextsText::tr("A script of your own is running. Control comes back when it ends.");
     }
     return {};
 }

@@ -15,9 +15,10 @@ namespace {
 using Emphasis = StateChip::Emphasis;
 using Shape = StateChip::Shape;
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("ModeLook", text);
-}
+/// The texts of this file for the translators: lupdate finds them by this name.
+struct ModeLookText {
+    Q_DECLARE_TR_FUNCTIONS(ModeLook)
+};
 
 /// The words are those of widgets/session/mode_words.h; this adds what the eye gets.
 template <class Mode>
@@ -90,10 +91,10 @@ ModeLook lookOf(const std::array<Row<Mode>, N>& table, Mode mode, const ModeWord
 
 ModeLook robotModeLook(RobotMode mode, bool moving) {
     if (mode == RobotMode::Running && moving) {
-        return {tr("MOVING"),
+        return {ModeLookText::tr("MOVING"),
                 Shape::Triangle,
                 Emphasis::Moving,
-                tr("The robot confirms that the arm moves."),
+                ModeLookText::tr("The robot confirms that the arm moves."),
                 {}};
     }
     return lookOf(kRobotModes, mode, robotModeWords(mode),
@@ -114,28 +115,30 @@ ModeLook controlLook(const SessionState& state) {
     const QString dot = QStringLiteral(" · ");
     QStringList told;
     if (state.controlPlaceKnown) {
-        told << (state.remoteControl ? tr("Remote") : tr("Local"));
+        told << (state.remoteControl ? ModeLookText::tr("Remote") : ModeLookText::tr("Local"));
     }
     if (state.operationalMode == QLatin1String("MANUAL")) {
-        told << tr("Manual");
+        told << ModeLookText::tr("Manual");
     } else if (state.operationalMode == QLatin1String("AUTOMATIC")) {
-        told << tr("Automatic");
+        told << ModeLookText::tr("Automatic");
     }
     const QString place = told.join(dot);
     if (state.link == LinkState::Lost) {
         // Who is in control, and what runs, was true once.
-        return {tr("NO DATA"), Shape::None, Emphasis::Muted, state.linkReason};
+        return {ModeLookText::tr("NO DATA"), Shape::None, Emphasis::Muted, state.linkReason};
     }
     switch (state.control) {
         case ControlState::Taking:
-            return {tr("Taking control…"), Shape::Bars, Emphasis::Normal, {}};
+            return {ModeLookText::tr("Taking control…"), Shape::Bars, Emphasis::Normal, {}};
         case ControlState::InControl: {
-            const QString what = state.jogActive ? tr("Jog") : state.moving ? tr("Move") : tr("Ready");
-            return {(state.remoteControl ? place : tr("In control")) + dot + what, Shape::None,
+            const QString what = state.jogActive ? ModeLookText::tr("Jog")
+                                 : state.moving  ? ModeLookText::tr("Move")
+                                                 : ModeLookText::tr("Ready");
+            return {(state.remoteControl ? place : ModeLookText::tr("In control")) + dot + what, Shape::None,
                     Emphasis::Normal, state.controlReason};
         }
         case ControlState::Refused:
-            return {tr("Refused"), Shape::Hand, Emphasis::OperatorNeeded, state.controlReason};
+            return {ModeLookText::tr("Refused"), Shape::Hand, Emphasis::OperatorNeeded, state.controlReason};
         case ControlState::None:
             break;
     }
@@ -150,8 +153,9 @@ ModeLook controlLook(const SessionState& state) {
         return {(told << program.text).join(dot), program.shape, program.emphasis, program.advice + name,
                 program.mark};
     }
-    return {state.remoteControl ? tr("Not in control") : (told << tr("monitoring")).join(dot), Shape::None,
-            Emphasis::Muted, state.controlReason};
+    return {state.remoteControl ? ModeLookText::tr("Not in control")
+                                : (told << ModeLookText::tr("monitoring")).join(dot),
+            Shape::None, Emphasis::Muted, state.controlReason};
 }
 
 namespace {
@@ -175,50 +179,54 @@ Worth worthOf(const LinkQuality& q) {
 QString linkConsequence(const LinkQuality& q) {
     const Worth worth = worthOf(q);
     if (worth == Worth::Gaps) {
-        return tr(
+        return ModeLookText::tr(
             "Packets come late or not at all: jogging may stop by itself and plots have gaps. Use a cable, "
             "not a radio link, and close other programs.");
     }
     if (worth == Worth::Slow) {
-        return tr("Commands take longer than 20 ms: the arm follows the key noticeably late. Jog slowly.");
+        return ModeLookText::tr(
+            "Commands take longer than 20 ms: the arm follows the key noticeably late. Jog slowly.");
     }
-    return tr("Good: the arm follows the key at once, and a cut link stops it within a quarter of a second.");
+    return ModeLookText::tr(
+        "Good: the arm follows the key at once, and a cut link stops it within a quarter of a second.");
 }
 
 }  // namespace
 
 ModeLook linkLook(const SessionState& state) {
     const LinkQuality& q = state.quality;
-    const QString more = tr("Last 10 s: %1 packets, %2 late, %3 lost")
-                             .arg(q.recent.packets)
-                             .arg(q.recent.late)
-                             .arg(q.recent.lost) +
-                         QLatin1Char('\n') +
-                         tr("Since connecting: %1 packets, %2 late, %3 lost")
-                             .arg(q.all.packets)
-                             .arg(q.all.late)
-                             .arg(q.all.lost) +
-                         QLatin1Char('\n') +
-                         tr("Late is a packet that comes more than half a period after its time.");
+    const QString more =
+        ModeLookText::tr("Last 10 s: %1 packets, %2 late, %3 lost")
+            .arg(q.recent.packets)
+            .arg(q.recent.late)
+            .arg(q.recent.lost) +
+        QLatin1Char('\n') +
+        ModeLookText::tr("Since connecting: %1 packets, %2 late, %3 lost")
+            .arg(q.all.packets)
+            .arg(q.all.late)
+            .arg(q.all.lost) +
+        QLatin1Char('\n') +
+        ModeLookText::tr("Late is a packet that comes more than half a period after its time.");
     switch (state.link) {
         case LinkState::Disconnected:
-            return {QStringLiteral("–"), Shape::None, Emphasis::Muted, tr("No robot connected")};
+            return {QStringLiteral("–"), Shape::None, Emphasis::Muted,
+                    ModeLookText::tr("No robot connected")};
         case LinkState::Connecting:
-            return {tr("Connecting…"), Shape::Bars, Emphasis::Normal, state.linkReason};
+            return {ModeLookText::tr("Connecting…"), Shape::Bars, Emphasis::Normal, state.linkReason};
         case LinkState::Stale:
-            return {tr("Late: %1 s").arg(q.ageMs / 1e3, 0, 'f', 1), Shape::WarningTriangle, Emphasis::Warning,
-                    state.linkReason.isEmpty() ? more : state.linkReason};
+            return {ModeLookText::tr("Late: %1 s").arg(q.ageMs / 1e3, 0, 'f', 1), Shape::WarningTriangle,
+                    Emphasis::Warning, state.linkReason.isEmpty() ? more : state.linkReason};
         case LinkState::Lost:
-            return {tr("NO DATA"), Shape::Cross, Emphasis::Alarm, state.linkReason};
+            return {ModeLookText::tr("NO DATA"), Shape::Cross, Emphasis::Alarm, state.linkReason};
         case LinkState::Live:
             break;
     }
-    QString text = tr("%1 Hz").arg(q.rateHz, 0, 'f', 0);
+    QString text = ModeLookText::tr("%1 Hz").arg(q.rateHz, 0, 'f', 0);
     if (worthOf(q) == Worth::Gaps) {
         // Named only when they matter to the hand on the key.
-        text += tr(" · %1 late").arg(q.recent.late);
+        text += ModeLookText::tr(" · %1 late").arg(q.recent.late);
         if (q.recent.lost > 0) {
-            text += tr(" · %1 lost").arg(q.recent.lost);
+            text += ModeLookText::tr(" · %1 lost").arg(q.recent.lost);
         }
     }
     if (q.roundTripMs > 0) {
@@ -229,20 +237,20 @@ ModeLook linkLook(const SessionState& state) {
 
 QString linkCaption(const SessionState& state) {
     if (state.link == LinkState::Stale) {
-        return tr("LINK · JOG STOPS");
+        return ModeLookText::tr("LINK · JOG STOPS");
     }
     if (state.link != LinkState::Live) {
-        return tr("LINK");
+        return ModeLookText::tr("LINK");
     }
     switch (worthOf(state.quality)) {
         case Worth::Gaps:
-            return tr("LINK · JOG MAY STOP");
+            return ModeLookText::tr("LINK · JOG MAY STOP");
         case Worth::Slow:
-            return tr("LINK · ARM LAGS");
+            return ModeLookText::tr("LINK · ARM LAGS");
         case Worth::Good:
             break;
     }
-    return tr("LINK · GOOD");
+    return ModeLookText::tr("LINK · GOOD");
 }
 
 NextStep nextStep(const SessionState& state) {
@@ -277,15 +285,15 @@ QString nextStepText(NextStep step) {
         case NextStep::None:
             break;
         case NextStep::Connect:
-            return tr("Connect…");
+            return ModeLookText::tr("Connect…");
         case NextStep::PowerOn:
-            return tr("Power on");
+            return ModeLookText::tr("Power on");
         case NextStep::ReleaseBrakes:
-            return tr("Release brakes");
+            return ModeLookText::tr("Release brakes");
         case NextStep::Recover:
-            return tr("Recover…");
+            return ModeLookText::tr("Recover…");
         case NextStep::TakeControl:
-            return tr("Take control");
+            return ModeLookText::tr("Take control");
     }
     return {};
 }
@@ -295,15 +303,17 @@ QString nextStepAdvice(NextStep step) {
         case NextStep::None:
             break;
         case NextStep::Connect:
-            return tr("Choose the simulator or the address of a robot");
+            return ModeLookText::tr("Choose the simulator or the address of a robot");
         case NextStep::PowerOn:
-            return tr("Powers the arm. Brakes stay engaged.");
+            return ModeLookText::tr("Powers the arm. Brakes stay engaged.");
         case NextStep::ReleaseBrakes:
-            return tr("The arm may sag by a few millimetres. Keep clear.");
+            return ModeLookText::tr("The arm may sag by a few millimetres. Keep clear.");
         case NextStep::Recover:
-            return tr("Shows what stopped the arm, the last five seconds, and the way back. Nothing moves.");
+            return ModeLookText::tr(
+                "Shows what stopped the arm, the last five seconds, and the way back. Nothing moves.");
         case NextStep::TakeControl:
-            return tr("Starts the control program on the robot, which stops any other program.");
+            return ModeLookText::tr(
+                "Starts the control program on the robot, which stops any other program.");
     }
     return {};
 }

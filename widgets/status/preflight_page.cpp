@@ -221,7 +221,7 @@ void PreflightPage::conclude(const doctor::Report& report) {
     again_->setEnabled(true);
     const doctor::Verdict verdict = doctor::overall(report);
     summary_->setText(verdict == doctor::Verdict::Bad         ? tr("Something is in the way")
-                      : verdict == doctor::Verdict::Attention ? tr("Ready; some things want a look")
+                      : verdict == doctor::Verdict::Attention ? tr("Ready, with warnings")
                                                               : tr("Everything is ready"));
     connect_->setText(verdict == doctor::Verdict::Bad ? tr("Connect anyway") : tr("Connect"));
     Q_EMIT finished();

@@ -5,12 +5,12 @@
 #include <QStringList>
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "robot/core/angles.h"
 
 namespace tiller::waypoint_clipboard {
 namespace {
 
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 constexpr double kMmPerM = 1000.0;
 
 // Headings are part of a format that leaves the program: not translated.
@@ -31,9 +31,10 @@ constexpr std::array<const char*, ColumnCount> kHeadings = {
     "Elbow °", "Wrist 1 °", "Wrist 2 °", "Wrist 3 °", "X mm",     "Y mm",     "Z mm",     "RX °",
     "RY °",    "RZ °",      "TCP X mm",  "TCP Y mm",  "TCP Z mm", "TCP RX °", "TCP RY °", "TCP RZ °"};
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("WaypointClipboard", text);
-}
+/// The texts of this file for the translators: lupdate finds them by this name.
+struct WaypointClipboard {
+    Q_DECLARE_TR_FUNCTIONS(WaypointClipboard)
+};
 
 QString figure(double value) {
     return QString::number(value, 'g', 14);
@@ -45,7 +46,7 @@ void appendPose(QStringList& fields, const Pose& pose) {
         fields << figure(pose.position[i] * kMmPerM);
     }
     for (int i = 0; i < 3; ++i) {
-        fields << figure(rpy[i] * kDegPerRad);
+        fields << figure(toDegrees(rpy[i]));
     }
 }
 
@@ -68,11 +69,13 @@ public:
         bool ok = false;
         const double value = text.toDouble(&ok);
         if (!ok || !std::isfinite(value)) {
-            fail(column, text.isEmpty() ? tr("is missing") : tr("“%1” is not a number").arg(text));
+            fail(column, text.isEmpty() ? WaypointClipboard::tr("is missing")
+                                        : WaypointClipboard::tr("“%1” is not a number").arg(text));
             return 0;
         }
         if (value < least || value > most) {
-            fail(column, tr("%1 is outside %2 to %3").arg(text, figure(least), figure(most)));
+            fail(column,
+                 WaypointClipboard::tr("%1 is outside %2 to %3").arg(text, figure(least), figure(most)));
             return 0;
         }
         return value;
@@ -83,7 +86,7 @@ public:
         Eigen::Vector3d rpy;
         for (int i = 0; i < 3; ++i) {
             pose.position[i] = number(first + i, -50000, 50000) / kMmPerM;
-            rpy[i] = number(first + 3 + i, -720, 720) / kDegPerRad;
+            rpy[i] = toRadians(number(first + 3 + i, -720, 720));
         }
         pose.rotation = rotationVectorFromRpy(rpy);
         return pose;
@@ -92,7 +95,7 @@ public:
     void fail(int column, const QString& what) {
         if (error_.code == ErrorCode::None) {
             error_ = {ErrorCode::InvalidArgument,
-                      tr("Line %1, %2: %3")
+                      WaypointClipboard::tr("Line %1, %2: %3")
                           .arg(number_)
                           .arg(QString::fromUtf8(kHeadings[static_cast<std::size_t>(column)]), what),
                       {}};
@@ -113,16 +116,16 @@ project::Waypoint waypointOf(Line& line, const project::FrameList& frames) {
     point.id = QUuid::createUuid();
     point.name = line.text(Name);
     if (point.name.isEmpty()) {
-        line.fail(Name, tr("is missing"));
+        line.fail(Name, WaypointClipboard::tr("is missing"));
     }
     const QString move = line.text(Move);
     if (move != QLatin1String("J") && move != QLatin1String("L")) {
-        line.fail(Move, tr("“%1” is neither J nor L").arg(move));
+        line.fail(Move, WaypointClipboard::tr("“%1” is neither J nor L").arg(move));
     }
     point.move = move == QLatin1String("L") ? project::MoveKind::Linear : project::MoveKind::Joint;
     const QString rules = line.text(Rules);
     if (rules != QLatin1String("joints") && rules != QLatin1String("pose")) {
-        line.fail(Rules, tr("“%1” is neither joints nor pose").arg(rules));
+        line.fail(Rules, WaypointClipboard::tr("“%1” is neither joints nor pose").arg(rules));
     }
     point.ruling = rules == QLatin1String("pose") ? project::Ruling::Pose : project::Ruling::Joints;
     const QString frame = line.text(Frame);
@@ -130,15 +133,15 @@ project::Waypoint waypointOf(Line& line, const project::FrameList& frames) {
         if (const project::Frame* found = frames.findByName(frame)) {
             point.frame = found->id;
         } else {
-            line.fail(Frame, tr("there is no frame “%1” in this project").arg(frame));
+            line.fail(Frame, WaypointClipboard::tr("there is no frame “%1” in this project").arg(frame));
         }
     }
     const bool joint = point.move == project::MoveKind::Joint;
     (joint ? point.jointSpeed : point.toolSpeed) =
-        joint ? line.number(Speed, 0.01, 1000) / kDegPerRad : line.number(Speed, 0.01, 10000) / kMmPerM;
+        joint ? toRadians(line.number(Speed, 0.01, 1000)) : line.number(Speed, 0.01, 10000) / kMmPerM;
     point.blend = line.number(Blend, 0, 10000) / kMmPerM;
     for (int i = 0; i < kJointCount; ++i) {
-        point.joints[i] = line.number(Joints + i, -720, 720) / kDegPerRad;
+        point.joints[i] = toRadians(line.number(Joints + i, -720, 720));
     }
     point.pose = line.pose(PoseColumn);
     if (line.has(Tcp)) {
@@ -164,10 +167,10 @@ QString toText(const std::vector<project::Waypoint>& waypoints, const project::F
             joint ? QStringLiteral("J") : QStringLiteral("L"),
             point.ruling == project::Ruling::Joints ? QStringLiteral("joints") : QStringLiteral("pose"),
             frame == nullptr ? QStringLiteral("Base") : frame->name,
-            figure(joint ? point.jointSpeed * kDegPerRad : point.toolSpeed * kMmPerM),
+            figure(joint ? toDegrees(point.jointSpeed) : point.toolSpeed * kMmPerM),
             figure(point.blend * kMmPerM)};
         for (int i = 0; i < kJointCount; ++i) {
-            fields << figure(point.joints[i] * kDegPerRad);
+            fields << figure(toDegrees(point.joints[i]));
         }
         appendPose(fields, point.pose);
         appendPose(fields, point.tcpOffset);
@@ -198,7 +201,8 @@ Result<std::vector<project::Waypoint>> fromText(const QString& text, const proje
         }
         if (first && fields.size() < Tcp) {
             return Error{ErrorCode::InvalidArgument,
-                         tr("This is not a table of waypoints. Copy one from the list to see its columns."),
+                         WaypointClipboard::tr(
+                             "This is not a table of waypoints. Copy one from the list to see its columns."),
                          {}};
         }
         if (first && fields.size() < ColumnCount) {

@@ -113,7 +113,7 @@ void WaypointDetails::refresh() {
                : project::poseInBase(point, document_.frames());
     QStringList facts;
     if (usedIn_) {
-        facts << (*usedIn_ == 1 ? tr("used in 1 step") : tr("used in %1 steps").arg(*usedIn_));
+        facts << tr("used in %n steps", nullptr, *usedIn_);
     }
     if (live_.hasData() && place) {
         const project::PoseDifference away = project::poseDifference(*place, live_.tcpPose);

@@ -7,8 +7,8 @@
 #include <QMimeData>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "robot/core/angles.h"
 #include "robot/kinematics/arm_kinematics.h"
 #include "widgets/common/format.h"
 #include "widgets/common/notation.h"
@@ -18,7 +18,6 @@ namespace tiller {
 namespace {
 
 constexpr char kRowsMime[] = "application/x-tiller-waypoint-rows";
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 constexpr double kLeastToolSpeed = 0.001;  ///< [m/s]
 constexpr double kMostToolSpeed = 1.0;     ///< [m/s]
 constexpr double kMostBlend = 1.0;         ///< [m]
@@ -86,7 +85,10 @@ bool WaypointModel::setMove(int row, const QString& text) {
         return false;
     }
     point.move = text == QLatin1String("J") ? project::MoveKind::Joint : project::MoveKind::Linear;
-    document_.changeWaypoint(row, point, tr("Make “%1” a Move%2").arg(point.name, text));
+    document_.changeWaypoint(
+        row, point,
+        (point.move == project::MoveKind::Joint ? tr("Make “%1” a MoveJ") : tr("Make “%1” a MoveL"))
+            .arg(point.name));
     return true;
 }
 
@@ -142,9 +144,9 @@ bool WaypointModel::setFigure(int row, int column, const QString& text) {
         return false;
     }
     const bool turns = column == Speed && point.move == project::MoveKind::Joint;
-    const double unit = turns ? 1 / kDegPerRad : format::metresPerUnit();
+    const double unit = turns ? toRadians(1) : format::metresPerUnit();
     const double value = *figure * unit;
-    const double least = column == Blend ? 0 : turns ? 1 / kDegPerRad : kLeastToolSpeed;
+    const double least = column == Blend ? 0 : turns ? toRadians(1) : kLeastToolSpeed;
     const double most = column == Blend ? kMostBlend
                         : turns         ? *std::min_element(document_.robot().maxJointSpeed.begin(),
                                                             document_.robot().maxJointSpeed.end())

@@ -176,7 +176,7 @@ void WaypointsTab::duplicateSelected() {
     }
     const QString text = copies.size() == 1
                              ? tr("Duplicate “%1”").arg(document_.waypoints().at(rows[0]).name)
-                             : tr("Duplicate %n waypoint(s)", nullptr, static_cast<int>(copies.size()));
+                             : tr("Duplicate %n waypoints", nullptr, static_cast<int>(copies.size()));
     document_.insertWaypoints(rows.last() + 1, copies, text);
 }
 
@@ -226,7 +226,7 @@ void WaypointsTab::paste() {
     }
     const int row = currentRow();
     document_.insertWaypoints(row < 0 ? model_->rowCount() : row + 1, *pasted,
-                              tr("Paste %n waypoint(s)", nullptr, static_cast<int>(pasted->size())));
+                              tr("Paste %n waypoints", nullptr, static_cast<int>(pasted->size())));
 }
 
 }  // namespace tiller
