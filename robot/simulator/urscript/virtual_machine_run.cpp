@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/simulator/urscript/machine.h"
-#include "robot/simulator/urscript/machine_fast.h"
+#include "robot/simulator/urscript/virtual_machine.h"
+#include "robot/simulator/urscript/virtual_machine_fast.h"
 
 namespace tiller::simulator::urscript {
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "robot/simulator/urscript/machine.h"
 #include "robot/simulator/urscript/operators.h"
+#include "robot/simulator/urscript/virtual_machine.h"
 
 namespace tiller::simulator::urscript {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/simulator/urscript/machine.h"
+#include "robot/simulator/urscript/virtual_machine.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "robot/simulator/urscript/machine.h"
+#include "robot/simulator/urscript/virtual_machine.h"
 
 namespace tiller::simulator::urscript {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Methods of remote objects: calls that take frames, as some builtins do.
 
-#include "robot/simulator/urscript/machine.h"
+#include "robot/simulator/urscript/virtual_machine.h"
 
 namespace tiller::simulator::urscript {
 
