@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "robot/core/native_socket.h"
-#include "robot/script/tcp_connect.h"
+#include "robot/script/tcp_socket.h"
 
 namespace tiller::dashboard {
 
@@ -53,7 +53,7 @@ DashboardClient::~DashboardClient() = default;
 
 Result<void> DashboardClient::connect(const Deadline& deadline) {
     close();
-    auto socket = script::connectTcp(host_, port_, deadline);
+    auto socket = script::openTcpSocket(host_, port_, deadline);
     if (!socket) {
         return socket.error();
     }

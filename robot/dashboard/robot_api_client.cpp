@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "robot/script/tcp_connect.h"
+#include "robot/script/tcp_socket.h"
 
 namespace tiller::dashboard {
 
@@ -82,7 +82,7 @@ std::optional<Reply> parsed(const QByteArray& bytes, bool over) {
 
 Result<Reply> exchange(const QString& host, int port, const QByteArray& message, const QString& context,
                        const Deadline& deadline) {
-    auto connected = script::connectTcp(host, port, deadline);
+    auto connected = script::openTcpSocket(host, port, deadline);
     if (!connected) {
         return connected.error();
     }

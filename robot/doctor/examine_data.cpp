@@ -12,7 +12,7 @@
 #include "robot/receive/robot_state.h"
 #include "robot/rtde/connection.h"
 #include "robot/rtde/fields.h"
-#include "robot/script/tcp_connect.h"
+#include "robot/script/tcp_socket.h"
 
 namespace tiller::doctor {
 namespace {
@@ -42,7 +42,7 @@ std::vector<std::string> registersFrom(int first) {
 /// Whether anything at all comes back for the first request of RTDE: another protocol's text looks like the
 /// beginning of a package so long that it never ends.
 bool saysAnything(const QString& host, int port, const Deadline& deadline) {
-    auto socket = script::connectTcp(host, port, deadline);
+    auto socket = script::openTcpSocket(host, port, deadline);
     if (!socket) {
         return false;
     }

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "robot/doctor/examiner.h"
-#include "robot/script/tcp_connect.h"
+#include "robot/script/tcp_socket.h"
 
 namespace tiller::doctor {
 namespace {
@@ -29,7 +29,7 @@ void tryDoors(const QString& address, std::array<Door, 5>& doors, const Deadline
     std::array<std::thread, 5> knocking;
     for (std::size_t i = 0; i < doors.size(); ++i) {
         knocking[i] = std::thread([&address, &door = doors[i], &deadline] {
-            door.error = script::connectTcp(address, door.port, deadline).error();
+            door.error = script::openTcpSocket(address, door.port, deadline).error();
         });
     }
     for (std::thread& thread : knocking) {

@@ -13,7 +13,7 @@
 
 #include "robot/core/native_socket.h"
 #include "robot/script/primary_parser.h"
-#include "robot/script/tcp_connect.h"
+#include "robot/script/tcp_socket.h"
 
 namespace tiller::script {
 
@@ -71,7 +71,7 @@ void PrimaryClient::Private::run() {
 // Returns why the connection could not be made, or ended.
 Error PrimaryClient::Private::listen() {
     constexpr milliseconds kConnectTime(3000);
-    auto socket = connectTcp(options.host, options.port, Deadline::after(kConnectTime, cancel));
+    auto socket = openTcpSocket(options.host, options.port, Deadline::after(kConnectTime, cancel));
     if (!socket) {
         return socket.error();
     }

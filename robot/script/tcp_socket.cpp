@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/script/tcp_connect.h"
+#include "robot/script/tcp_socket.h"
 
 #include <QTcpSocket>
 
@@ -7,7 +7,7 @@
 
 namespace tiller::script {
 
-Result<std::unique_ptr<QTcpSocket>> connectTcp(const QString& host, int port, const Deadline& deadline) {
+Result<std::unique_ptr<QTcpSocket>> openTcpSocket(const QString& host, int port, const Deadline& deadline) {
     const auto descriptor = tiller::connectTcp(host, port, deadline);
     if (!descriptor) {
         return descriptor.error();

@@ -13,10 +13,11 @@ class QTcpSocket;
 
 namespace tiller::script {
 
-/// A connected socket that belongs to the calling thread, with Nagle's algorithm off.
+/// Connects to host:port.
+/// Returns  a socket that belongs to the calling thread, with Nagle's algorithm off.
 /// Errors   AddressInvalid, HostUnreachable, ConnectionRefused, Timeout, Cancelled; the context is
 ///          "connect to host:port"
 /// Threads  any. Blocks: until the deadline
-Result<std::unique_ptr<QTcpSocket>> connectTcp(const QString& host, int port, const Deadline& deadline);
+Result<std::unique_ptr<QTcpSocket>> openTcpSocket(const QString& host, int port, const Deadline& deadline);
 
 }  // namespace tiller::script
