@@ -90,7 +90,7 @@ Error invalid(const QString& what) {
 
 }  // namespace
 
-Feedback Feedback::fromReceiver(const receive::Receiver& receiver) {
+OutputFeedback OutputFeedback::fromReceiver(const receive::Receiver& receiver) {
     return {[&receiver] {
         Report report;
         const receive::Sample sample = receiver.latest();
@@ -114,7 +114,7 @@ Feedback Feedback::fromReceiver(const receive::Receiver& receiver) {
 
 struct Outputs::Link {
     OutputsOptions options;
-    Feedback feedback;
+    OutputFeedback feedback;
     mutable std::mutex mutex;  ///< held while connecting and sending, never while waiting for the robot
     std::unique_ptr<rtde::Connection> connection;
     std::atomic<bool> connected{false};
@@ -209,7 +209,7 @@ struct Outputs::Link {
     }
 };
 
-Outputs::Outputs(OutputsOptions options, Feedback feedback) : d_(std::make_unique<Link>()) {
+Outputs::Outputs(OutputsOptions options, OutputFeedback feedback) : d_(std::make_unique<Link>()) {
     d_->options = std::move(options);
     d_->feedback = std::move(feedback);
 }

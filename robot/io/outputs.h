@@ -42,12 +42,12 @@ struct Report {
     std::optional<std::array<double, 2>> analogOutputs;
     unsigned analogDomains = 0;
 };
-struct Feedback {
+struct OutputFeedback {
     /// The newest report; called from the thread that waits for a confirmation.
     std::function<Report()> newest;
 
     /// From the newest sample of a receiver, which must outlive the Outputs.
-    static Feedback fromReceiver(const receive::Receiver& receiver);
+    static OutputFeedback fromReceiver(const receive::Receiver& receiver);
 };
 
 enum class AnalogDomain : std::uint8_t { Current, Voltage };
@@ -61,7 +61,7 @@ struct OutputsOptions {
 ///          since confirmation waits.
 class Outputs {
 public:
-    Outputs(OutputsOptions options, Feedback feedback);
+    Outputs(OutputsOptions options, OutputFeedback feedback);
     ~Outputs();
     Outputs(const Outputs&) = delete;
     Outputs& operator=(const Outputs&) = delete;

@@ -198,7 +198,7 @@ private Q_SLOTS:
         io::OutputsOptions options;
         QVERIFY(cell().robot.start().ok());
         options.host = cell().robot.listenAddress();
-        io::Outputs other(options, io::Feedback{[] { return io::Report(); }});
+        io::Outputs other(options, io::OutputFeedback{[] { return io::Report(); }});
         std::thread connecting([&] { (void)other.connect(Deadline::after(std::chrono::seconds(10))); });
         for (int i = 0; i < 2000 && !other.isConnected(); ++i) {
             cell().robot.step();

@@ -103,7 +103,7 @@ void RobotSession::connectTo(const RobotAddress& address) {
     outputsOptions.host = address.host;
     outputsOptions.port = receiverOptions.port;
     link->outputs =
-        std::make_shared<io::Outputs>(outputsOptions, io::Feedback::fromReceiver(*link->receiver));
+        std::make_shared<io::Outputs>(outputsOptions, io::OutputFeedback::fromReceiver(*link->receiver));
 
     link->service =
         std::make_unique<dashboard::ServiceWorker>(dashboard::serviceAt(address.host, address.portOffset));

@@ -279,7 +279,7 @@ void TestReceiveSimulator::outputsAreSetAndConfirmed() {
     io::OutputsOptions to;
     to.host = QStringLiteral("127.0.0.1");
     to.port = cell.robot.ports().rtde;
-    io::Outputs outputs(to, io::Feedback::fromReceiver(*cell.receiver));
+    io::Outputs outputs(to, io::OutputFeedback::fromReceiver(*cell.receiver));
     QVERIFY(outputs.connect(Deadline::after(kPatience)).ok());
     // The caller waits in a thread of its own while time is moved on here.
     const auto carryOut = [&](auto call) {
@@ -318,8 +318,8 @@ void TestReceiveSimulator::secondOwnerIsToldWhatIsInUse() {
     io::OutputsOptions to;
     to.host = QStringLiteral("127.0.0.1");
     to.port = cell.robot.ports().rtde;
-    io::Outputs first(to, io::Feedback::fromReceiver(*cell.receiver));
-    io::Outputs second(to, io::Feedback::fromReceiver(*cell.receiver));
+    io::Outputs first(to, io::OutputFeedback::fromReceiver(*cell.receiver));
+    io::Outputs second(to, io::OutputFeedback::fromReceiver(*cell.receiver));
     QVERIFY(first.connect(Deadline::after(kPatience)).ok());
     QVERIFY(second.connect(Deadline::after(kPatience)).ok());
     QVERIFY(first.canSetSpeedSlider().ok());

@@ -57,7 +57,8 @@ private Q_SLOTS:
     void analogOutputsAreSetWithTheirDomainAndConfirmed() {
         Bench bench;
         QTRY_VERIFY_WITH_TIMEOUT(bench.receiver->counters().packets > 0, 20000);
-        Outputs outputs({bench.robot.listenAddress(), bench.port()}, Feedback::fromReceiver(*bench.receiver));
+        Outputs outputs({bench.robot.listenAddress(), bench.port()},
+                        OutputFeedback::fromReceiver(*bench.receiver));
         QVERIFY(outputs.setAnalogOutput(0, AnalogDomain::Voltage, 0.5, patience()).ok());
         QVERIFY(outputs.setAnalogOutput(1, AnalogDomain::Current, 0.25, patience()).ok());
         const receive::Sample sample = bench.receiver->latest();
@@ -69,7 +70,8 @@ private Q_SLOTS:
 
     void wrongAnalogValuesAreRefused() {
         Bench bench;
-        Outputs outputs({bench.robot.listenAddress(), bench.port()}, Feedback::fromReceiver(*bench.receiver));
+        Outputs outputs({bench.robot.listenAddress(), bench.port()},
+                        OutputFeedback::fromReceiver(*bench.receiver));
         QCOMPARE(outputs.setAnalogOutput(2, AnalogDomain::Voltage, 0.5, patience()).error().code,
                  ErrorCode::InvalidArgument);
         QCOMPARE(outputs.setAnalogOutput(0, AnalogDomain::Voltage, 5.0, patience()).error().code,

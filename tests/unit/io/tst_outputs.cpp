@@ -33,7 +33,7 @@ struct Bench {
         to.port = peer.port();
         return to;
     }
-    Feedback feedback() {
+    OutputFeedback feedback() {
         return {[this] {
             Report report;
             report.sequence = frozen ? 1 : ++sequence;
