@@ -665,7 +665,7 @@
     </message>
 </context>
 <context>
-    <name>Limiter</name>
+    <name>LimiterAdvice</name>
     <message>
         <source>Elbow almost straight</source>
         <translation type="unfinished"></translation>

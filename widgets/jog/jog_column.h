@@ -178,7 +178,7 @@ private:
         std::function<std::optional<MoveRequest>()> target;
     };
     QHash<QObject*, GhostOffer> ghosts_;
-    Limiter nearest_;
+    LimiterAdvice nearest_;
     JointPositions limiterAt_;
     control::Limiter limiterSeen_;
     std::array<Travel, 12> room_;  ///< per key of the pad, in the pad's order

@@ -21,11 +21,11 @@ constexpr double kShoulderWarnMetres = 0.06;
 constexpr double kSineWarnDegrees = 8;
 
 /// The texts of this file for the translators: lupdate finds them by this name.
-struct LimiterText {
-    Q_DECLARE_TR_FUNCTIONS(Limiter)
+struct LimiterAdviceText {
+    Q_DECLARE_TR_FUNCTIONS(LimiterAdvice)
 };
 
-Limiter nearestSingularity(const SessionState& state, const Eigen::Matrix3d& R_base_frame) {
+LimiterAdvice nearestSingularity(const SessionState& state, const Eigen::Matrix3d& R_base_frame) {
     struct Kind {
         Singularity singularity;
         int joint;  ///< as the controller's limiter names it
@@ -40,16 +40,17 @@ Limiter nearestSingularity(const SessionState& state, const Eigen::Matrix3d& R_b
     const auto degrees = [](double sine) { return toDegrees(std::asin(std::min(1.0, std::abs(sine)))); };
     const Kind kinds[] = {
         {Singularity::Elbow, 2, degrees(measure.elbow) < kSineWarnDegrees,
-         LimiterText::tr("Elbow almost straight"), LimiterText::tr("Elbow almost straight: %1 of the speed"),
-         LimiterText::tr("bend the elbow"), LimiterText::tr("jog %1 or bend the elbow")},
+         LimiterAdviceText::tr("Elbow almost straight"),
+         LimiterAdviceText::tr("Elbow almost straight: %1 of the speed"),
+         LimiterAdviceText::tr("bend the elbow"), LimiterAdviceText::tr("jog %1 or bend the elbow")},
         {Singularity::Shoulder, 0, measure.shoulder < kShoulderWarnMetres,
-         LimiterText::tr("Wrist above the base axis"),
-         LimiterText::tr("Wrist above the base axis: %1 of the speed"), LimiterText::tr("move outwards"),
-         LimiterText::tr("jog %1 or turn the base")},
+         LimiterAdviceText::tr("Wrist above the base axis"),
+         LimiterAdviceText::tr("Wrist above the base axis: %1 of the speed"),
+         LimiterAdviceText::tr("move outwards"), LimiterAdviceText::tr("jog %1 or turn the base")},
         {Singularity::Wrist, 4, degrees(measure.wrist) < kSineWarnDegrees,
-         LimiterText::tr("Wrist 2 near 0° or 180°"),
-         LimiterText::tr("Wrist 2 near 0° or 180°: %1 of the speed"), LimiterText::tr("turn wrist 2"),
-         LimiterText::tr("jog %1 or turn wrist 2")}};
+         LimiterAdviceText::tr("Wrist 2 near 0° or 180°"),
+         LimiterAdviceText::tr("Wrist 2 near 0° or 180°: %1 of the speed"),
+         LimiterAdviceText::tr("turn wrist 2"), LimiterAdviceText::tr("jog %1 or turn wrist 2")}};
     // What slows the jog down comes first; after it ended there the controller still says so.
     const bool slowed = state.limiter.kind == control::LimiterKind::Singularity && state.limiter.scale < 0.98;
     for (const bool slowing : {true, false}) {
@@ -67,7 +68,7 @@ Limiter nearestSingularity(const SessionState& state, const Eigen::Matrix3d& R_b
 
 }  // namespace
 
-Limiter nearestLimiter(const SessionState& state, const Eigen::Matrix3d& R_base_frame) {
+LimiterAdvice nearestLimiter(const SessionState& state, const Eigen::Matrix3d& R_base_frame) {
     int nearest = -1;
     double least = kWarnDegrees;
     for (int joint = 0; joint < kJointCount; ++joint) {
@@ -78,32 +79,32 @@ Limiter nearestLimiter(const SessionState& state, const Eigen::Matrix3d& R_base_
         }
     }
     if (nearest >= 0) {
-        const QString name = LimiterText::tr(kJointNames[static_cast<std::size_t>(nearest)]);
+        const QString name = LimiterAdviceText::tr(kJointNames[static_cast<std::size_t>(nearest)]);
         const QString back = state.q[nearest] > 0 ? QStringLiteral("−") : QStringLiteral("+");
         const int key = wayOut(robotModel(state.model).dh, state.q, state.tcpOffset, R_base_frame, nearest);
-        return {LimiterText::tr("%1 %2° from its limit").arg(name).arg(std::max(0.0, least), 0, 'f', 0),
-                key < 0 ? LimiterText::tr("turn %1 %2").arg(name, back)
-                        : LimiterText::tr("jog %1 or turn %2 %3").arg(travelKeyName(key), name, back)};
+        return {LimiterAdviceText::tr("%1 %2° from its limit").arg(name).arg(std::max(0.0, least), 0, 'f', 0),
+                key < 0 ? LimiterAdviceText::tr("turn %1 %2").arg(name, back)
+                        : LimiterAdviceText::tr("jog %1 or turn %2 %3").arg(travelKeyName(key), name, back)};
     }
     if (state.motionActive && state.limiter.scale < 0.98) {
         const QString percent = format::percent(state.limiter.scale);
         switch (state.limiter.kind) {
             case control::LimiterKind::TcpSpeed:
-                return {LimiterText::tr("TCP at its speed cap: %1").arg(percent),
-                        LimiterText::tr("the cap is in the settings")};
+                return {LimiterAdviceText::tr("TCP at its speed cap: %1").arg(percent),
+                        LimiterAdviceText::tr("the cap is in the settings")};
             case control::LimiterKind::ElbowSpeed:
-                return {LimiterText::tr("Elbow at its speed cap: %1").arg(percent),
-                        LimiterText::tr("move less sideways")};
+                return {LimiterAdviceText::tr("Elbow at its speed cap: %1").arg(percent),
+                        LimiterAdviceText::tr("move less sideways")};
             case control::LimiterKind::RotationSpeed:
-                return {LimiterText::tr("Turning at its cap: %1").arg(percent),
-                        LimiterText::tr("the cap is in the settings")};
+                return {LimiterAdviceText::tr("Turning at its cap: %1").arg(percent),
+                        LimiterAdviceText::tr("the cap is in the settings")};
             case control::LimiterKind::JointSpeed:
                 if (state.limiter.joint >= 0) {
-                    return {
-                        LimiterText::tr("%1 at its top speed: %2")
-                            .arg(LimiterText::tr(kJointNames[static_cast<std::size_t>(state.limiter.joint)]),
-                                 percent),
-                        LimiterText::tr("choose a slower class")};
+                    return {LimiterAdviceText::tr("%1 at its top speed: %2")
+                                .arg(LimiterAdviceText::tr(
+                                         kJointNames[static_cast<std::size_t>(state.limiter.joint)]),
+                                     percent),
+                            LimiterAdviceText::tr("choose a slower class")};
                 }
                 break;
             default:
@@ -119,7 +120,7 @@ LimiterLine::LimiterLine(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
 }
 
-void LimiterLine::setLimiter(const Limiter& limiter) {
+void LimiterLine::setLimiter(const LimiterAdvice& limiter) {
     if (limiter.what == limiter_.what && limiter.advice == limiter_.advice) {
         return;
     }

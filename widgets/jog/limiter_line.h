@@ -12,7 +12,7 @@
 namespace tiller {
 
 /// What limits the arm, and what to do; both empty when nothing does.
-struct Limiter {
+struct LimiterAdvice {
     QString what;
     QString advice;
 };
@@ -20,8 +20,8 @@ struct Limiter {
 /// The nearest limit worth a word: a joint within 15 deg of its range, or a singularity close by.
 /// Threads  any
 /// R_base_frame  the axes the keys of the pad move in, for the way out
-Limiter nearestLimiter(const SessionState& state,
-                       const Eigen::Matrix3d& R_base_frame = Eigen::Matrix3d::Identity());
+LimiterAdvice nearestLimiter(const SessionState& state,
+                             const Eigen::Matrix3d& R_base_frame = Eigen::Matrix3d::Identity());
 
 class LimiterLine : public QWidget {
     Q_OBJECT
@@ -29,8 +29,8 @@ class LimiterLine : public QWidget {
 public:
     explicit LimiterLine(QWidget* parent = nullptr);
 
-    void setLimiter(const Limiter& limiter);
-    const Limiter& limiter() const { return limiter_; }
+    void setLimiter(const LimiterAdvice& limiter);
+    const LimiterAdvice& limiter() const { return limiter_; }
     /// Shown while nothing limits.
     void setQuietText(const QString& text);
     QString quietText() const { return quiet_; }
@@ -42,7 +42,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    Limiter limiter_;
+    LimiterAdvice limiter_;
     QString quiet_;
 };
 

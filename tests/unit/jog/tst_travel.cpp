@@ -100,7 +100,7 @@ private Q_SLOTS:
         state.q = kMiddle;
         QVERIFY(nearestLimiter(state).what.isEmpty());
         state.q[2] = -(kJointPositionLimit - 12 * kDeg);
-        const Limiter limiter = nearestLimiter(state);
+        const LimiterAdvice limiter = nearestLimiter(state);
         QVERIFY2(limiter.what.contains("Elbow 12°"), qPrintable(limiter.what));
         QVERIFY2(limiter.advice.startsWith("jog ") && limiter.advice.contains("turn Elbow +"),
                  qPrintable(limiter.advice));
