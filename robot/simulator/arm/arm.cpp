@@ -47,8 +47,7 @@ struct Arm::Parts {
         state.speedScaling = generator.speedScaling();
         state.scaledBy = generator.scaledBy();
         state.speedFraction = generator.speedFraction();
-        state.collisionRatio =
-            environment.forceLimit() > 0 ? sensors.contactForce() / environment.forceLimit() : 0.0;
+        state.collisionRatio = sensors.contactForce() / Environment::kForceLimit;
     }
 
     /// The program's target with what is laid over it.
@@ -103,7 +102,7 @@ struct Arm::Parts {
         if (drive != DriveState::Running || generator.protectiveStop()) {
             return;
         }
-        const bool hit = sensors.contactForce() > environment.forceLimit();
+        const bool hit = sensors.contactForce() > Environment::kForceLimit;
         const int joint = hit ? -1 : sensors.overloadedJoint();
         if (!hit && joint < 0) {
             return;
@@ -201,17 +200,6 @@ MotionStart Arm::endPathOffset(double deceleration) {
 
 MotionStart Arm::endConveyorTracking(double deceleration) {
     return parts_->endSuperposition(&Superposition::endTracking, deceleration);
-}
-
-Pose Arm::targetPoseAlongPath() const {
-    return Pose(parts_->geometry.tcpPose(parts_->generator.target().q));
-}
-
-Twist Arm::targetSpeedAlongPath() const {
-    Posture posture;
-    const JointTarget& target = parts_->generator.target();
-    parts_->geometry.evaluate(target.q, posture);
-    return Twist::fromVector(posture.jacobian * target.qd);
 }
 
 void Arm::setToolSpeedLimit(const std::optional<double>& limit) {

@@ -71,9 +71,6 @@ public:
     /// axis. The program goes on from where the arm then is.
     MotionStart endPathOffset(double deceleration);
     MotionStart endConveyorTracking(double deceleration);
-    /// Where the program's path is without what is laid over it, and how fast it moves there.
-    Pose targetPoseAlongPath() const;
-    Twist targetSpeedAlongPath() const;
     /// Highest TCP speed [m/s] of programmed motion, as in reduced mode; nothing: no limit but the joints'.
     void setToolSpeedLimit(const std::optional<double>& limit);
     /// Stops as if the arm had found `reason` itself.

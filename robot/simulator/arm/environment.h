@@ -55,8 +55,7 @@ public:
     const std::array<double, 2>& conveyorSpeeds() const { return conveyorSpeeds_; }
 
     /// Force above which contact is a protective stop [N].
-    void setForceLimit(double force) { forceLimit_ = force; }
-    double forceLimit() const { return forceLimit_; }
+    static constexpr double kForceLimit = 250;
 
     /// What surfaces and boxes exert at a TCP at `position` with `velocity`, base axes [N]; no torque about
     /// the TCP.
@@ -79,7 +78,6 @@ private:
     std::array<double, 2> conveyorSpeeds_{};
     int planeCount_ = 0;
     int boxCount_ = 0;
-    double forceLimit_ = 250;
 };
 
 }  // namespace tiller::simulator::arm
