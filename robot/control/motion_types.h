@@ -83,7 +83,7 @@ struct StopMeasurement {
     std::uint64_t count = 0;  ///< number of stops measured so far; 0 = none yet
 };
 
-/// Jog dynamics and caps. Source: operator-interface.md, "Numbers".
+/// Jog dynamics and caps. The controller has its own, wider ones.
 struct MotionLimits {
     double tcpSpeed = 0.250;                       ///< [m/s], the application's own cap
     double tcpRotationSpeed = 0.7853981633974483;  ///< [rad/s] 45 deg/s

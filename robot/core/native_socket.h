@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Reading and writing a TCP socket that Qt Network opened, without its buffers: what the 500 Hz loops and the
-// simulated controller use, because QTcpSocket allocates on the way. The only place with platform socket
-// calls.
+// Reading and writing a connected TCP socket by its descriptor: what the 500 Hz loops and the simulated
+// controller use, because QTcpSocket allocates on the way. tcp_connect.h opens such sockets.
 
 #include <chrono>
 #include <cstddef>

@@ -13,10 +13,13 @@
 
 namespace tiller {
 
-/// A connected descriptor, prepared (native_socket::prepare); the caller closes it. Addresses of the name are
-/// tried one after the other. context  for the error; empty: "connect to host:port" Errors   AddressInvalid,
-/// HostUnreachable, ConnectionRefused, Timeout, Cancelled, Internal Threads  any. Blocks: until the deadline
-/// (looking a name up, not an address, takes as long as the system does)
+/// Connects to host:port, trying the addresses of the name one after the other.
+/// port     1 ... 65535
+/// context  for the error; empty: "connect to host:port"
+/// Returns  a connected descriptor, prepared (native_socket::prepare); the caller closes it
+/// Errors   AddressInvalid, HostUnreachable, ConnectionRefused, Timeout, Cancelled, Internal
+/// Threads  any. Blocks: until the deadline (looking a name up, not an address, takes as long as the system
+///          does)
 Result<native_socket::Descriptor> connectTcp(const QString& host, int port, const Deadline& deadline,
                                              QString context = {});
 

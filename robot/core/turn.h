@@ -20,7 +20,8 @@ public:
         taken_ = true;
     }
     bool try_lock() { return try_lock_for(std::chrono::nanoseconds(0)); }
-    /// Blocks: at most `patience`. Returns  false when the turn did not come in that time
+    /// Returns  false when the turn did not come within `patience`
+    /// Threads  any. Blocks: at most `patience`
     bool try_lock_for(std::chrono::nanoseconds patience) {
         std::unique_lock guard(guard_);
         if (!free_.wait_for(guard, patience, [this] { return !taken_; })) {

@@ -47,7 +47,8 @@ Result<void> clearOperationalMode(DashboardClient& client, const Deadline& deadl
 enum class FlightReport { Controller, Software, System };
 /// Returns  the report's id
 Result<QString> generateFlightReport(DashboardClient& client, FlightReport kind, const Deadline& deadline);
-/// directory  below the programs folder, "." for itself. Returns  the file's name
+/// directory  below the programs folder, "." for itself
+/// Returns    the file's name
 Result<QString> generateSupportFile(DashboardClient& client, const Text& directory, const Deadline& deadline);
 
 // The end

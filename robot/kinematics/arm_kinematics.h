@@ -38,7 +38,8 @@ struct InverseSolutions {
 
 /// T_base_flange to joints. At a wrist singularity, where wrist 3 is free, `wrist3AtSingularity` is used
 /// [rad]. Works on the nominal DH (theta offsets applied; other calibration deltas are refined by Newton
-/// steps). Threads  any. Real-time: yes (no allocation)
+/// steps).
+/// Threads  any. Real-time: yes (no allocation)
 InverseSolutions inverse(const DhParameters& dh, const Eigen::Isometry3d& T_base_flange,
                          double wrist3AtSingularity = 0.0);
 

@@ -19,7 +19,8 @@ namespace tiller::realtime {
 QString bindToCpus(const std::vector<int>& cpus);
 
 /// Keeps all memory of the process, present and to come, out of the swap, so that no page fault waits for a
-/// disk. Returns  why it did not work, with what to do; empty when it did
+/// disk.
+/// Returns  why it did not work, with what to do; empty when it did
 QString lockMemory();
 
 /// True on a kernel with PREEMPT_RT (Linux: /sys/kernel/realtime, or its version says so).

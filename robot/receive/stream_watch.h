@@ -14,7 +14,8 @@ public:
     struct Verdict {
         std::uint64_t lost = 0;  ///< packages missing just before this one
         bool late = false;       ///< more than half a period after its time
-        /// How far from its time; 0 is the earliest of late. A package out of a backlog is as old as this.
+        /// Delay behind the expected arrival [ns]; 0 for the earliest packet. One out of a backlog is as old
+        /// as this.
         std::int64_t jitterNs = 0;
     };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// An RTDE connection: opens the socket with Qt Network, runs the handshake within a deadline, and then moves
-// data packages over the native descriptor without allocating. Whoever owns it reads and writes it from one
+// An RTDE connection: opens a native socket, runs the handshake within a deadline, and then moves data packages
+// over it without allocating. Whoever owns it reads and writes it from one
 // thread; it has none of its own. The destructor closes it, at once, whatever the peer does.
 
 #include <QString>

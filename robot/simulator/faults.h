@@ -18,9 +18,10 @@ namespace tiller::simulator {
 
 struct Machine;
 
-/// Does what a line says. Threads  the simulator's
+/// Does what a line says.
 /// Returns  what was asked for, usually nothing
 /// Errors   InvalidArgument, with the reason
+/// Threads  the simulator's
 Result<QString> injectFault(Machine& machine, const QString& line);
 /// The same as the fault port speaks, newline included.
 std::string answerFaultLine(Machine& machine, std::string_view line);

@@ -14,8 +14,8 @@
 namespace tiller::simulator {
 
 /// A release by its number as people write it: "5.22", "3.15.8", "10.12.0.123". What is left out is taken
-/// from the release that is known best, if there is one of that series. Errors  InvalidArgument, with the
-/// reason
+/// from the release that is known best, if there is one of that series.
+/// Errors  InvalidArgument, with the reason
 Result<SoftwareVersion> parseSoftware(const QString& text);
 /// The release a model comes with when none is asked for.
 SoftwareVersion defaultSoftware(RobotModelId model);

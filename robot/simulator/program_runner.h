@@ -56,7 +56,7 @@ public:
     void pause();
     void resume();
     /// A protective stop: a program from a file waits for `play`, one that came over a socket ends and has to
-    /// be sent again. Source: modes.md 3.2, 5.2.
+    /// be sent again. Source: Dashboard Server guide, "unlock protective stop"; the ROS 2 driver, which sends it again
     void haltForProtectiveStop();
 
     RuntimeState state() const { return state_; }

@@ -2,10 +2,7 @@
 #pragma once
 
 // What scripts reach of the simulated robot: the interpreter's Host over the plant. One object serves the
-// main program and secondary ones; the implementation is spread over script_host_motion.cpp (moves, force,
-// freedrive), script_host_state.cpp (readings, kinematics, set-up), script_host_equipment.cpp (rules of
-// terminals, Modbus map, questions) and script_host.cpp (registers, pins,
-// sockets, messages, program).
+// main program and secondary ones.
 
 #include <array>
 #include <bitset>

@@ -17,7 +17,7 @@ namespace tiller::test {
 /// What ctest takes for "skipped".
 inline constexpr int kSkipped = 77;
 
-/// operator-interface.md, "The jog contract": nothing may move so long after the last key.
+/// The jog contract: nothing may move so long after the last key [s].
 inline constexpr double kContract = 0.25;
 /// Longer than it takes to get going, in the robot's time.
 inline constexpr double kGetsGoing = 3.0;

@@ -18,7 +18,7 @@ class JogWindowTest : public QObject {
     Q_OBJECT
 
 protected:
-    // operator-interface.md, "The jog contract".
+    /// What the jog contract promises.
     static constexpr int kReleaseToStandstillMs = 100;
 
     struct Bench : WindowBench {

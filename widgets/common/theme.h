@@ -17,7 +17,7 @@ namespace tiller {
 enum class ColorScheme { Light, Dark };
 
 /// Colours by role. Text roles have a contrast of at least 4.5:1 on every surface they are used on, state and
-/// values 5:1. Source: operator-interface.md, "Colours".
+/// values 5:1.
 struct Theme {
     ColorScheme scheme;
 

@@ -40,7 +40,7 @@ struct DeviceShape : DeviceTuning {
 
 inline const QString kGamepadKind = QStringLiteral("gamepad");
 inline const QString kSpaceMouseKind = QStringLiteral("spaceMouse");
-/// As they are at first. Source: operator-interface.md, "Numbers".
+/// As they are until somebody tunes them.
 inline constexpr DeviceTuning kGamepadTuning{0.08, 2.2, false};
 inline constexpr DeviceTuning kSpaceMouseTuning{0.10, 1.0, true};
 

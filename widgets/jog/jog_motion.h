@@ -22,7 +22,7 @@ enum class FrameChoice { Base, Tool, View, Taught };
 /// held and stops by itself when the tool touches something.
 enum class MotionChoice { Hold, FineStep, Step, CoarseStep, UntilContact };
 
-/// One notch of the speed selector. Source: operator-interface.md, "Numbers".
+/// One notch of the speed selector.
 struct SpeedClass {
     double tcp;       ///< [m/s]
     double rotation;  ///< [rad/s]

@@ -131,7 +131,6 @@ Q_SIGNALS:
     void controllerMessage(const tiller::script::ControllerMessage& message);
 
 private:
-    // robot_session_io.cpp
     void keepOutputsConnected();
     void report(std::uint64_t generation, const QString& done, const Result<void>& result);
     void askService();

@@ -21,7 +21,8 @@ public:
     SessionWorker& operator=(const SessionWorker&) = delete;
 
     /// Runs `job` after those posted before, then the function it returned in the thread of `context` (not at
-    /// all once context is gone). Threads  any. Blocks: never
+    /// all once context is gone).
+    /// Threads  any. Blocks: never
     void post(QObject* context, std::function<std::function<void()>(const CancelToken&)> job);
     /// Runs `job` even while the worker is ending: for closing things.
     void postCleanup(std::function<void()> job);

@@ -59,8 +59,8 @@ public:
 
     /// Joint speeds, reached with acceleration a [rad/s2] of the leading axis. Returned after t [s] of
     /// program time, or without t when the speed is reached, in both cases after one period at the earliest.
-    /// The speed is kept for kSpeedHold after that; without a further command the arm then decelerates with
-    /// a. Source    URScript speedj
+    /// The speed is kept for kSpeedHold after that; without a further command the arm then decelerates with a.
+    /// Source    URScript speedj
     MotionStart speedJ(const JointVelocities& qd, double a, std::optional<double> t = std::nullopt);
 
     /// TCP velocity in base axes, rotation about the TCP; a [m/s2], aRot [rad/s2] (a if absent).

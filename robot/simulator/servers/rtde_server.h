@@ -41,7 +41,8 @@ public:
     bool holdInputs(const QStringList& names);
     void releaseHeldInputs();
 
-    /// Of all clients since the start. Threads  any
+    /// Of all clients since the start.
+    /// Threads  any
     std::uint64_t inputPackages() const { return packages_.load(std::memory_order_acquire); }
     std::uint64_t outputPackages() const { return sent_.load(std::memory_order_acquire); }
     /// Threads  any

@@ -59,8 +59,8 @@ public:
     Interpreter& operator=(const Interpreter&) = delete;
 
     /// Advances the program by one frame of host().stepTime(). Does nothing unless running. A secondary
-    /// program is always over after its first frame. Threads  always the same one; hosts may call pause(),
-    /// resume() and stop() from inside.
+    /// program is always over after its first frame.
+    /// Threads  always the same one; hosts may call pause(), resume() and stop() from inside
     State runFrame();
 
     void pause();  ///< from the next frame on; pending sleeps and read time-outs stand still
