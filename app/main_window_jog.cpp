@@ -4,7 +4,6 @@
 
 #include "app/action_table.h"
 #include "app/main_window.h"
-#include "robot/core/angles.h"
 #include "widgets/common/notation.h"
 #include "widgets/jog/freedrive_axes.h"
 #include "widgets/jog/jog_column.h"
@@ -13,16 +12,9 @@
 namespace tiller::app {
 namespace {
 
-/// One step size of the jog menu, in the units of the screen.
-struct Step {
-    double millimetres;
-    double degrees;
-};
-constexpr Step kSteps[] = {{0.05, 0.01}, {0.1, 0.1}, {1, 1}, {5, 5}, {10, 15}, {50, 45}, {100, 90}};
 constexpr double kContactForces[] = {10, 20, 50};
-constexpr double kSlowest = 0.001;  ///< [m/s]
 
-QString stepId(const Step& step) {
+QString stepId(const StepPreset& step) {
     return QStringLiteral("jog.step.%1").arg(step.millimetres);
 }
 
@@ -30,7 +22,7 @@ QString speedName(double tcpSpeed) {
     return MainWindow::tr("Jog speed %1").arg(format::speed(tcpSpeed));
 }
 
-QString stepName(const Step& step) {
+QString stepName(const StepPreset& step) {
     return MainWindow::tr("Jog step %1, %2°")
         .arg(format::shortLength(step.millimetres / 1e3))
         .arg(step.degrees);
@@ -62,20 +54,18 @@ void MainWindow::addJogActions() {
         ++index;
     }
     actions_->add({"jog.speed.slowest",
-                   speedName(kSlowest),
+                   speedName(kSlowestJog),
                    tr("Stops the arm; the next press has this speed."),
                    {},
-                   [this] { jog_->setFreeSpeed(kSlowest); }});
-    for (const Step& step : kSteps) {
+                   [this] { jog_->setFreeSpeed(kSlowestJog); }});
+    for (const StepPreset& step : kStepPresets) {
         actions_->add({stepId(step),
                        stepName(step),
                        step.millimetres > 10 || step.degrees > 10
                            ? tr("Moves by this much, only while the key is held.")
                            : tr("Moves by this much at each press."),
                        {},
-                       [this, step] {
-                           jog_->setFreeStep({step.millimetres / 1e3, toRadians(step.degrees)});
-                       }});
+                       [this, step] { jog_->setFreeStep(step.size()); }});
     }
     for (const double force : kContactForces) {
         actions_->add({QStringLiteral("jog.contact.%1").arg(force),
@@ -116,8 +106,8 @@ void MainWindow::nameJogActions() {
     for (const SpeedClass& choice : speedClasses()) {
         actions_->find(QStringLiteral("jog.speed.%1").arg(index++))->setText(speedName(choice.tcp));
     }
-    actions_->find("jog.speed.slowest")->setText(speedName(kSlowest));
-    for (const Step& step : kSteps) {
+    actions_->find("jog.speed.slowest")->setText(speedName(kSlowestJog));
+    for (const StepPreset& step : kStepPresets) {
         actions_->find(stepId(step))->setText(stepName(step));
     }
 }

@@ -27,13 +27,6 @@ namespace {
 
 constexpr int kChoiceSegment = static_cast<int>(MotionChoice::CoarseStep);
 
-/// The step sizes that are offered, in the units of the screen.
-struct StepPreset {
-    double millimetres;
-    double degrees;
-};
-constexpr StepPreset kSteps[] = {{0.05, 0.01}, {0.1, 0.1}, {1, 1}, {5, 5}, {10, 15}, {50, 45}, {100, 90}};
-
 /// "5 mm or 15°"
 QString stepText(const StepSize& step) {
     return QCoreApplication::translate("JogColumn", "%1, turns %2°")
@@ -235,8 +228,8 @@ void JogColumn::offerChoices(SegmentedControl* control, int segment, std::functi
 }
 
 void JogColumn::fillStepMenu(QMenu& menu) {
-    for (const StepPreset& preset : kSteps) {
-        const StepSize step{preset.millimetres / 1e3, toRadians(preset.degrees)};
+    for (const StepPreset& preset : kStepPresets) {
+        const StepSize step = preset.size();
         menu.addAction(stepText(step), this, [this, step] { setFreeStep(step); });
     }
     menu.addAction(tr("Other step…"), this, [this] { askFor(Entry::Step); });
@@ -247,7 +240,7 @@ void JogColumn::fillStepMenu(QMenu& menu) {
 }
 
 void JogColumn::fillSpeedMenu(QMenu& menu) {
-    menu.addAction(format::speed(0.001), this, [this] { setFreeSpeed(0.001); });
+    menu.addAction(format::speed(kSlowestJog), this, [this] { setFreeSpeed(kSlowestJog); });
     menu.addAction(format::speed(speedClasses().back().tcp), this,
                    [this] { setSpeedClass(kSpeedClassCount - 1); });
     menu.addAction(tr("Other speed…"), this, [this] { askFor(Entry::Speed); });

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "robot/control/motion_types.h"
+#include "robot/core/angles.h"
 #include "robot/core/robot_model.h"
 #include "widgets/session/robot_session.h"
 
@@ -38,6 +39,17 @@ struct StepSize {
     double angle = 0;
 };
 StepSize stepSize(MotionChoice motion);
+
+/// The step sizes that menus and commands offer, as people read them; one length and one angle go together.
+struct StepPreset {
+    double millimetres;
+    double degrees;
+    StepSize size() const { return {millimetres / 1e3, toRadians(degrees)}; }
+};
+inline constexpr StepPreset kStepPresets[] = {{0.05, 0.01}, {0.1, 0.1}, {1, 1},   {5, 5},
+                                              {10, 15},     {50, 45},   {100, 90}};
+/// The slowest jog that menus and commands offer [m/s].
+inline constexpr double kSlowestJog = 0.001;
 
 /// Steps up to this size go to their end by themselves; longer ones run only while the key is held.
 inline constexpr double kFreeStepLength = 0.010;            ///< [m]
