@@ -833,10 +833,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 packets, %2 late, %3 lost</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>No robot connected</source>
         <translation type="unfinished"></translation>
     </message>
@@ -850,10 +846,6 @@
     </message>
     <message>
         <source>NO DATA</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 Hz · %2 late</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -918,6 +910,26 @@
     </message>
     <message>
         <source>Starts the control program on the robot, which stops any other program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last 10 s: %1 packets, %2 late, %3 lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Since connecting: %1 packets, %2 late, %3 lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Late is a packet that comes more than half a period after its time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> · %1 late</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2428,6 +2440,14 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <source>The arm may get faster than %1. Lower the cap in Settings; it ends with the program.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>not seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Data ended while the arm moved: how it stopped is not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::HoldGuard</name>
@@ -2821,6 +2841,10 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>What happened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(×%1 until %2) %3</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3486,6 +3510,22 @@ Let go of the key and the arm stops.</source>
     </message>
     <message>
         <source>Taking control…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taking control was ended by a stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program on the robot was stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program on the robot was not stopped: stop it on the teach pendant. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot was switched to Local control: motion was stopped and control given back. Switch it to Remote control on the teach pendant, then take control again.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

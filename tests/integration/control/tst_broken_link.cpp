@@ -85,7 +85,7 @@ private Q_SLOTS:
         io::OutputsOptions setting;
         setting.host = robot.listenAddress();
         setting.port = robot.ports().rtde;
-        io::Outputs outputs(setting, io::Feedback::fromReceiver(receiver));
+        io::Outputs outputs(setting, io::OutputFeedback::fromReceiver(receiver));
 
         ControllerOptions controlling;
         controlling.host = robot.listenAddress();
