@@ -29,7 +29,8 @@ public:
                                              const Deadline& deadline);
     Result<bool> hasInverseKinematics(const Pose& tcpPose, const InverseOptions& options,
                                       const Deadline& deadline);
-    /// q, tcp  left out: the present ones. Returns  the TCP's pose in the base frame
+    /// q, tcp   left out: the present ones
+    /// Returns  the TCP's pose in the base frame
     Result<Pose> forwardKinematics(const std::optional<JointPositions>& q, const std::optional<Pose>& tcp,
                                    const Deadline& deadline);
     Result<bool> isWithinSafetyLimits(const Pose& tcpPose, const Deadline& deadline);

@@ -41,7 +41,8 @@ struct Occasion {
 class CycleHook {
 public:
     virtual MotionId motion() const = 0;
-    /// Called in the control thread. Returns  false to end the motion
+    /// Called in the control thread.
+    /// Returns  false to end the motion
     virtual bool cycle(const Feedback& data, const Occasion& occasion, MotionCommand& target) = 0;
     /// When the last cycle began, by the clock of Feedback::hostNs: it may have waited for its moment.
     virtual std::int64_t beganNs() const = 0;
@@ -85,7 +86,8 @@ public:
     /// From the next tick on only the program with this session is ours, and its echo is waited for.
     void expectSession(std::int32_t session) { nextSession_.store(session, std::memory_order_release); }
 
-    /// Puts a request into the packages until another one is asked. Returns  its number
+    /// Puts a request into the packages until another one is asked.
+    /// Returns  its number
     std::int32_t ask(Request request);
     /// Takes the request out of the packages: nobody waits for it any more.
     void withdraw();

@@ -95,12 +95,13 @@ public:
     bool refreshJog(JogId jog, const JogTarget& target);
 
     /// Moves linearly in joint space, slowed down where TCP or elbow would get above the cap of limits().
-    /// Source: URScript movej
     /// Errors   as startJog, and LimitExceeded (a joint outside its range, a speed above what the arm can)
+    /// Source   URScript movej
     Result<MoveId> moveJ(const JointPositions& target, const MoveParameters& parameters);
     /// Moves the TCP on a straight line to a pose in the base frame, slowed down where the elbow or the
-    /// rotation would get above their caps. Source: URScript movel Errors   as startJog, and LimitExceeded (a
-    /// speed above the cap on the TCP)
+    /// rotation would get above their caps.
+    /// Errors   as startJog, and LimitExceeded (a speed above the cap on the TCP)
+    /// Source   URScript movel
     Result<MoveId> moveL(const Pose& target, const MoveParameters& parameters);
     /// Keeps a held move alive.
     /// Returns  false when the move has ended

@@ -28,8 +28,9 @@ public:
     /// The same, to the pose these joint positions give.
     Result<Motion> moveL(const JointPositions& target, const MoveParameters& parameters);
     /// Follows the whole path. The control program is sent anew with the path in it, which takes a moment;
-    /// the arm must not be moving. start    how long that may take; the path itself is waited for with the
-    /// handle Errors   also Timeout, Cancelled, ScriptError (with line and text)
+    /// the arm must not be moving.
+    /// start    how long that may take; the path itself is waited for with the handle
+    /// Errors   also Timeout, Cancelled, ScriptError (with line and text)
     Result<Motion> movePath(const MotionPath& path, const Deadline& start, Holding holding = Holding::Free);
 
     /// Moves the tool until it touches something, then back to where the contact began.

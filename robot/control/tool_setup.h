@@ -52,7 +52,8 @@ public:
     /// Errors  NotInControl, RegisterInUse. Blocks: never. Real-time: yes
     Result<void> kickWatchdog();
 
-    /// Since 3.8. Returns  ok when the robot reports the protective stop
+    /// Since 3.8.
+    /// Returns  ok when the robot reports the protective stop
     Result<void> triggerProtectiveStop(const Deadline& deadline);
 
 private:

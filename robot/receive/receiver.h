@@ -81,8 +81,8 @@ public:
     /// Returns  false when there is none just now
     bool next(Sample& sample);
     /// The same, and waits for it. As long as somebody waits, each package costs the receive thread one
-    /// system call to wake them. Errors   Timeout, Cancelled; NotConnected when the receiver was stopped, is
-    /// gone, or never was. Where
+    /// system call to wake them.
+    /// Errors   Timeout, Cancelled; NotConnected when the receiver was stopped, is gone, or never was. Where
     ///          there is no link, the reason is the message: "ConnectionRefused: connect to ..."
     /// Blocks   until the deadline. Real-time: no
     Result<void> next(Sample& sample, const Deadline& deadline);
@@ -141,8 +141,8 @@ public:
     Sample latest() const;
     void latest(Sample& into) const;
     /// The newest sample, as soon as there is one of the present connection that is not older than 100 ms:
-    /// what a program begins with that is to compute a target from where the arm is. Errors   why the
-    /// connection could not be made, when that is known (ConnectionRefused, HostUnreachable,
+    /// what a program begins with that is to compute a target from where the arm is.
+    /// Errors   why the connection could not be made, when that is known (ConnectionRefused, HostUnreachable,
     ///          FieldUnknown ...); Timeout, Cancelled; NotConnected when start() was not called
     /// Blocks   until the deadline: attempts go on by themselves meanwhile, for the robot may be booting
     Result<Sample> waitForData(const Deadline& deadline) const;

@@ -43,8 +43,8 @@ enum class SafetyStatusBit : std::uint32_t {
 /// robot does not send) reads as NaN; words of bits and integers, which know no NaN, are empty optionals;
 /// modes are the most cautious one (Disconnected, Undefined, Stopped, PowerOff) and single bits false. Every
 /// command that moves the arm refuses NaN, so a target computed from nothing goes nowhere. To be sure of data
-/// first: Receiver::waitForData(). The sample must outlive it. Threads  any one. Real-time: yes (a hash
-/// look-up per call)
+/// first: Receiver::waitForData(). The sample must outlive it.
+/// Threads  any one. Real-time: yes (a hash look-up per call)
 class RobotState {
 public:
     explicit RobotState(const Sample& sample) : sample_(&sample) {}

@@ -52,7 +52,8 @@ const Field* findOutput(std::string_view name);
 const Field* findInput(std::string_view name);
 
 /// The output whose name is most like this one, case ignored, for messages ("did you mean"); empty when none
-/// is. Threads  any
+/// is.
+/// Threads  any
 std::string_view nearestOutput(std::string_view name);
 
 /// The name of one number of a field, as in recordings: "actual_q_0"; a field of one number keeps its name.

@@ -14,8 +14,8 @@ namespace ur_rtde {
 
 /// Every setter returns true when the command is on its way, false when there is no connection (one attempt
 /// is made to get it back), the robot does not read, or another client or a fieldbus owns the input.
-/// Arguments out of range throw std::range_error before anything is sent. Threads  any; calls are carried out
-/// one after the other.
+/// Arguments out of range throw std::range_error before anything is sent.
+/// Threads  any; calls are carried out one after the other
 class RTDEIOInterface {
 public:
     /// use_upper_range_registers  registers 42-46 instead of 18-22

@@ -29,7 +29,9 @@ public:
     /// Whether the kernel says of itself that it is fully preemptible (PREEMPT_RT); true on Windows.
     static bool isRealtimeKernelAvailable();
     /// Asks real-time priority for the calling thread, and locks the program's memory where that is
-    /// permitted. priority  1 ... 99, on Windows 16 ... 31 Returns   whether it was granted
+    /// permitted.
+    /// priority  1 ... 99, on Windows 16 ... 31
+    /// Returns   whether it was granted
     static bool setRealtimePriority(int priority);
 };
 

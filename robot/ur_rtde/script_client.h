@@ -42,8 +42,8 @@ public:
     std::string getScript();
 
     /// Drops the lines this software does not understand: those marked "$5.4" or "$5.10|3.15" at their
-    /// beginning for newer software. Marks of lines that stay become blanks. Returns  false when a mark
-    /// cannot be understood
+    /// beginning for newer software. Marks of lines that stay become blanks.
+    /// Returns  false when a mark cannot be understood
     bool removeUnsupportedFunctions(std::string& ur_script);
     /// Puts in what setScriptInjection() registered.
     /// Returns  false when one of the places is missing

@@ -16,7 +16,8 @@ class LinkHistory {
 public:
     static constexpr std::int64_t kSpanNs = 10'000'000'000;
 
-    /// Takes the counters of now. Returns  how much they grew within the span
+    /// Takes the counters of now.
+    /// Returns  how much they grew within the span
     PacketCounts add(std::int64_t nowNs, const PacketCounts& now);
     void clear() { points_.clear(); }
 
