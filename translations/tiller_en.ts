@@ -665,6 +665,33 @@
     </message>
 </context>
 <context>
+    <name>JointNames</name>
+    <message>
+        <source>Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Elbow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wrist 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wrist 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wrist 3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>LimiterAdvice</name>
     <message>
         <source>Elbow almost straight</source>

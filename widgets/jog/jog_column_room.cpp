@@ -12,6 +12,7 @@
 #include "robot/core/angles.h"
 #include "widgets/common/format.h"
 #include "widgets/common/hold_button.h"
+#include "widgets/common/joint_name.h"
 #include "widgets/common/notation.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/jog/jog_column.h"
@@ -108,8 +109,7 @@ QString JogColumn::quietText() const {
         }
         return travel.end == Travel::End::JointLimit
                    ? tr("%1: %2 left, then %3 is at its limit")
-                         .arg(key->text(), key->travel(),
-                              tr(kJointNames.at(static_cast<std::size_t>(travel.joint))))
+                         .arg(key->text(), key->travel(), jointName(travel.joint))
                    : tr("%1: %2 left, then the end of the reach or a singularity")
                          .arg(key->text(), key->travel());
     }

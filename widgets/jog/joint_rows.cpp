@@ -8,6 +8,7 @@
 #include "robot/core/angles.h"
 #include "robot/core/robot_model.h"
 #include "widgets/common/format.h"
+#include "widgets/common/joint_name.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
@@ -63,7 +64,7 @@ void JointBar::paintEvent(QPaintEvent*) {
 JointRow::JointRow(int joint, QWidget* parent)
     : QWidget(parent)
     , joint_(joint)
-    , name_(tr(kJointNames[static_cast<std::size_t>(joint)]))
+    , name_(jointName(joint))
     , value_(QStringLiteral("–"))
     , minus_(new HoldButton(QString(QChar(0x2212)), this))
     , plus_(new HoldButton(QStringLiteral("+"), this))

@@ -8,6 +8,7 @@
 #include "robot/core/angles.h"
 #include "robot/kinematics/arm_kinematics.h"
 #include "widgets/common/format.h"
+#include "widgets/common/joint_name.h"
 #include "widgets/common/shapes.h"
 #include "widgets/common/theme.h"
 #include "widgets/jog/travel.h"
@@ -79,7 +80,7 @@ LimiterAdvice nearestLimiter(const SessionState& state, const Eigen::Matrix3d& R
         }
     }
     if (nearest >= 0) {
-        const QString name = LimiterAdviceText::tr(kJointNames[static_cast<std::size_t>(nearest)]);
+        const QString name = jointName(nearest);
         const QString back = state.q[nearest] > 0 ? QStringLiteral("−") : QStringLiteral("+");
         const int key = wayOut(robotModel(state.model).dh, state.q, state.tcpOffset, R_base_frame, nearest);
         return {LimiterAdviceText::tr("%1 %2° from its limit").arg(name).arg(std::max(0.0, least), 0, 'f', 0),
@@ -101,9 +102,7 @@ LimiterAdvice nearestLimiter(const SessionState& state, const Eigen::Matrix3d& R
             case control::LimiterKind::JointSpeed:
                 if (state.limiter.joint >= 0) {
                     return {LimiterAdviceText::tr("%1 at its top speed: %2")
-                                .arg(LimiterAdviceText::tr(
-                                         kJointNames[static_cast<std::size_t>(state.limiter.joint)]),
-                                     percent),
+                                .arg(jointName(state.limiter.joint), percent),
                             LimiterAdviceText::tr("choose a slower class")};
                 }
                 break;

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 
 #include "robot/core/joints.h"
+#include "widgets/common/joint_name.h"
 #include "widgets/common/theme.h"
 
 namespace tiller::plot_signals {
@@ -21,9 +22,7 @@ int indexOf(PlotSignal signal) {
 QString label(PlotSignal signal) {
     static constexpr const char* kCartesian[] = {"Fx", "Fy", "Fz", "Tx", "Ty", "Tz"};
     const int i = indexOf(signal);
-    return i < kFirstCurrent ? QString::fromLatin1(kCartesian[i])
-                             : QCoreApplication::translate(
-                                   "Joint", kJointNames[static_cast<std::size_t>(i - kFirstCurrent)]);
+    return i < kFirstCurrent ? QString::fromLatin1(kCartesian[i]) : jointName(i - kFirstCurrent);
 }
 
 QString unit(PlotSignal signal) {

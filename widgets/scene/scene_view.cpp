@@ -12,6 +12,7 @@
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "widgets/common/format.h"
+#include "widgets/common/joint_name.h"
 #include "widgets/common/theme.h"
 #include "widgets/scene/arm_shape.h"
 #include "widgets/scene/scene_painter.h"
@@ -175,9 +176,8 @@ void SceneView::updateGhost() {
             const double seconds = trapezoidSeconds(distance, ghost_->speed, ghost_->acceleration) /
                                    std::max(0.02, speedFraction_);
             text = tr("ghost “%1” · reachable · largest turn %2 %3 · %4 s at %5")
-                       .arg(ghost_->name, tr(kJointNames[static_cast<std::size_t>(joint)]),
-                            format::degrees(largest, 0), format::number(seconds, 1),
-                            format::percent(speedFraction_));
+                       .arg(ghost_->name, jointName(joint), format::degrees(largest, 0),
+                            format::number(seconds, 1), format::percent(speedFraction_));
         }
         const int last = ghost_->linear ? 1 : kGhostPathPoints;
         for (int i = 0; i <= last && haveJoints_ && ghost_->reachable; ++i) {

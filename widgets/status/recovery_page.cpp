@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "widgets/common/format.h"
+#include "widgets/common/joint_name.h"
 #include "widgets/common/notation.h"
 #include "widgets/common/room.h"
 #include "widgets/common/theme.h"
@@ -204,8 +205,8 @@ void RecoveryPage::showRecord() {
                  signedLength(record->tcpPose.position.z()));
     int joint = record->suspect;
     if (joint >= 0) {
-        where += QLatin1Char(' ') + tr("Suspected joint: %1, whose current left its target furthest.")
-                                        .arg(QLatin1String(kJointNames[static_cast<std::size_t>(joint)]));
+        where += QLatin1Char(' ') +
+                 tr("Suspected joint: %1, whose current left its target furthest.").arg(jointName(joint));
     }
     where_->setText(where);
     reports_->setText(record->reports.join(QLatin1Char('\n')));

@@ -11,6 +11,7 @@
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "widgets/common/format.h"
+#include "widgets/common/joint_name.h"
 #include "widgets/common/notation.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/project/project_document.h"
@@ -141,11 +142,10 @@ void WaypointsTab::touchUp() {
     const Vector6 turns = after->joints.values - before.joints.values;
     int joint = 0;
     turns.cwiseAbs().maxCoeff(&joint);
-    const QString text =
-        tr("The live place is %1 away (%2, base frame). Largest joint change: %3 %4.")
-            .arg(format::difference(by.distance, by.angle),
-                 format::shift(state_.tcpPose.position - old.position),
-                 tr(kJointNames[static_cast<std::size_t>(joint)]), format::degrees(turns[joint], 1));
+    const QString text = tr("The live place is %1 away (%2, base frame). Largest joint change: %3 %4.")
+                             .arg(format::difference(by.distance, by.angle),
+                                  format::shift(state_.tcpPose.position - old.position), jointName(joint),
+                                  format::degrees(turns[joint], 1));
     notice_->show(NoticeBar::Kind::Question, tr("Touch up “%1”?").arg(before.name), text, tr("Touch up"),
                   [this, id = before.id, taught = *after] { replaceByTouchUp(id, taught); });
 }
