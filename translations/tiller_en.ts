@@ -646,6 +646,21 @@
     </message>
 </context>
 <context>
+    <name>HoldWitness</name>
+    <message>
+        <source>No second witness on this screen (%1): whether a key is still held is known from the window&apos;s events alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The display server is asked every 10 ms whether the button or key is still down.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The display server cannot be asked a second time: whether a key is still held is known from the window&apos;s events alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>JogColumn</name>
     <message>
         <source>Base</source>
@@ -1917,13 +1932,6 @@ Right click or F2 to rename and scale.</source>
     </message>
 </context>
 <context>
-    <name>tiller::AxisJog</name>
-    <message>
-        <source>Click into the window first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>tiller::DeviceTrainer</name>
     <message>
         <source>Moves the arm (until the program ends)</source>
@@ -2475,11 +2483,31 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <source>Data ended while the arm moved: how it stopped is not known.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>LAST STOP · no witness</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
-    <name>tiller::HoldGuard</name>
+    <name>tiller::HoldRules</name>
     <message>
-        <source>the window was not the active one; press again</source>
+        <source>The window was not the active one. Press again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click into the window first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A dialog or a menu is open. Close it first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another key is held.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The display server does not answer: nobody could tell when the key is let go.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2771,6 +2799,14 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Force that ends the motion, in N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>let go and press again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends in %1 s</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4860,6 +4896,18 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
     <message>
         <source>%1 belongs to &quot;%2&quot;. Take it away there first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longest hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After this time a jog ends and its key has to be pressed again. Freedrive has five minutes, a move to a place the time it takes and 5 s.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1,31 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/jog/stop_keys.h"
 
-#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QKeyEvent>
-#include <QLineEdit>
-#include <QPlainTextEdit>
-#include <QTextEdit>
 
+#include "widgets/common/text_entry.h"
 #include "widgets/session/robot_session.h"
 
 namespace tiller {
 
 using control::StopCause;
-
-namespace {
-
-bool takesText(const QWidget* widget) {
-    if (const auto* line = qobject_cast<const QLineEdit*>(widget)) {
-        return !line->isReadOnly();
-    }
-    return qobject_cast<const QTextEdit*>(widget) != nullptr ||
-           qobject_cast<const QPlainTextEdit*>(widget) != nullptr ||
-           qobject_cast<const QAbstractSpinBox*>(widget) != nullptr;
-}
-
-}  // namespace
 
 StopKeys::StopKeys(std::function<void(StopCause)> stop, std::function<bool()> moving, QObject* parent)
     : QObject(parent), stop_(std::move(stop)), moving_(std::move(moving)) {
