@@ -283,6 +283,20 @@ private Q_SLOTS:
         QVERIFY(called(bench, "end_force_mode"));
     }
 
+    void forceModeDoesNotOutliveAPause() {
+        Bench bench;
+        bench.forcePermitted = true;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        QCOMPARE(bench.ask(RequestKind::ForceMode, 4 + 2 * 64, {0, 0, 10, 0, 0, 0}).outcome, Outcome::Done);
+        bench.host.calls.clear();
+        bench.hold(ScriptCommand::Idle, 1, 10);
+        QVERIFY(!called(bench, "end_force_mode"));
+        // A package that came while the program stood still is no sign of life.
+        bench.host.timeNs += 200'000'000;
+        bench.hold(ScriptCommand::Idle, 1, 1);
+        QVERIFY(called(bench, "end_force_mode"));
+    }
+
     void forceModeDoesNotBeginWithoutItsPermit() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
