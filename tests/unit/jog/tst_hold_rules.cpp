@@ -2,6 +2,7 @@
 // Every rule of the rule book for every way of holding: pad, joint keys, Go to, Back, Align, Home, Freedrive,
 // by mouse, finger and keyboard, the armed keyboard, gamepad and SpaceMouse.
 #include <QDialog>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QTabletEvent>
 
