@@ -26,13 +26,18 @@ def main(folder, output, version):
                 files[module + ending] = file.read()
         # Where type checkers look for the stubs of a module that is not a package.
         files[f"{module}-stubs/__init__.pyi"] = files[module + ".pyi"]
+    for name in sorted(os.listdir(os.path.join(folder, "tiller"))):
+        if name.endswith((".py", ".pyi", suffix)) or name == "py.typed":
+            with open(os.path.join(folder, "tiller", name), "rb") as file:
+                files["tiller/" + name] = file.read()
+    files[f"{info}/entry_points.txt"] = b"[pytest11]\ntiller = tiller.pytest_plugin\n"
     files[f"{info}/METADATA"] = (
         f"Metadata-Version: 2.1\nName: {NAME.replace('_', '-')}\nVersion: {version}\n"
-        "Summary: Control and monitor Universal Robots arms; the Python interface of ur_rtde\n"
-        "License: MIT\nRequires-Python: >=3.9\n").encode()
+        "Summary: Control, monitor and simulate Universal Robots arms; with the Python interface of ur_rtde\n"
+        "License: MIT\nRequires-Python: >=3.9\nRequires-Dist: numpy\n").encode()
     files[f"{info}/WHEEL"] = (
         f"Wheel-Version: 1.0\nGenerator: tiller\nRoot-Is-Purelib: false\nTag: {tag}\n").encode()
-    files[f"{info}/top_level.txt"] = "".join(module + "\n" for module in MODULES).encode()
+    files[f"{info}/top_level.txt"] = "".join(module + "\n" for module in (*MODULES, "tiller")).encode()
     record = ""
     for name, content in files.items():
         digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()

@@ -48,6 +48,9 @@ class TestWheel(unittest.TestCase):
                 self.assertIn(f"class {name}:", text)
             with open(os.path.join(folder, "rtde_control.pyi"), encoding="utf-8") as stub:
                 self.assertIn("def moveJ(self, q: _Floats, speed: float = 1.05", stub.read())
+            code = f"import tiller; assert tiller.__file__.startswith({folder!r}); tiller.Kinematics('UR5e')"
+            subprocess.run([sys.executable, "-B", "-c", code], check=True, env=environment)
+            self.assertTrue(os.path.exists(os.path.join(folder, "tiller", "py.typed")))
             self.assertTrue(os.path.exists(os.path.join(folder, "rtde_control-stubs", "__init__.pyi")))
 
 

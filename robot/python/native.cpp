@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// Python module tiller._native: the C++ library as it is. What people use, with names, arrays and docstrings,
+// is built upon it in tiller/*.py.
+#include <sstream>
+
+#include "robot/python/native_objects.h"
+#include "robot/realtime/thread_priority.h"
+#include "robot/recording/recorder.h"
+
+namespace tiller::python {
+
+void raise(const Error& error) {
+    const py::object type = py::module_::import("tiller.errors").attr("error_type")(toString(error.code));
+    const py::object made = type(error.context.toStdString(), error.controllerMessage.toStdString());
+    PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(made.ptr())), made.ptr());
+    throw py::error_already_set();
+}
+
+bool isInterrupted() {
+    const py::gil_scoped_acquire locked;
+    return PyErr_Occurred() != nullptr || PyErr_CheckSignals() != 0;
+}
+
+namespace {
+
+using receive::Sample;
+
+/// (sequence, host_time_ns, connection, lost_before, values)
+py::tuple sampleTuple(const Sample& sample) {
+    return py::make_tuple(
+        sample.sequence, sample.hostTimeNs, sample.connection, sample.lostBefore,
+        py::array_t<double>(static_cast<py::ssize_t>(sample.values.size()), sample.values.data()));
+}
+
+struct NativeSubscription {
+    std::shared_ptr<NativeReceiver> receiver;  ///< keeps it running
+    receive::Subscription subscription;
+    Sample sample;
+
+    py::tuple next(const Seconds& seconds) {
+        waited(seconds, [this](const Deadline& deadline) { return subscription.next(sample, deadline); });
+        return sampleTuple(sample);
+    }
+    py::object tryNext() { return subscription.next(sample) ? py::object(sampleTuple(sample)) : py::none(); }
+};
+
+struct NativeRecorder {
+    std::shared_ptr<NativeReceiver> receiver;
+    recording::Recorder recorder;
+};
+
+void defineRecorder(py::module_& module) {
+    py::class_<NativeRecorder>(module, "Recorder")
+        .def(py::init([](std::shared_ptr<NativeReceiver> receiver, const std::string& path,
+                         std::vector<std::string> fields) {
+                 auto made = std::make_unique<NativeRecorder>();
+                 made->receiver = std::move(receiver);
+                 recording::RecorderOptions options;
+                 options.path = path;
+                 options.fields = std::move(fields);
+                 taken(made->recorder.start(options, made->receiver->receiver));
+                 return made;
+             }),
+             py::arg("receiver"), py::arg("path"), py::arg("fields"))
+        .def("stop",
+             [](NativeRecorder& self) {
+                 {
+                     const py::gil_scoped_release released;
+                     self.recorder.stop();
+                 }
+                 if (const Error error = self.recorder.error(); error.code != ErrorCode::None) {
+                     raise(error);
+                 }
+             })
+        .def("progress", [](const NativeRecorder& self) {
+            const auto progress = self.recorder.progress();
+            py::dict told;
+            told["state"] = toString(progress.state);
+            told["rows"] = progress.rows;
+            told["seconds"] = progress.seconds;
+            told["lost"] = progress.lost;
+            told["bytes"] = progress.bytes;
+            return told;
+        });
+}
+
+}  // namespace
+
+void defineReceive(py::module_& module) {
+    py::class_<Clock, SharedClock>(module, "Clock").def("now_ns", &Clock::nowNs);
+
+    py::class_<NativeSubscription>(module, "Subscription")
+        .def("next", &NativeSubscription::next, py::arg("timeout"))
+        .def("try_next", &NativeSubscription::tryNext)
+        .def("lost", [](const NativeSubscription& self) { return self.subscription.lost(); })
+        .def("pending", [](const NativeSubscription& self) { return self.subscription.pending(); });
+
+    py::class_<NativeReceiver, std::shared_ptr<NativeReceiver>>(module, "Receiver")
+        .def(py::init([](const std::string& host, int port, double frequency, std::vector<std::string> fields,
+                         int priority, SharedClock clock) {
+                 receive::ReceiverOptions options;
+                 options.host = host;
+                 options.port = static_cast<std::uint16_t>(port);
+                 options.frequency = frequency;
+                 if (!fields.empty()) {
+                     options.fields = std::move(fields);
+                 }
+                 options.priority = priority;
+                 return std::make_shared<NativeReceiver>(std::move(options), std::move(clock));
+             }),
+             py::arg("host"), py::arg("port"), py::arg("frequency"), py::arg("fields"), py::arg("priority"),
+             py::arg("clock"))
+        .def("start", [](NativeReceiver& self) { taken(self.receiver.start()); })
+        .def(
+            "stop", [](NativeReceiver& self) { self.receiver.stop(); },
+            py::call_guard<py::gil_scoped_release>())
+        .def(
+            "wait_for_data",
+            [](NativeReceiver& self, const Seconds& seconds) {
+                return sampleTuple(waited(
+                    seconds, [&](const Deadline& deadline) { return self.receiver.waitForData(deadline); }));
+            },
+            py::arg("timeout"))
+        .def("latest", [](const NativeReceiver& self) { return sampleTuple(self.receiver.latest()); })
+        .def("age",
+             [](const NativeReceiver& self) { return static_cast<double>(self.receiver.ageNs()) * 1e-9; })
+        .def("subscribe",
+             [](std::shared_ptr<NativeReceiver> self) {
+                 NativeSubscription made{self, self->receiver.subscribe(), Sample(self->receiver.layout())};
+                 return made;
+             })
+        .def("layout",
+             [](const NativeReceiver& self) {
+                 py::list entries;
+                 for (const auto& entry : self.receiver.layout()->entries()) {
+                     entries.append(
+                         py::make_tuple(entry.name, entry.first, entry.count, toString(entry.type)));
+                 }
+                 return entries;
+             })
+        .def("state", [](const NativeReceiver& self) { return toString(self.receiver.state()); })
+        .def("version",
+             [](const NativeReceiver& self) {
+                 const auto version = self.receiver.version();
+                 return py::make_tuple(version.major, version.minor, version.bugfix, version.build);
+             })
+        .def("period", [](const NativeReceiver& self) { return self.receiver.period(); })
+        .def("absent_fields", [](const NativeReceiver& self) { return self.receiver.absentFields(); })
+        .def("counters", [](const NativeReceiver& self) {
+            const auto counters = self.receiver.counters();
+            py::dict told;
+            told["packets"] = counters.packets;
+            told["late"] = counters.late;
+            told["lost"] = counters.lost;
+            told["reconnects"] = counters.reconnects;
+            told["rate"] = counters.rateHz;
+            return told;
+        });
+    defineRecorder(module);
+}
+
+}  // namespace tiller::python
+
+PYBIND11_MODULE(_native, module) {
+    namespace own = tiller::python;
+    module.attr("__version__") = TILLER_VERSION;
+    own::defineReceive(module);
+    own::defineControl(module);
+    own::defineServices(module);
+    own::defineSimulator(module);
+}

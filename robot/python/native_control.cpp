@@ -1,0 +1,452 @@
+// SPDX-License-Identifier: MIT
+// Of tiller._native: control of the arm, motions, streams, jogs and packet loops.
+//
+// What moves ends with its handle: whoever loses it (an exception, a name used again, the interpreter's end)
+// lets the arm brake. A process that dies takes the heartbeat with it, and the arm brakes by itself.
+#include <exception>
+
+#include "robot/control/arm_queries.h"
+#include "robot/control/compliance.h"
+#include "robot/control/motions.h"
+#include "robot/control/packet_loop.h"
+#include "robot/control/programs.h"
+#include "robot/control/tool_setup.h"
+#include "robot/python/native_objects.h"
+
+namespace tiller::python {
+
+namespace {
+
+using namespace control;
+using SharedController = std::shared_ptr<NativeController>;
+
+/// A motion that ends with this object.
+class NativeMotion {
+public:
+    NativeMotion(SharedController controller, Motion motion)
+        : controller_(std::move(controller)), motion_(std::move(motion)) {}
+    NativeMotion(NativeMotion&&) = default;
+    NativeMotion& operator=(NativeMotion&&) = delete;
+    ~NativeMotion() {
+        if (controller_ && motion_.kind() != MotionKind::Stop) {
+            motion_.cancel(StopCause::ApiCall);
+        }
+    }
+
+    void wait(const Seconds& seconds) const {
+        waited(seconds, [this](const Deadline& deadline) { return motion_.wait(deadline); });
+    }
+    bool cancel() const { return motion_.cancel(StopCause::ApiCall); }
+    bool isActive() const { return motion_.isActive(); }
+    std::string kind() const { return toString(motion_.kind()); }
+    std::string cause() const { return toString(motion_.state().cause); }
+    py::dict progress() const {
+        const MotionProgress now = motion_.progress();
+        py::dict told;
+        told["active"] = now.phase == MotionPhase::Active;
+        told["cause"] = toString(now.cause);
+        told["fraction"] = now.fraction;
+        told["waypoint"] = now.waypoint;
+        told["waypoints"] = now.waypoints;
+        told["executing"] = now.executing;
+        told["speed_fraction"] = now.speedFraction;
+        told["speed_scaling"] = now.speedScaling;
+        return told;
+    }
+    const Motion& motion() const { return motion_; }
+
+private:
+    SharedController controller_;
+    Motion motion_;
+};
+
+std::unique_ptr<NativeMotion> handle(const SharedController& controller, Result<Motion> motion) {
+    return std::make_unique<NativeMotion>(controller, taken(std::move(motion)));
+}
+
+/// A stream of set points that ends with this object.
+template <class Setpoints, class Target>
+struct NativeStream {
+    NativeStream(const SharedController& controller, Setpoints s)
+        : setpoints(std::move(s)), motion(controller, setpoints.motion()) {}
+    Setpoints setpoints;
+    NativeMotion motion;
+
+    void send(const Six& target) {
+        if constexpr (std::is_same_v<Target, Twist>) {
+            taken(setpoints.send(twistOf(target)));
+        } else if constexpr (std::is_same_v<Target, Pose>) {
+            taken(setpoints.send(Pose::fromArray(target)));
+        } else {
+            taken(setpoints.send(Target(target)));
+        }
+    }
+};
+using NativeJointServo = NativeStream<JointServo, JointPositions>;
+using NativePoseServo = NativeStream<PoseServo, Pose>;
+using NativeJointSpeed = NativeStream<JointSpeed, JointVelocities>;
+using NativeToolSpeed = NativeStream<ToolSpeed, Twist>;
+
+template <class Stream>
+void defineStream(py::module_& module, const char* name) {
+    py::class_<Stream>(module, name)
+        .def("send", &Stream::send, py::arg("target"))
+        .def("is_active", [](const Stream& self) { return self.motion.isActive(); })
+        .def("cause", [](const Stream& self) { return self.motion.cause(); })
+        .def("cancel", [](const Stream& self) { return self.motion.cancel(); })
+        .def(
+            "wait", [](const Stream& self, const Seconds& seconds) { self.motion.wait(seconds); },
+            py::arg("timeout"));
+}
+
+/// A jog that ends with this object, and 100 ms after its last refresh.
+class NativeJog {
+public:
+    NativeJog(SharedController controller, const JogTarget& target)
+        : controller_(std::move(controller)), id_(taken(controller_->controller.startJog(target))) {}
+    NativeJog(const NativeJog&) = delete;
+    NativeJog& operator=(const NativeJog&) = delete;
+    ~NativeJog() { end(); }
+
+    bool refresh(const std::optional<JogTarget>& target) {
+        return target ? controller_->controller.refreshJog(id_, *target)
+                      : controller_->controller.refreshJog(id_);
+    }
+    bool end() { return controller_->controller.end(id_, StopCause::ApiCall); }
+    bool isActive() const { return controller_->controller.motionState(id_).phase == MotionPhase::Active; }
+    std::string cause() const { return toString(controller_->controller.motionState(id_).cause); }
+
+private:
+    SharedController controller_;
+    JogId id_;
+};
+
+JogTarget jogTarget(const std::string& frame, const Six& velocity, const Six& customFrame,
+                    double contactForce) {
+    JogTarget target;
+    target.contactForce = contactForce;
+    if (frame == "joints") {
+        target.kind = JogTarget::Kind::Joint;
+        target.qd = JointVelocities(velocity);
+        return target;
+    }
+    target.frame = frame == "tool" ? JogFrame::Tool : frame == "custom" ? JogFrame::Custom : JogFrame::Base;
+    target.twist = twistOf(velocity);
+    target.T_base_frame = Pose::fromArray(customFrame);
+    return target;
+}
+
+py::dict cycleDict(const CycleState& cycle) {
+    py::dict told;
+    const auto array = [](const Six& v) { return py::array_t<double>(6, v.data()); };
+    told["cycle"] = cycle.cycle;
+    told["fresh"] = cycle.fresh;
+    told["missed"] = cycle.missed;
+    told["time"] = cycle.time;
+    told["period"] = cycle.period;
+    told["q"] = array(cycle.q.array());
+    told["qd"] = array(cycle.qd.array());
+    told["tcp_pose"] = array(cycle.tcpPose.array());
+    const Vector6 speed = cycle.tcpSpeed.vector();
+    told["tcp_speed"] = py::array_t<double>(6, speed.data());
+    told["speed_fraction"] = cycle.speedFraction;
+    told["speed_scaling"] = cycle.speedScaling;
+    return told;
+}
+
+/// Runs a loop whose target a Python callable computes. What it raises ends the loop: the arm brakes, and the
+/// caller gets the exception.
+py::dict packetLoop(const SharedController& controller, const std::string& kind, const py::function& callback,
+                    bool atOnce, const Seconds& seconds) {
+    std::exception_ptr thrown;
+    CycleReport report;
+    const auto ask = [&](const CycleState& cycle) -> std::optional<Six> {
+        const py::gil_scoped_acquire locked;
+        try {
+            const py::object answer = callback(cycleDict(cycle));
+            return answer.is_none() ? std::nullopt : std::optional(answer.cast<Six>());
+        } catch (...) {
+            thrown = std::current_exception();
+            return std::nullopt;
+        }
+    };
+    const CancelToken token([] { return isInterrupted(); });
+    const Deadline deadline =
+        seconds ? Deadline::after(std::chrono::duration<double>(*seconds), token) : Deadline::never(token);
+    Result<void> result;
+    {
+        const py::gil_scoped_release released;
+        PacketLoop loop(controller->controller, atOnce ? Pacing::AtOnce : Pacing::Even);
+        const auto as = [&ask](auto make) {
+            return [&ask, make](const CycleState& cycle) {
+                const auto six = ask(cycle);
+                return six ? std::optional(make(*six)) : std::nullopt;
+            };
+        };
+        if (kind == "servo_j") {
+            result = loop.servoJ(as([](const Six& v) { return JointPositions(v); }), {}, deadline, &report);
+        } else if (kind == "servo_l") {
+            result = loop.servoL(as([](const Six& v) { return Pose::fromArray(v); }), {}, deadline, &report);
+        } else if (kind == "speed_j") {
+            result = loop.speedJ(as([](const Six& v) { return JointVelocities(v); }), {}, deadline, &report);
+        } else {
+            result = loop.speedL(as([](const Six& v) { return twistOf(v); }), {}, deadline, &report);
+        }
+    }
+    if (thrown) {
+        std::rethrow_exception(thrown);
+    }
+    if (PyErr_Occurred() != nullptr) {
+        throw py::error_already_set();
+    }
+    taken(result);
+    py::dict told;
+    told["cycles"] = report.cycles;
+    told["missed"] = report.missed;
+    told["stale"] = report.stale;
+    told["late"] = report.late;
+    told["overruns"] = report.overruns;
+    told["longest_call"] = static_cast<double>(report.calls.maxNs()) * 1e-9;
+    return told;
+}
+
+py::dict statusDict(const NativeController& self) {
+    const ControllerStatus status = self.controller.status();
+    py::dict told;
+    told["in_control"] = status.inControl;
+    told["loss"] = toString(status.loss);
+    told["robot_mode"] = toString(status.robotMode);
+    told["safety_mode"] = toString(status.safetyMode);
+    told["moving"] = status.moving;
+    told["executing"] = status.executing;
+    told["limiter"] = toString(status.limiter.kind);
+    told["limiter_joint"] = status.limiter.joint;
+    told["limiter_scale"] = status.limiter.scale;
+    told["last_cause"] = toString(status.lastCause);
+    told["last_stop_ms"] = status.lastStop.durationMs;
+    told["last_stop_mm"] = status.lastStop.distanceMm;
+    told["round_trip_ms"] = status.roundTripMs;
+    told["speed_fraction"] = status.speedFraction;
+    told["speed_scaling"] = status.speedScaling;
+    return told;
+}
+
+/// (kind, target is a pose, target, via or None, speed, acceleration, blend)
+using PathRow = std::tuple<std::string, bool, Six, std::optional<Six>, double, double, double>;
+
+MotionPath pathOf(const std::vector<PathRow>& rows) {
+    MotionPath path;
+    for (const auto& [kind, isPose, target, via, speed, acceleration, blend] : rows) {
+        PathEntry entry;
+        entry.kind = kind == "l"   ? PathEntry::Kind::MoveL
+                     : kind == "p" ? PathEntry::Kind::MoveP
+                     : kind == "c" ? PathEntry::Kind::MoveC
+                                   : PathEntry::Kind::MoveJ;
+        const auto place = [isPose = isPose](const Six& v) {
+            return isPose ? PathEntry::Target(Pose::fromArray(v)) : PathEntry::Target(JointPositions(v));
+        };
+        entry.target = place(target);
+        if (via) {
+            entry.via = place(*via);
+        }
+        entry.speed = speed;
+        entry.acceleration = acceleration;
+        entry.blend = blend;
+        path.push_back(entry);
+    }
+    return path;
+}
+
+using ControllerClass = py::class_<NativeController, SharedController>;
+
+void defineMotions(ControllerClass& cls) {
+    const auto parameters = [](double speed, double acceleration) {
+        return MoveParameters{.speed = speed, .acceleration = acceleration, .holding = Holding::Free};
+    };
+    cls.def("move_j", [parameters](const SharedController& self, const Six& q, double speed,
+                                   double acceleration) {
+        return handle(self,
+                      Motions(self->controller).moveJ(JointPositions(q), parameters(speed, acceleration)));
+    });
+    cls.def("move_j_to_pose", [parameters](const SharedController& self, const Six& pose, double speed,
+                                           double acceleration) {
+        return handle(
+            self, Motions(self->controller).moveJ(Pose::fromArray(pose), parameters(speed, acceleration)));
+    });
+    cls.def("move_l", [parameters](const SharedController& self, const Six& pose, double speed,
+                                   double acceleration) {
+        return handle(
+            self, Motions(self->controller).moveL(Pose::fromArray(pose), parameters(speed, acceleration)));
+    });
+    cls.def("move_path",
+            [](const SharedController& self, const std::vector<PathRow>& rows, const Seconds& seconds) {
+                const MotionPath path = pathOf(rows);
+                return handle(self, waited(seconds, [&](const Deadline& deadline) {
+                                  return Motions(self->controller).movePath(path, deadline);
+                              }));
+            });
+    cls.def("move_until_contact", [](const SharedController& self, const Six& twist, const Six& direction,
+                                     double acceleration, const Seconds& seconds) {
+        return handle(self, waited(seconds, [&](const Deadline& deadline) {
+                          return Motions(self->controller)
+                              .moveUntilContact(twistOf(twist), twistOf(direction), acceleration, deadline);
+                      }));
+    });
+    cls.def("stop_j", [](const SharedController& self, double deceleration) {
+        return handle(self, Motions(self->controller).stopJ(deceleration));
+    });
+    cls.def("stop_l", [](const SharedController& self, double deceleration) {
+        return handle(self, Motions(self->controller).stopL(deceleration));
+    });
+    cls.def("servo_j", [](const SharedController& self, double lookahead, double gain) {
+        return std::make_unique<NativeJointServo>(
+            self, taken(Motions(self->controller).startServoJ({.lookahead = lookahead, .gain = gain})));
+    });
+    cls.def("servo_l", [](const SharedController& self, double lookahead, double gain) {
+        return std::make_unique<NativePoseServo>(
+            self, taken(Motions(self->controller).startServoL({.lookahead = lookahead, .gain = gain})));
+    });
+    cls.def("speed_j", [](const SharedController& self, double acceleration) {
+        return std::make_unique<NativeJointSpeed>(
+            self, taken(Motions(self->controller).startSpeedJ({.acceleration = acceleration})));
+    });
+    cls.def("speed_l", [](const SharedController& self, double acceleration) {
+        return std::make_unique<NativeToolSpeed>(
+            self, taken(Motions(self->controller).startSpeedL({.acceleration = acceleration})));
+    });
+    cls.def("jog", [](const SharedController& self, const std::string& frame, const Six& velocity,
+                      const Six& customFrame, double contactForce) {
+        return std::make_unique<NativeJog>(self, jogTarget(frame, velocity, customFrame, contactForce));
+    });
+    cls.def("packet_loop", &packetLoop);
+    cls.def("freedrive", [](const SharedController& self) {
+        return handle(self, Compliance(self->controller).startFreedrive());
+    });
+}
+
+void defineQueries(ControllerClass& cls) {
+    cls.def("inverse_kinematics", [](const SharedController& self, const Six& pose,
+                                     const std::optional<Six>& near, const Seconds& seconds) {
+        InverseOptions options;
+        if (near) {
+            options.near = JointPositions(*near);
+        }
+        return waited(seconds,
+                      [&](const Deadline& deadline) {
+                          return ArmQueries(self->controller)
+                              .inverseKinematics(Pose::fromArray(pose), options, deadline);
+                      })
+            .array();
+    });
+    cls.def("forward_kinematics", [](const SharedController& self, const Six& q, const Seconds& seconds) {
+        return waited(seconds,
+                      [&](const Deadline& deadline) {
+                          return ArmQueries(self->controller)
+                              .forwardKinematics(JointPositions(q), std::nullopt, deadline);
+                      })
+            .array();
+    });
+    cls.def("set_payload", [](const SharedController& self, double mass,
+                              const std::optional<std::array<double, 3>>& cog, const Seconds& seconds) {
+        const auto centre =
+            cog ? std::optional(Eigen::Vector3d((*cog)[0], (*cog)[1], (*cog)[2])) : std::nullopt;
+        waited(seconds, [&](const Deadline& deadline) {
+            return ToolSetup(self->controller).setPayload(mass, centre, deadline);
+        });
+    });
+    cls.def("set_tcp", [](const SharedController& self, const Six& tcp, const Seconds& seconds) {
+        waited(seconds, [&](const Deadline& deadline) {
+            return ToolSetup(self->controller).setTcp(Pose::fromArray(tcp), deadline);
+        });
+    });
+    cls.def("zero_force_sensor", [](const SharedController& self, const Seconds& seconds) {
+        waited(seconds, [&](const Deadline& deadline) {
+            return ToolSetup(self->controller).zeroForceSensor(deadline);
+        });
+    });
+    cls.def("force_mode",
+            [](const SharedController& self, const Six& frame, const std::array<bool, 6>& compliant,
+               const Six& wrench, int type, const Six& limits, const Seconds& seconds) {
+                ForceMode mode;
+                mode.taskFrame = Pose::fromArray(frame);
+                mode.compliant = compliant;
+                mode.wrench = wrenchOf(wrench);
+                mode.type = static_cast<ForceMode::Type>(type);
+                mode.limits = limits;
+                waited(seconds, [&](const Deadline& deadline) {
+                    return Compliance(self->controller).setForceMode(mode, deadline);
+                });
+            });
+    cls.def("end_force_mode", [](const SharedController& self, const Seconds& seconds) {
+        waited(seconds,
+               [&](const Deadline& deadline) { return Compliance(self->controller).endForceMode(deadline); });
+    });
+    cls.def("start_function", [](const SharedController& self, const std::string& name,
+                                 const std::string& body, const Seconds& seconds) {
+        return handle(self, waited(seconds, [&](const Deadline& deadline) {
+                          return Programs(self->controller).startFunction(name, body, deadline);
+                      }));
+    });
+    cls.def("run_script",
+            [](const SharedController& self, const std::string& program, const Seconds& seconds) {
+                waited(seconds, [&](const Deadline& deadline) {
+                    return Programs(self->controller).runScript(program, deadline);
+                });
+            });
+}
+
+}  // namespace
+
+void defineControl(py::module_& module) {
+    py::class_<NativeMotion>(module, "Motion")
+        .def("wait", &NativeMotion::wait, py::arg("timeout"))
+        .def("cancel", &NativeMotion::cancel)
+        .def("is_active", &NativeMotion::isActive)
+        .def("kind", &NativeMotion::kind)
+        .def("cause", &NativeMotion::cause)
+        .def("progress", &NativeMotion::progress);
+    py::class_<NativeJog>(module, "Jog")
+        .def("refresh", [](NativeJog& self) { return self.refresh({}); })
+        .def("change",
+             [](NativeJog& self, const std::string& frame, const Six& velocity, const Six& customFrame,
+                double contactForce) {
+                 return self.refresh(jogTarget(frame, velocity, customFrame, contactForce));
+             })
+        .def("end", &NativeJog::end)
+        .def("is_active", &NativeJog::isActive)
+        .def("cause", &NativeJog::cause);
+    defineStream<NativeJointServo>(module, "JointServo");
+    defineStream<NativePoseServo>(module, "PoseServo");
+    defineStream<NativeJointSpeed>(module, "JointSpeed");
+    defineStream<NativeToolSpeed>(module, "ToolSpeed");
+
+    ControllerClass cls(module, "Controller");
+    cls.def(py::init([](const std::string& host, int portOffset, bool upperRegisters, int priority,
+                        double speedCap, SharedClock clock) {
+                ControllerOptions options;
+                options.host = host;
+                options.portOffset = portOffset;
+                options.registers = upperRegisters ? RegisterRange::Upper : RegisterRange::Lower;
+                options.priority = priority;
+                auto made = std::make_shared<NativeController>(options, std::move(clock));
+                taken(made->controller.setSpeedCap(speedCap));
+                return made;
+            }),
+            py::arg("host"), py::arg("port_offset"), py::arg("upper_registers"), py::arg("priority"),
+            py::arg("speed_cap"), py::arg("clock"));
+    cls.def("take_control", [](const SharedController& self, const Seconds& seconds) {
+        waited(seconds, [&](const Deadline& deadline) { return self->controller.takeControl(deadline); });
+    });
+    cls.def(
+        "release", [](NativeController& self) { self.controller.release(); },
+        py::call_guard<py::gil_scoped_release>());
+    cls.def("stop", [](NativeController& self) { self.controller.stop(StopCause::ApiCall); });
+    cls.def("status", &statusDict);
+    cls.def("speed_cap", [](const NativeController& self) { return self.controller.limits().tcpSpeed; });
+    cls.def("set_speed_cap",
+            [](NativeController& self, double cap) { taken(self.controller.setSpeedCap(cap)); });
+    defineMotions(cls);
+    defineQueries(cls);
+}
+
+}  // namespace tiller::python

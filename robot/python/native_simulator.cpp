@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// Of tiller._native: the simulated controller in this very process.
+#include <QCoreApplication>
+#include <algorithm>
+#include <thread>
+
+#include "robot/python/native_objects.h"
+#include "robot/simulator/controller.h"
+#include "robot/simulator/personality.h"
+
+namespace tiller::python {
+
+namespace {
+
+/// The sockets of Qt Network want an application object; whoever brought one keeps it.
+void makeApplication() {
+    if (QCoreApplication::instance() == nullptr) {
+        static int count = 1;
+        static char name[] = "tiller";
+        static char* arguments[] = {name, nullptr};
+        static QCoreApplication* const application = new QCoreApplication(count, arguments);
+        static_cast<void>(application);  // lives as long as the process
+    }
+}
+
+/// The robot and, in virtual time, the clock that it shares with its clients.
+class NativeSimulator {
+public:
+    explicit NativeSimulator(const simulator::ControllerOptions& options)
+        : clock_(options.time == simulator::Time::Virtual ? std::make_shared<VirtualClock>() : nullptr)
+        , robot(options) {}
+    ~NativeSimulator() { robot.stop(); }
+
+    SharedClock clock() const { return clock_; }
+    void follow(const std::shared_ptr<NativeReceiver>& receiver) { receivers_.push_back(receiver); }
+    void follow(const std::shared_ptr<NativeController>& controller) { controllers_.push_back(controller); }
+
+    /// One control period of the robot and of all who share its clock: each has taken the packet in, and who
+    /// is in control has answered, when it returns.
+    void tick() {
+        const auto receivers = living(receivers_);
+        const auto controllers = living(controllers_);
+        struct Awaited {
+            receive::Receiver* receiver;
+            std::uint64_t packets;
+        };
+        std::vector<Awaited> awaited;
+        for (const auto& receiver : receivers) {
+            if (receiver->receiver.state() == receive::ReceiverState::Receiving) {
+                awaited.push_back({&receiver->receiver, receiver->receiver.counters().packets});
+            }
+        }
+        const auto answering = static_cast<std::uint64_t>(
+            std::count_if(controllers.begin(), controllers.end(),
+                          [](const auto& controller) { return controller->controller.status().inControl; }));
+        const std::uint64_t inputs = robot.inputPackages();
+        clock_->advanceNs(static_cast<std::int64_t>(robot.stepTime() * 1e9));
+        robot.step();
+        // In real time, and only so long as somebody may still answer: a client that was stopped does not.
+        const auto end = std::chrono::steady_clock::now() + kPatience;
+        const auto isPatient = [end] { return std::chrono::steady_clock::now() < end; };
+        for (const Awaited& one : awaited) {
+            while (one.receiver->counters().packets == one.packets &&
+                   one.receiver->state() == receive::ReceiverState::Receiving && isPatient()) {
+                std::this_thread::yield();
+            }
+        }
+        const auto inControl = [&] {
+            return std::any_of(controllers.begin(), controllers.end(), [](const auto& controller) {
+                return controller->controller.status().inControl;
+            });
+        };
+        while (
+            answering > 0 && inControl() && isPatient() &&
+            !robot.waitForInputPackages(inputs + answering, Deadline::after(std::chrono::milliseconds(20)))) {
+        }
+        // Whoever connects just now wants an answer without time going on.
+        robot.drainSockets();
+    }
+
+    void step(double seconds) {
+        const int ticks = static_cast<int>(std::lround(seconds / robot.stepTime()));
+        for (int i = 0; i < ticks && !isEnding; ++i) {
+            tick();
+        }
+    }
+
+private:
+    static constexpr std::chrono::milliseconds kPatience{500};
+
+    template <class T>
+    static std::vector<std::shared_ptr<T>> living(std::vector<std::weak_ptr<T>>& all) {
+        std::vector<std::shared_ptr<T>> there;
+        std::erase_if(all, [](const auto& one) { return one.expired(); });
+        for (const auto& one : all) {
+            if (auto held = one.lock()) {
+                there.push_back(std::move(held));
+            }
+        }
+        return there;
+    }
+
+    std::shared_ptr<VirtualClock> clock_;
+    std::vector<std::weak_ptr<NativeReceiver>> receivers_;
+    std::vector<std::weak_ptr<NativeController>> controllers_;
+
+public:
+    simulator::Controller robot;
+    std::atomic<bool> isEnding{false};
+};
+
+py::dict truthDict(const NativeSimulator& self) {
+    const simulator::Truth truth = self.robot.truth();
+    const auto array = [](const Six& v) { return py::array_t<double>(6, v.data()); };
+    py::dict told;
+    told["timestamp"] = truth.timestamp;
+    told["robot_mode"] = toString(truth.robotMode);
+    told["safety_mode"] = toString(truth.safetyMode);
+    told["runtime_state"] = toString(truth.runtimeState);
+    told["q"] = array(truth.q.array());
+    told["qd"] = array(truth.qd.array());
+    told["tcp_pose"] = array(truth.tcpPose.array());
+    const Vector6 speed = truth.tcpSpeed.vector();
+    told["tcp_speed"] = py::array_t<double>(6, speed.data());
+    told["speed_slider"] = truth.speedSlider;
+    told["digital_outputs"] = truth.digitalOutputs;
+    return told;
+}
+
+}  // namespace
+
+void defineSimulator(py::module_& module) {
+    using Released = py::call_guard<py::gil_scoped_release>;
+    py::class_<NativeSimulator, std::shared_ptr<NativeSimulator>>(module, "Simulator")
+        .def(py::init([](const std::string& model, const std::string& software, const std::string& address,
+                         bool inVirtualTime, bool poweredOn, const std::optional<Six>& start,
+                         bool remoteControl, const std::string& programs) {
+                 makeApplication();
+                 simulator::ControllerOptions options;
+                 const auto id = robotModelByName(model);
+                 if (!id) {
+                     raise({ErrorCode::InvalidArgument, QStringLiteral("make a simulator"),
+                            QStringLiteral("there is no model \"%1\"").arg(QString::fromStdString(model))});
+                 }
+                 options.model = *id;
+                 if (!software.empty()) {
+                     options.software = taken(simulator::parseSoftware(QString::fromStdString(software)));
+                 }
+                 options.listenAddress = address;
+                 options.time = inVirtualTime ? simulator::Time::Virtual : simulator::Time::Real;
+                 options.poweredOn = poweredOn;
+                 options.fastTransitions = true;
+                 if (start) {
+                     options.startJoints = JointPositions(*start);
+                 }
+                 options.remoteControl = remoteControl;
+                 options.gateLocalControl = !remoteControl;
+                 options.programsFolder = programs;
+                 return std::make_shared<NativeSimulator>(options);
+             }),
+             py::arg("model"), py::arg("software"), py::arg("address"), py::arg("virtual"),
+             py::arg("powered_on"), py::arg("start"), py::arg("remote_control"), py::arg("programs"))
+        .def("start",
+             [](NativeSimulator& self) {
+                 const auto started = [&] {
+                     const py::gil_scoped_release released;
+                     return self.robot.start();
+                 }();
+                 taken(started);
+             })
+        .def(
+            "stop",
+            [](NativeSimulator& self) {
+                self.isEnding = true;
+                self.robot.stop();
+            },
+            Released())
+        .def("is_running", [](const NativeSimulator& self) { return self.robot.isRunning(); })
+        .def("clock", &NativeSimulator::clock)
+        .def("follow", py::overload_cast<const std::shared_ptr<NativeReceiver>&>(&NativeSimulator::follow))
+        .def("follow", py::overload_cast<const std::shared_ptr<NativeController>&>(&NativeSimulator::follow))
+        .def("step", &NativeSimulator::step, py::arg("seconds"), Released())
+        .def("tick", &NativeSimulator::tick, Released())
+        .def("step_time", [](const NativeSimulator& self) { return self.robot.stepTime(); })
+        .def("truth", &truthDict)
+        .def(
+            "inject",
+            [](NativeSimulator& self, const std::string& words) {
+                const auto answer = [&] {
+                    const py::gil_scoped_release released;
+                    return self.robot.inject(words);
+                }();
+                return string(taken(answer));
+            },
+            py::arg("words"))
+        .def("set_digital_input",
+             [](NativeSimulator& self, int n, bool on) { self.robot.setDigitalInput(n, on); })
+        .def("set_analog_input",
+             [](NativeSimulator& self, int n, double v) { self.robot.setAnalogInput(n, v); })
+        .def("press_hand",
+             [](NativeSimulator& self, const Six& wrench) { self.robot.pressHand(wrenchOf(wrench)); });
+}
+
+}  // namespace tiller::python

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: MIT
+"""Watches and moves Universal Robots arms, and simulates them.
+
+    import tiller
+
+    with tiller.Robot("192.168.0.10") as robot:
+        print(robot.state.q)                                    # rad, a numpy array
+        robot.take_control()
+        robot.move_j(robot.state.q + [0.1, 0, 0, 0, 0, 0]).wait()
+
+SI units throughout: m, rad, s, N, Nm, A, kg; poses are position and rotation vector, in the base frame. Without a robot:
+`with tiller.Simulator() as simulator: robot = tiller.Robot(simulator.address)`.
+"""
+from . import doctor, errors, kinematics
+from ._native import __version__
+from .doctor import examine
+from .errors import Error
+from .kinematics import Kinematics
+from .motions import Jog, Move, PathMove, Progress, Stream
+from .receive import Recording, Sample, Samples, read_recording
+from .robot import LoopReport, Robot
+from .services import Consent, Dashboard, Outputs, Registers, Service
+from .simulator import Simulator
+
+__all__ = ["Consent", "Dashboard", "Error", "Jog", "Kinematics", "LoopReport", "Move", "Outputs", "PathMove", "Progress",
+           "Recording", "Registers", "Robot", "Sample", "Samples", "Service", "Simulator", "Stream", "__version__",
+           "doctor", "errors", "examine", "kinematics", "read_recording"]

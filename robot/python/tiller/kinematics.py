@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: MIT
+"""Kinematics without a robot, with the nominal dimensions of each model.
+
+A real arm differs from them by its calibration, up to some millimetres: Robot.inverse_kinematics() asks it.
+"""
+from __future__ import annotations
+
+import numpy as np
+
+from . import _native
+from ._values import ZEROS, Array, Floats, floats
+from .errors import NoSolution
+
+
+def models() -> list[str]:
+    """The names of the arms: "UR5e" ..."""
+    return _native.model_names()
+
+
+class Kinematics:
+    """Forward and inverse kinematics of a model. tcp: the TCP as a pose in the flange frame [m, rad]."""
+
+    def __init__(self, model: str, tcp: Floats = ZEROS) -> None:
+        facts = _native.model_facts(model)
+        self.model: str = facts["name"]
+        self.reach: float = facts["reach"]  #: [m]
+        self.max_payload: float = facts["max_payload"]  #: [kg]
+        self.max_joint_speed: Array = np.array(facts["max_joint_speed"])  #: [rad/s]
+        self.tcp = floats(tcp, "tcp")
+
+    def forward(self, q: Floats) -> Array:
+        """Pose of the TCP in the base frame [m, rad] for joint positions [rad]."""
+        return np.array(_native.forward(self.model, floats(q, "q"), self.tcp))
+
+    def inverse(self, pose: Floats) -> Array:
+        """All joint positions [rad] that give this pose of the TCP, one a row (0 to 8), each joint in (-pi, pi]."""
+        solutions = _native.inverse(self.model, floats(pose, "pose"), self.tcp)
+        return np.array(solutions).reshape(len(solutions), 6)
+
+    def inverse_nearest(self, pose: Floats, near: Floats) -> Array:
+        """The joint positions [rad] nearest to these that give this pose of the TCP. Raises NoSolution."""
+        q = _native.inverse_nearest(self.model, floats(pose, "pose"), self.tcp, floats(near, "near"))
+        if q is None:
+            raise NoSolution("inverse kinematics", "the pose cannot be reached")
+        return np.array(q)
+
+    def jacobian(self, q: Floats) -> Array:
+        """6 x 6: tool speed in the base frame [m/s, rad/s] from joint velocities [rad/s]."""
+        return _native.jacobian(self.model, floats(q, "q"), self.tcp)
+
+    def __repr__(self) -> str:
+        return f"<tiller.Kinematics {self.model}, tcp {self.tcp}>"
+
+
+def pose_product(a: Floats, b: Floats) -> Array:
+    """T_a_c of the poses T_a_b and T_b_c [m, rad]."""
+    return np.array(_native.pose_product(floats(a, "a"), floats(b, "b")))
+
+
+def pose_inverse(pose: Floats) -> Array:
+    """T_b_a of the pose T_a_b [m, rad]."""
+    return np.array(_native.pose_inverse(floats(pose, "pose")))

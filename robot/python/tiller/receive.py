@@ -1,0 +1,230 @@
+# SPDX-License-Identifier: MIT
+"""What the robot sends: samples with names, arrays, and recordings."""
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager
+from types import TracebackType
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import _native
+from ._values import Array
+from .errors import NotConnected
+
+if TYPE_CHECKING:
+    import pandas
+
+ROBOT_MODES = {-1: "NO_CONTROLLER", 0: "DISCONNECTED", 1: "CONFIRM_SAFETY", 2: "BOOTING", 3: "POWER_OFF", 4: "POWER_ON",
+               5: "IDLE", 6: "BACKDRIVE", 7: "RUNNING", 8: "UPDATING_FIRMWARE"}
+SAFETY_MODES = {1: "NORMAL", 2: "REDUCED", 3: "PROTECTIVE_STOP", 4: "RECOVERY", 5: "SAFEGUARD_STOP",
+                6: "SYSTEM_EMERGENCY_STOP", 7: "ROBOT_EMERGENCY_STOP", 8: "VIOLATION", 9: "FAULT",
+                10: "VALIDATE_JOINT_ID", 11: "UNDEFINED_SAFETY_MODE"}
+RUNTIME_STATES = {0: "STOPPING", 1: "STOPPED", 2: "PLAYING", 3: "PAUSING", 4: "PAUSED", 5: "RESUMING"}
+
+Layout = dict[str, tuple[int, int]]
+
+
+class Sample:
+    """All values of one data packet. What the robot does not send is NaN: no data is never a number.
+
+    sample["actual_q"] gives any field by its RTDE name: an array of its numbers, a float where it has one.
+    """
+
+    __slots__ = ("sequence", "host_time", "connection", "lost_before", "values", "_layout")
+
+    def __init__(self, parts: tuple[int, int, int, int, Array], layout: Layout) -> None:
+        self.sequence = parts[0]  #: 1 for the first packet; 0: no data yet
+        self.host_time = parts[1] * 1e-9  #: when it came, on this machine's monotonic clock [s]
+        self.connection = parts[2]  #: a change means that the stream was interrupted
+        self.lost_before = parts[3]  #: packets missing just before this one
+        self.values = parts[4]  #: all numbers, in the order of the fields
+        self._layout = layout
+
+    def __getitem__(self, field: str) -> Any:
+        place = self._layout.get(field)
+        if place is None:
+            raise KeyError(f"{field} is not followed: name it in Robot(..., fields=[...])")
+        first, count = place
+        return float(self.values[first]) if count == 1 else self.values[first:first + count]
+
+    def __contains__(self, field: str) -> bool:
+        place = self._layout.get(field)
+        return place is not None and not np.isnan(self.values[place[0]])
+
+    def fields(self) -> list[str]:
+        """Names of the fields that are followed."""
+        return list(self._layout)
+
+    def as_dict(self) -> dict[str, Any]:
+        """All fields with their values."""
+        return {name: self[name] for name in self._layout}
+
+    def _vector(self, field: str) -> Array:
+        place = self._layout.get(field)
+        return np.full(6, np.nan) if place is None else self.values[place[0]:place[0] + place[1]]
+
+    def _number(self, field: str) -> float:
+        place = self._layout.get(field)
+        return float("nan") if place is None else float(self.values[place[0]])
+
+    def _name(self, field: str, names: dict[int, str], unknown: str) -> str:
+        value = self._number(field)
+        return unknown if np.isnan(value) else names.get(int(value), f"UNKNOWN_{int(value)}")
+
+    @property
+    def time(self) -> float:
+        """Time since the controller was started [s]."""
+        return self._number("timestamp")
+
+    @property
+    def q(self) -> Array:
+        """Actual joint positions [rad]."""
+        return self._vector("actual_q")
+
+    @property
+    def qd(self) -> Array:
+        """Actual joint velocities [rad/s]."""
+        return self._vector("actual_qd")
+
+    @property
+    def target_q(self) -> Array:
+        """Target joint positions [rad]."""
+        return self._vector("target_q")
+
+    @property
+    def tcp_pose(self) -> Array:
+        """Actual pose of the TCP in the base frame: position and rotation vector [m, rad]."""
+        return self._vector("actual_TCP_pose")
+
+    @property
+    def tcp_speed(self) -> Array:
+        """Actual speed of the TCP in the base frame [m/s, rad/s]."""
+        return self._vector("actual_TCP_speed")
+
+    @property
+    def tcp_force(self) -> Array:
+        """Force and torque on the TCP in the base frame [N, Nm]."""
+        return self._vector("actual_TCP_force")
+
+    @property
+    def joint_current(self) -> Array:
+        """Actual joint currents [A]."""
+        return self._vector("actual_current")
+
+    @property
+    def speed_slider(self) -> float:
+        """The speed slider, 0 ... 1."""
+        return self._number("target_speed_fraction")
+
+    @property
+    def robot_mode(self) -> str:
+        """The controller's word: "RUNNING"; "DISCONNECTED" when it is not known."""
+        return self._name("robot_mode", ROBOT_MODES, "DISCONNECTED")
+
+    @property
+    def safety_mode(self) -> str:
+        """The controller's word: "NORMAL"; "UNDEFINED_SAFETY_MODE" when it is not known."""
+        return self._name("safety_mode", SAFETY_MODES, "UNDEFINED_SAFETY_MODE")
+
+    @property
+    def runtime_state(self) -> str:
+        """The controller's word: "PLAYING"; "STOPPED" when it is not known."""
+        return self._name("runtime_state", RUNTIME_STATES, "STOPPED")
+
+    def digital_input(self, number: int) -> bool | None:
+        """One digital input: 0-7 standard, 8-15 configurable, 16-17 tool; None when it is not known."""
+        return self._bit("actual_digital_input_bits", number)
+
+    def digital_output(self, number: int) -> bool | None:
+        """One digital output: 0-7 standard, 8-15 configurable, 16-17 tool; None when it is not known."""
+        return self._bit("actual_digital_output_bits", number)
+
+    def _bit(self, field: str, number: int) -> bool | None:
+        bits = self._number(field)
+        return None if np.isnan(bits) else bool(int(bits) >> number & 1)
+
+    def __repr__(self) -> str:
+        return f"<tiller.Sample {self.sequence}, t = {self.time:.3f} s, q = {np.round(self.q, 4).tolist()}>"
+
+
+class Samples(Iterator[Sample]):
+    """Every packet once, from now on: `for sample in robot.samples():`.
+
+    A slow reader loses the oldest packets, which `lost` counts; 8 s at 500 Hz are kept. Ends when the robot is closed.
+    """
+
+    def __init__(self, native: _native.Subscription, layout: Layout, timeout: float | None,
+                 waiting: Callable[[], AbstractContextManager[Any]]) -> None:
+        self._native = native
+        self._layout = layout
+        self._timeout = timeout
+        self._waiting = waiting
+
+    def __iter__(self) -> Samples:
+        return self
+
+    def __next__(self) -> Sample:
+        parts = self._native.try_next()
+        if parts is None:
+            try:
+                with self._waiting():
+                    parts = self._native.next(self._timeout)
+            except NotConnected:
+                raise StopIteration from None
+        return Sample(parts, self._layout)
+
+    @property
+    def lost(self) -> int:
+        """Packets that were overwritten because nobody fetched them."""
+        return self._native.lost()
+
+    @property
+    def pending(self) -> int:
+        """Packets that wait to be fetched."""
+        return self._native.pending()
+
+
+class Recording:
+    """A CSV file that grows by one row for each packet until stop(); ends with its `with` block too."""
+
+    def __init__(self, native: _native.Recorder, path: str) -> None:
+        self._native = native
+        self.path = path
+
+    def stop(self) -> None:
+        """Writes what is left and closes the file. Raises DiskFull or FileNotWritable when writing failed."""
+        self._native.stop()
+
+    @property
+    def rows(self) -> int:
+        """Rows in the file so far."""
+        return int(self._native.progress()["rows"])
+
+    @property
+    def lost(self) -> int:
+        """Packets missing in the file."""
+        return int(self._native.progress()["lost"])
+
+    def frame(self) -> pandas.DataFrame:
+        """The recording as a pandas frame; call stop() first."""
+        return read_recording(self.path)
+
+    def __enter__(self) -> Recording:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None,
+                 trace: TracebackType | None) -> None:
+        self.stop()
+
+    def __repr__(self) -> str:
+        return f"<tiller.Recording {self.path}, {self.rows} rows>"
+
+
+def read_recording(path: str) -> pandas.DataFrame:
+    """A recording as a pandas frame, one row a packet: timestamp, a column for each number (actual_q_0 ...), and
+    packages_lost, how many are missing before the row."""
+    import pandas
+
+    return pandas.read_csv(path)

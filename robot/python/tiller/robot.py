@@ -1,0 +1,386 @@
+# SPDX-License-Identifier: MIT
+"""One robot: what it sends, and everything that can be asked of it."""
+from __future__ import annotations
+
+import atexit
+import contextlib
+import time
+import weakref
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
+from types import TracebackType
+from typing import Any
+
+import numpy as np
+
+from . import _native, services
+from ._values import ZEROS, Array, Floats, floats
+from .motions import Jog, Move, PathMove, Stream
+from .receive import Layout, Recording, Sample, Samples
+from .simulator import Simulator
+
+_open: weakref.WeakSet[Robot] = weakref.WeakSet()
+
+
+@atexit.register
+def _close_all() -> None:
+    for robot in list(_open):
+        robot.close()
+
+
+@dataclass(frozen=True)
+class LoopReport:
+    """How a packet loop went."""
+
+    cycles: int
+    missed: int  #: control periods without a cycle
+    stale: int  #: cycles that ran in time, whose packet did not come
+    late: int  #: cycles that began more than half a period late
+    overruns: int  #: calls that took longer than a period
+    longest_call: float  #: [s]
+
+
+class Robot:
+    """A connection to a robot.
+
+        with tiller.Robot("192.168.0.10") as robot:
+            print(robot.state.tcp_pose)
+            robot.take_control()
+            robot.move_j(robot.state.q + [0.1, 0, 0, 0, 0, 0]).wait()
+
+    Data come at once; control is taken by take_control(). address: of the controller. fields: RTDE outputs to follow,
+    None: what most programs want. frequency: packets a second [Hz]; 0: as many as the controller gives. speed_cap: no
+    command makes TCP or elbow faster than this [m/s]; it binds moves too. timeout: for the first packet [s].
+    upper_registers: talk through registers 24-47 rather than 0-23. priority: of the threads that receive and control, 0
+    for none.
+    Every method may be called from any thread and lets other Python threads run while it waits; Ctrl-C ends every wait.
+    Raises ConnectionRefused, HostUnreachable, AddressInvalid, FieldUnknown (naming the field) or Timeout.
+    """
+
+    def __init__(self, address: str, *, fields: Sequence[str] | None = None, frequency: float = 0.0,
+                 speed_cap: float = 0.25, timeout: float | None = 5.0, port_offset: int = 0,
+                 upper_registers: bool = True, priority: int = 85, simulator: Simulator | None = None) -> None:
+        self.address = address
+        self._port_offset = port_offset
+        self._simulator = simulator
+        clock = None if simulator is None else simulator._native.clock()
+        port = 30004 + port_offset
+        self._receiver = _native.Receiver(address, port, frequency, list(fields or ()), min(priority + 5, 99) if priority
+                                          else 0, clock)
+        self._controller = _native.Controller(address, port_offset, upper_registers, priority, speed_cap, clock)
+        if simulator is not None:
+            simulator._native.follow(self._receiver)
+            simulator._native.follow(self._controller)
+        self._layout: Layout = {name: (first, count) for name, first, count, _ in self._receiver.layout()}
+        self._outputs: services.Outputs | None = None
+        #: power, programs, the pendant
+        self.dashboard = services.Dashboard(address, port_offset, self._waiting)
+        self._receiver.start()
+        try:
+            with self._waiting():
+                self._receiver.wait_for_data(timeout)
+        except BaseException:
+            self._receiver.stop()
+            raise
+        _open.add(self)
+
+    def _waiting(self) -> AbstractContextManager[Any]:
+        return contextlib.nullcontext() if self._simulator is None else self._simulator.flowing()
+
+    def close(self) -> None:
+        """Brakes what moves, gives control back and ends the connection."""
+        self._controller.release()
+        if self._outputs is not None:
+            self._outputs._native.disconnect()
+        self._receiver.stop()
+        _open.discard(self)
+
+    def __enter__(self) -> Robot:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None,
+                 trace: TracebackType | None) -> None:
+        self.close()
+
+    def __repr__(self) -> str:
+        link = self._receiver.state()
+        control = "in control" if self.in_control else "not in control"
+        return f"<tiller.Robot {self.address}, {link.lower()}, {control}>"
+
+    # ---- what it sends
+
+    @property
+    def state(self) -> Sample:
+        """The newest packet. Its values are NaN where the robot does not send them; see wait_for_data()."""
+        return Sample(self._receiver.latest(), self._layout)
+
+    @property
+    def data_age(self) -> float:
+        """Age of the newest packet [s]; enormous when there is none."""
+        return self._receiver.age()
+
+    def wait_for_data(self, timeout: float | None = 5.0) -> Sample:
+        """The newest packet, as soon as there is one that is not older than 100 ms. Raises why there is none."""
+        with self._waiting():
+            return Sample(self._receiver.wait_for_data(timeout), self._layout)
+
+    def samples(self, timeout: float | None = 2.5) -> Samples:
+        """Every packet once, from now on: `for sample in robot.samples():`. timeout: for each [s], raises Timeout.
+
+        At 500 Hz that costs a few percent of a core.
+        """
+        return Samples(self._receiver.subscribe(), self._layout, timeout, self._waiting)
+
+    def snapshot(self, *fields: str) -> tuple[Any, ...]:
+        """Several fields of one packet: `q, pose = robot.snapshot("actual_q", "actual_TCP_pose")`."""
+        sample = self.state
+        return tuple(sample[field] for field in fields)
+
+    def record(self, path: str, fields: Sequence[str] = ()) -> Recording:
+        """Writes one CSV row for each packet from now on; see Recording. Raises FieldUnknown naming each field that is
+        not followed, FileNotWritable, DiskFull."""
+        return Recording(_native.Recorder(self._receiver, path, list(fields)), path)
+
+    @property
+    def version(self) -> tuple[int, int, int, int]:
+        """Of the controller's software."""
+        return self._receiver.version()
+
+    @property
+    def link(self) -> Mapping[str, Any]:
+        """Counts of packets, late and lost ones and reconnects, and the rate [Hz]."""
+        return self._receiver.counters()
+
+    # ---- control
+
+    def take_control(self, timeout: float | None = 10.0) -> Robot:
+        """Uploads the control program; ends the program that runs on the robot. Does nothing when in control.
+
+        Raises RemoteControlRequired, UnsafeState, RegisterInUse and the like, each with what to do.
+        """
+        with self._waiting():
+            self._controller.take_control(timeout)
+        return self
+
+    def release(self) -> None:
+        """Brakes what moves and gives control back; data go on coming."""
+        self._controller.release()
+
+    @property
+    def in_control(self) -> bool:
+        """Whether motions can be commanded."""
+        return bool(self._controller.status()["in_control"])
+
+    @property
+    def status(self) -> Mapping[str, Any]:
+        """What control knows: in_control, loss (why not), moving, limiter (what holds the speed down), last_cause (why the
+        last motion ended), last_stop_ms and last_stop_mm, round_trip_ms and more."""
+        return self._controller.status()
+
+    @property
+    def speed_cap(self) -> float:
+        """No command makes TCP or elbow faster than this [m/s]. Setting it ends what moves."""
+        return self._controller.speed_cap()
+
+    @speed_cap.setter
+    def speed_cap(self, metres_per_second: float) -> None:
+        self._controller.set_speed_cap(metres_per_second)
+
+    def stop(self) -> None:
+        """Ends whatever moves, at once; nothing commanded before moves the arm after it. Not an emergency stop."""
+        self._controller.stop()
+
+    # ---- moves: handles that end the motion when they are dropped
+
+    def move_j(self, q: Floats, speed: float = 1.05, acceleration: float = 1.4) -> Move:
+        """Linear in joint space to joint positions [rad]; speed [rad/s], acceleration [rad/s2] of the leading joint."""
+        return self._move(self._controller.move_j(floats(q, "q"), speed, acceleration))
+
+    def move_j_to_pose(self, pose: Floats, speed: float = 1.05, acceleration: float = 1.4) -> Move:
+        """Linear in joint space to a pose of the TCP in the base frame [m, rad]; speed [rad/s], acceleration [rad/s2]."""
+        return self._move(self._controller.move_j_to_pose(floats(pose, "pose"), speed, acceleration))
+
+    def move_l(self, pose: Floats, speed: float = 0.25, acceleration: float = 1.2) -> Move:
+        """A straight line of the TCP to a pose in the base frame [m, rad]; speed [m/s], acceleration [m/s2]."""
+        return self._move(self._controller.move_l(floats(pose, "pose"), speed, acceleration))
+
+    def move_path(self, path: Sequence[PathMove], timeout: float | None = 5.0) -> Move:
+        """Follows moves one after the other; timeout: for the start [s]. The arm must not be moving."""
+        with self._waiting():
+            return self._move(self._controller.move_path([move.row() for move in path], timeout))
+
+    def move_until_contact(self, velocity: Floats, direction: Floats = ZEROS, acceleration: float = 0.5,
+                           timeout: float | None = 5.0) -> Move:
+        """Moves the tool [m/s, rad/s] until it touches something, then back to where the contact began.
+
+        direction: from which contact is looked for, in the base frame; zeros: any. timeout: for the start [s].
+        """
+        with self._waiting():
+            return self._move(self._controller.move_until_contact(floats(velocity, "velocity"),
+                                                                  floats(direction, "direction"), acceleration, timeout))
+
+    def stop_j(self, deceleration: float = 2.0) -> Move:
+        """Brakes with this deceleration of the leading joint [rad/s2]; wait() returns when the arm stands."""
+        return self._move(self._controller.stop_j(deceleration))
+
+    def stop_l(self, deceleration: float = 10.0) -> Move:
+        """Brakes with this deceleration of the tool [m/s2]; wait() returns when the arm stands."""
+        return self._move(self._controller.stop_l(deceleration))
+
+    def freedrive(self) -> Move:
+        """The arm follows the hand until the handle is cancelled or dropped."""
+        return self._move(self._controller.freedrive())
+
+    def run_function(self, body: str, name: str = "function", timeout: float | None = 5.0) -> Move:
+        """Runs lines of URScript, without def and end, under the control program: stops hold for it too.
+
+        Raises ScriptError with line and text. timeout: for the start [s]; the handle is done when it returns.
+        """
+        with self._waiting():
+            return self._move(self._controller.start_function(name, body, timeout))
+
+    def run_script(self, program: str, timeout: float | None = None) -> None:
+        """Runs a whole URScript program in place of the control program, waits for its end [s] and takes control again.
+        Raises ScriptError with line and text."""
+        with self._waiting():
+            self._controller.run_script(program, timeout)
+
+    def _move(self, native: _native.Motion) -> Move:
+        return Move(native, self._waiting)
+
+    # ---- streams, jogs, loops
+
+    def servo_j(self, lookahead: float = 0.1, gain: float = 300.0) -> Stream:
+        """A stream of joint positions [rad], sent one a cycle. lookahead 0.03 ... 0.2 [s], gain 100 ... 2000."""
+        return Stream(self._controller.servo_j(lookahead, gain), self._waiting)
+
+    def servo_l(self, lookahead: float = 0.1, gain: float = 300.0) -> Stream:
+        """A stream of TCP poses in the base frame [m, rad], sent one a cycle."""
+        return Stream(self._controller.servo_l(lookahead, gain), self._waiting)
+
+    def speed_j(self, acceleration: float = 0.5) -> Stream:
+        """A stream of joint velocities [rad/s]; acceleration [rad/s2]."""
+        return Stream(self._controller.speed_j(acceleration), self._waiting)
+
+    def speed_l(self, acceleration: float = 0.5) -> Stream:
+        """A stream of tool speeds in the base frame [m/s, rad/s]; acceleration [m/s2]."""
+        return Stream(self._controller.speed_l(acceleration), self._waiting)
+
+    def jog(self, velocity: Floats, frame: str = "base", *, custom_frame: Floats = ZEROS,
+            contact_force: float = 0.0) -> Jog:
+        """Jogs with a tool velocity [m/s, rad/s], in frame "joints" with joint velocities [rad/s].
+
+        frame: "base", "tool", "custom" (axes of custom_frame, a pose in the base frame) or "joints". contact_force: above
+        0: ends when the force on the TCP has changed by more than this [N]. Refresh it at least every 100 ms.
+        """
+        if frame not in ("base", "tool", "custom", "joints"):
+            raise ValueError(f'frame: "base", "tool", "custom" or "joints", not "{frame}"')
+        return Jog(self._controller.jog(frame, floats(velocity, "velocity"), floats(custom_frame, "custom_frame"),
+                                        contact_force), frame)
+
+    def jog_while(self, callback: Callable[[Sample], Floats | None], frame: str = "base", period: float = 0.02) -> None:
+        """Jogs with the velocity the callback returns, asked every `period` [s], until it returns None.
+
+        An exception in the callback brakes the arm and is raised here. Each call costs some 50 us and needs the
+        interpreter: a callback that keeps it for 100 ms, or a thread that does, ends the jog.
+        """
+        first = callback(self.state)
+        if first is None:
+            return
+        with self._waiting(), self.jog(first, frame) as jog:
+            while (velocity := callback(self.state)) is not None and jog.refresh(velocity):
+                time.sleep(period)
+
+    def packet_loop(self, kind: str, callback: Callable[[Mapping[str, Any]], Floats | None], *,
+                    timeout: float | None = None, at_once: bool = False) -> LoopReport:
+        """Calls back once for each packet, in step with the robot; what the callback returns goes out with the answer to
+        that very packet. None ends the loop, and the arm brakes.
+
+        kind: "servo_j" (joint positions [rad]), "servo_l" (TCP poses [m, rad]), "speed_j" [rad/s] or "speed_l" [m/s,
+        rad/s]. The callback gets a dict: cycle, time [s], period [s], fresh, missed, q, qd, tcp_pose, tcp_speed.
+        Each call takes some 30 us besides the callback's own time, and waits for the interpreter: other Python threads
+        hold it for up to 5 ms at a time (sys.setswitchinterval). While it runs no heartbeat leaves: one that hangs stops
+        the arm within 100 ms. An exception in it brakes the arm and is raised here; so does Ctrl-C.
+        """
+        if kind not in ("servo_j", "servo_l", "speed_j", "speed_l"):
+            raise ValueError(f'kind: "servo_j", "servo_l", "speed_j" or "speed_l", not "{kind}"')
+
+        def checked(cycle: Mapping[str, Any]) -> list[float] | None:
+            target = callback(cycle)
+            return None if target is None else floats(target, "the callback's target")
+
+        with self._waiting():
+            return LoopReport(**self._controller.packet_loop(kind, checked, at_once, timeout))
+
+    # ---- questions and settings
+
+    def inverse_kinematics(self, pose: Floats, near: Floats | None = None, timeout: float | None = 1.0) -> Array:
+        """Joint positions [rad] for a pose of the TCP [m, rad], by the robot's own calibration. Raises NoSolution."""
+        with self._waiting():
+            return np.array(self._controller.inverse_kinematics(floats(pose, "pose"), None if near is None
+                                                                else floats(near, "near"), timeout))
+
+    def forward_kinematics(self, q: Floats, timeout: float | None = 1.0) -> Array:
+        """Pose of the TCP [m, rad] for joint positions [rad], by the robot's own calibration."""
+        with self._waiting():
+            return np.array(self._controller.forward_kinematics(floats(q, "q"), timeout))
+
+    def set_payload(self, mass: float, centre_of_gravity: Floats | None = None, timeout: float | None = 1.0) -> None:
+        """Mass [kg] and centre of gravity from the flange [m]; without one it stays as it is."""
+        cog = None if centre_of_gravity is None else floats(centre_of_gravity, "centre_of_gravity", 3)
+        with self._waiting():
+            self._controller.set_payload(mass, cog, timeout)
+
+    def set_tcp(self, tcp: Floats, timeout: float | None = 1.0) -> None:
+        """The TCP as a pose in the flange frame [m, rad]."""
+        with self._waiting():
+            self._controller.set_tcp(floats(tcp, "tcp"), timeout)
+
+    def zero_force_sensor(self, timeout: float | None = 1.0) -> None:
+        """Takes what the force sensor measures now as zero."""
+        with self._waiting():
+            self._controller.zero_force_sensor(timeout)
+
+    @contextlib.contextmanager
+    def force_mode(self, compliant: Sequence[bool], wrench: Floats, limits: Floats, *, frame: Floats = ZEROS,
+                   kind: int = 2, timeout: float | None = 1.0) -> Any:
+        """A `with` block in which the arm is compliant; motions may run in it.
+
+        compliant: per axis of the frame. wrench: wanted on those [N, Nm]. limits: highest speeds of compliant axes [m/s,
+        rad/s], largest deviation of the others [m, rad]. frame: a pose in the base frame. kind: 1, 2 or 3, how the force
+        frame follows from it.
+        """
+        with self._waiting():
+            self._controller.force_mode(floats(frame, "frame"), [bool(axis) for axis in compliant],
+                                        floats(wrench, "wrench"), kind, floats(limits, "limits"), timeout)
+        try:
+            yield self
+        finally:
+            with self._waiting():
+                self._controller.end_force_mode(timeout)
+
+    @property
+    def outputs(self) -> services.Outputs:
+        """Digital and analog outputs and the speed slider, through a connection of their own."""
+        if self._outputs is None:
+            native = _native.Outputs(self._receiver, self.address, 30004 + self._port_offset)
+            self._outputs = services.Outputs(native, self._waiting)
+        return self._outputs
+
+    def registers(self, ints: Sequence[int] = (), doubles: Sequence[int] = (), bits: Sequence[int] = (),
+                  timeout: float | None = 3.0) -> services.Registers:
+        """Input registers this program wants to write, by number; the control program uses integers 24-33 and doubles
+        24-41. Raises RegisterInUse when another client or a fieldbus owns one."""
+        return services.registers(self.address, 30004 + self._port_offset, ints, doubles, bits, timeout, self._waiting)
+
+    def recover(self, consent: services.Consent, timeout: float | None = 60.0,
+                progress: Callable[[str], None] | None = None) -> None:
+        """Leads the robot back to RUNNING in NORMAL, one step after the other, as far as a person consented.
+
+        progress: called with the name of each step. Raises Rejected with what is missing when a step needs a consent that
+        was not given, or a person at the robot.
+        """
+        with self._waiting():
+            _native.recover(self.address, self._port_offset, consent.cause_inspected, consent.restart_safety,
+                            consent.power_on, consent.release_brakes, progress, timeout)

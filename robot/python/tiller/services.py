@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: MIT
+"""Outputs, registers, and what a person does at the pendant: power, programs, recovery."""
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
+from typing import Any
+
+from . import _native
+from .errors import InvalidArgument
+
+Waiting = Callable[[], AbstractContextManager[Any]]
+TIMEOUT = 3.0
+
+
+class Outputs:
+    """Sets outputs and the speed slider, whether or not a program runs. Each call returns when the robot reports the
+    new value and raises Timeout when it does not, RegisterInUse when another client or a fieldbus owns the input."""
+
+    def __init__(self, native: _native.Outputs, waiting: Waiting) -> None:
+        self._native = native
+        self._waiting = waiting
+
+    def set_digital(self, output: int, on: bool, timeout: float | None = TIMEOUT) -> None:
+        """Digital output: 0-7 standard, 8-15 configurable, 16-17 tool."""
+        with self._waiting():
+            self._native.set_digital(output, on, timeout)
+
+    def set_voltage(self, output: int, volts: float, timeout: float | None = TIMEOUT) -> None:
+        """Analog output 0 or 1 as a voltage, 0 ... 10 [V]."""
+        with self._waiting():
+            self._native.set_analog(output, True, volts / 10.0, timeout)
+
+    def set_current(self, output: int, amperes: float, timeout: float | None = TIMEOUT) -> None:
+        """Analog output 0 or 1 as a current, 0.004 ... 0.020 [A]."""
+        with self._waiting():
+            self._native.set_analog(output, False, (amperes - 0.004) / 0.016, timeout)
+
+    def set_speed_slider(self, fraction: float, timeout: float | None = TIMEOUT) -> None:
+        """The speed slider, 0.02 ... 1; less is refused, for a robot at zero has stopped itself for it."""
+        with self._waiting():
+            self._native.set_speed_slider(fraction, timeout)
+
+
+class Registers:
+    """General purpose input registers, for programs on the robot that read them: see Robot.registers()."""
+
+    def __init__(self, native: _native.InputRegisters, waiting: Waiting) -> None:
+        self._native = native
+        self._waiting = waiting
+
+    def set_int(self, number: int, value: int, timeout: float | None = TIMEOUT) -> None:
+        """Writes an integer register that Robot.registers() was asked for."""
+        with self._waiting():
+            self._native.set_int(number, value, timeout)
+
+    def set_double(self, number: int, value: float, timeout: float | None = TIMEOUT) -> None:
+        """Writes a double register that Robot.registers() was asked for."""
+        with self._waiting():
+            self._native.set_double(number, value, timeout)
+
+    def set_bit(self, number: int, value: bool, timeout: float | None = TIMEOUT) -> None:
+        """Writes a bit register, 64-127, that Robot.registers() was asked for."""
+        with self._waiting():
+            self._native.set_bit(number, value, timeout)
+
+
+@dataclass(frozen=True)
+class Service:
+    """What RTDE does not tell."""
+
+    kind: str  #: "Dashboard" or "RobotApi"
+    remote_control: bool | None  #: None where the software does not say
+    operational_mode: str  #: "MANUAL", "AUTOMATIC"; empty: none set, or not said
+    program: str  #: loaded on the robot; empty: none, or not said
+
+
+class Dashboard:
+    """Power, programs and the pendant: the dashboard server of CB3 and e-Series, the Robot API of PolyScope X."""
+
+    def __init__(self, host: str, port_offset: int, waiting: Waiting) -> None:
+        self._host = host
+        self._port_offset = port_offset
+        self._waiting = waiting
+
+    def _open(self, timeout: float | None) -> _native.Service:
+        return _native.Service(self._host, self._port_offset, timeout)
+
+    def _perform(self, command: str, timeout: float | None) -> None:
+        with self._waiting():
+            self._open(timeout).perform(command, timeout)
+
+    def power_on(self, timeout: float | None = TIMEOUT) -> None:
+        """Switches the power of the arm on."""
+        self._perform("PowerOn", timeout)
+
+    def release_brakes(self, timeout: float | None = TIMEOUT) -> None:
+        """Releases the brakes; the arm may move a little."""
+        self._perform("ReleaseBrakes", timeout)
+
+    def power_off(self, timeout: float | None = TIMEOUT) -> None:
+        """Switches the power of the arm off."""
+        self._perform("PowerOff", timeout)
+
+    def restart_safety(self, timeout: float | None = TIMEOUT) -> None:
+        """Restarts the safety system after a violation or a fault; leaves the arm powered off."""
+        self._perform("RestartSafety", timeout)
+
+    def close_popups(self, timeout: float | None = TIMEOUT) -> None:
+        """Closes the messages on the pendant."""
+        self._perform("ClosePopups", timeout)
+
+    def play(self, timeout: float | None = TIMEOUT) -> None:
+        """Starts or resumes the program that is loaded."""
+        self._perform("Play", timeout)
+
+    def pause(self, timeout: float | None = TIMEOUT) -> None:
+        """Pauses the program."""
+        self._perform("Pause", timeout)
+
+    def stop_program(self, timeout: float | None = TIMEOUT) -> None:
+        """Stops the program."""
+        self._perform("StopProgram", timeout)
+
+    def load_program(self, name: str, timeout: float | None = TIMEOUT) -> None:
+        """Loads a program, by its name in the controller's programs folder."""
+        with self._waiting():
+            self._open(timeout).load_program(name, timeout)
+
+    def unlock_protective_stop(self, timeout: float | None = TIMEOUT) -> None:
+        """Only ever on a person's explicit word, after the cause was inspected: see Robot.recover()."""
+        with self._waiting():
+            self._open(timeout).unlock_protective_stop(timeout)
+
+    def look(self, timeout: float | None = TIMEOUT) -> Service:
+        """Whether the robot is in remote control, its operational mode, and the program that is loaded."""
+        with self._waiting():
+            return Service(**self._open(timeout).look(timeout))
+
+
+@dataclass(frozen=True)
+class Consent:
+    """What a person takes upon himself for one recovery. The default permits nothing: no robot is ever unlocked
+    because a program ran into an exception."""
+
+    cause_inspected: bool = False  #: "I have seen why it stopped": the unlock of a protective stop
+    restart_safety: bool = False  #: violation or fault: the arm loses power
+    power_on: bool = False  #: the arm gets power
+    release_brakes: bool = False  #: the arm may move a little
+
+
+def registers(host: str, port: int, ints: Sequence[int], doubles: Sequence[int], bits: Sequence[int],
+              timeout: float | None, waiting: Waiting) -> Registers:
+    """A connection that owns these input registers."""
+    if not (ints or doubles or bits):
+        raise InvalidArgument("registers", "name the registers to write")
+    with waiting():
+        return Registers(_native.InputRegisters(host, port, list(ints), list(doubles), list(bits), timeout), waiting)

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: MIT
+"""Type checkers agree with the stubs, the package and a program that uses both; those not installed are skipped."""
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+MODULES = ("rtde_control", "rtde_receive", "rtde_io", "dashboard_client", "script_client", "robotiq_gripper")
+EXAMPLES = os.path.join(os.environ["TILLER_SOURCE"], "robot", "examples", "python")
+PROGRAM = '''
+import numpy as np
+import tiller
+from dashboard_client import DashboardClient
+from rtde_control import Path, PathEntry, RTDEControlInterface
+from rtde_receive import RTDEReceiveInterface
+from rtde_io import RTDEIOInterface
+
+flags = RTDEControlInterface.FLAG_UPLOAD_SCRIPT | RTDEControlInterface.FLAG_VERBOSE
+with RTDEControlInterface("127.0.0.1", 500.0, flags) as control, RTDEReceiveInterface("127.0.0.1") as receive:
+    q: list[float] = receive.getActualQ()
+    ok: bool = control.moveJ(np.array(q) + 0.1, speed=0.5)
+    control.moveJ([q + [1.0, 1.4, 0.0]], asynchronous=True)
+    control.moveL((0.1, 0.2, 0.3, 0.0, 3.1, 0.0), acceleration=0.5)
+    control.jogStart([0.0] * 6, RTDEControlInterface.FEATURE_TOOL)
+    path = Path()
+    path.addEntry(PathEntry(PathEntry.MoveJ, PathEntry.PositionJoints, [0.0] * 9))
+    name: str = repr(RTDEIOInterface("127.0.0.1"))
+    DashboardClient("127.0.0.1").connect()
+with tiller.Simulator(virtual=True) as simulator, simulator.robot() as robot:
+    pose = robot.state.tcp_pose + 0.0
+    robot.take_control().move_l(pose).wait(timeout=5.0)
+    for sample in robot.samples():
+        print(sample.q.mean(), sample.time + 1.0)
+'''
+WRONG = '''
+import tiller
+from rtde_control import RTDEControlInterface
+
+control = RTDEControlInterface(7)
+control.moveJ("up")
+tiller.Kinematics("UR5e").forward(None)
+'''
+
+
+class TestTypes(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.modules = os.environ["TILLER_PYTHON"]
+
+    def write(self, text):
+        path = os.path.join(self.folder.name, "program.py")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        return path
+
+    def run_checker(self, command):
+        result = subprocess.run(command, cwd=self.folder.name, text=True, capture_output=True, check=False,
+                                env=dict(os.environ, MYPYPATH=self.modules, MYPY_CACHE_DIR=self.folder.name))
+        return result.returncode, result.stdout + result.stderr
+
+    def mypy(self, *what):
+        if subprocess.run([sys.executable, "-m", "mypy", "--version"], capture_output=True, check=False).returncode != 0:
+            self.skipTest("mypy is not installed (Debian: mypy)")
+        return self.run_checker([sys.executable, "-m", "mypy", "--strict", "--ignore-missing-imports", *what])
+
+    def pyright(self):
+        """Over all that is in the folder; beside it go the stubs, the package and the examples."""
+        if shutil.which("pyright") is None:
+            self.skipTest("pyright is not installed (npm install pyright)")
+        for stub in self.stubs():
+            shutil.copy(stub, self.folder.name)
+        shutil.copytree(os.path.join(self.modules, "tiller"), os.path.join(self.folder.name, "tiller"))
+        shutil.copytree(EXAMPLES, os.path.join(self.folder.name, "examples"))
+        with open(os.path.join(self.folder.name, "pyrightconfig.json"), "w", encoding="utf-8") as file:
+            file.write('{"extraPaths": ["."], "reportMissingModuleSource": false, "pythonVersion": "3.11"}')
+        return self.run_checker(["pyright", "--pythonpath", sys.executable])
+
+    def stubs(self):
+        return [os.path.join(self.modules, module + ".pyi") for module in MODULES]
+
+    def test_mypy_agrees(self):
+        code, text = self.mypy(*self.stubs(), os.path.join(self.modules, "tiller"), self.write(PROGRAM))
+        self.assertEqual(code, 0, text)
+
+    def test_mypy_agrees_with_the_examples(self):
+        for name in sorted(os.listdir(EXAMPLES)):
+            with self.subTest(name):
+                code, text = self.mypy("--allow-untyped-defs", "--allow-untyped-calls", os.path.join(EXAMPLES, name))
+                self.assertEqual(code, 0, text)
+
+    def test_mypy_finds_what_is_wrong(self):
+        code, text = self.mypy(self.write(WRONG))
+        self.assertNotEqual(code, 0)
+        self.assertIn("Found 3 errors", text)
+
+    def test_pyright_agrees(self):
+        self.write(PROGRAM)
+        code, text = self.pyright()
+        self.assertEqual(code, 0, text)
+
+    def test_packages_say_that_they_are_typed(self):
+        self.assertTrue(os.path.exists(os.path.join(self.modules, "tiller", "py.typed")))
+
+
+if __name__ == "__main__":
+    unittest.main()
