@@ -7,6 +7,7 @@
 #include <QElapsedTimer>
 #include <QFileInfo>
 #include <QJsonDocument>
+#include <QRegularExpression>
 #include <QStandardPaths>
 #include <QTcpSocket>
 #include <QTest>
@@ -185,7 +186,7 @@ bool DesktopCell::startProgram() {
     QProcessEnvironment surroundings = environment();
     surroundings.insert("QT_PLUGIN_PATH", TILLER_TEST_PLUGINS);
     surroundings.insert("QT_QPA_GENERIC_PLUGINS", "window_places:" + socket);
-    if (!program_.start(TILLER_PROGRAM, {"--robot", host_, "--session", folder_.filePath("test.tiller")},
+    if (!program_.start(TILLER_PROGRAM, {"--robot", host_, "--project", folder_.filePath("test.tiller")},
                         surroundings)) {
         return fail("tiller could not be started");
     }

@@ -9,9 +9,12 @@
 #include <QLocalSocket>
 #include <QPoint>
 #include <QProcess>
+#include <QProcessEnvironment>
+#include <QRect>
 #include <QSize>
 #include <QStringList>
 #include <QTemporaryDir>
+#include <functional>
 #include <memory>
 
 #include "tests/desktop/arm_watch.h"

@@ -73,14 +73,18 @@ protected:
 private Q_SLOTS:
     void init() {
         if (!cell_) {
-            cell_ = std::make_unique<DesktopCell>();
-            QVERIFY2(cell_->bringUp(), qPrintable(cell_->what()));
+            auto made = std::make_unique<DesktopCell>();
+            QVERIFY2(made->bringUp(), qPrintable(made->what()));
+            cell_ = std::move(made);
         }
         QVERIFY2(cell_->setLayout("us"), "the layout could not be set");
         QVERIFY2(cell_->armKeyboard(), "keyboard jogging could not be armed");
         QVERIFY(arm().untilStanding(5));
     }
     void cleanup() {
+        if (!cell_) {
+            return;
+        }
         hand().letGoOfAll();
         hand().tap(kEscape);
         // A run-away must not be the next test's.

@@ -16,7 +16,8 @@ constexpr double kGetsGoing = 1.5;     // a motion that is to come has begun by 
 constexpr double kStaysPut = 0.15;     // and one that is not to come has not
 constexpr double kFarEnough = 0.35;    // [rad] to go back or to level out, for many short holds
 constexpr double kNearlyThere = 0.12;  // [rad]
-constexpr int kLongWayMs = 20'000;     // no preparation takes longer
+constexpr int kAttempts = 10;
+constexpr int kLongWayMs = 20'000;  // no preparation takes longer
 
 constexpr int kModifierCodes[] = {0, kShift, kControl, kAlt, kAltGr, kNumLock, kCapsLock};
 
@@ -244,6 +245,15 @@ bool MatrixTrial::makeReady(int layout) {
         }
         waypoint_ = cell_->arm().joints();
     }
+    if (!cell_->place("armedFrame").visible) {
+        // By its shortcut, which a layout without Latin letters cannot write.
+        layout_ = -1;
+        if (!cell_->setLayout("us") || !cell_->armKeyboard()) {
+            what_ = "keyboard jogging could not be armed";
+            cell_.reset();
+            return false;
+        }
+    }
     if (layout_ != layout) {
         if (!cell_->setLayout(layouts()[layout])) {
             what_ = "the layout could not be set";
@@ -251,19 +261,24 @@ bool MatrixTrial::makeReady(int layout) {
         }
         layout_ = layout;
     }
-    return cell_->armKeyboard();
+    return true;
 }
 
 bool MatrixTrial::prepare(const QString& preparation) {
     XHand& hand = cell_->hand();
     ArmWatch& arm = cell_->arm();
+    // A busy machine may end a motion on the way: then it is begun anew.
     const auto turn = [&](int code, const std::function<bool()>& enough) {
-        hand.press(kAlt);
-        hand.press(code);
-        const bool there = cell_->until(enough, kLongWayMs);
-        hand.release(code);
-        hand.release(kAlt);
-        return there && arm.untilStanding(2);
+        for (int attempt = 0; attempt < kAttempts && !enough(); ++attempt) {
+            hand.press(kAlt);
+            hand.press(code);
+            arm.untilMoving(kGetsGoing);
+            cell_->until([&] { return enough() || !arm.moves(); }, kLongWayMs);
+            hand.release(code);
+            hand.release(kAlt);
+            arm.untilStanding(2);
+        }
+        return enough();
     };
     if (preparation == "tilt") {
         return tiltOf(arm.tcpPose()) > kNearlyThere ||

@@ -127,6 +127,25 @@ private Q_SLOTS:
         verifyStands();
     }
 
+    // A remote desktop whose connection hangs looks like this too: no release can arrive any more.
+    void theDisplayServerIsFrozen() {
+        hold();
+        cell().display().signal(SIGSTOP);
+        verifyStands();
+        cell().display().signal(SIGCONT);
+        QVERIFY2(arm().stays(1), "it moved again when the display came back");
+    }
+
+    // Some programs do this for as long as a menu of theirs is open: the server answers nobody else.
+    void anotherProgramTakesTheServerForItself() {
+        XHand other(cell().displayName());
+        hold();
+        other.grabServer();
+        verifyStands();
+        other.ungrabServer();
+        QVERIFY2(arm().stays(0.5), "it moved again when the server answered again");
+    }
+
     void theDisplayServerIsKilled() {
         hold();
         useUp();
