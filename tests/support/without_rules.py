@@ -106,7 +106,6 @@ def main():
                 command = list(compiler)
                 command[command.index("-o") + 1] = str(made)
                 command[command.index("-c") + 1] = str(source)
-                command.append("-O0")  # it is compiled often and runs once
                 subprocess.run(command, cwd=folder, check=True)
                 binary = pathlib.Path(scratch) / test
                 first = re.search(r"\S+\.o\b", link).group(0)
