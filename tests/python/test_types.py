@@ -38,8 +38,8 @@ WRONG = '''
 import tiller
 from rtde_control import RTDEControlInterface
 
-control = RTDEControlInterface(7)
-control.moveJ("up")
+RTDEControlInterface(7)
+RTDEControlInterface("127.0.0.1").moveJ("up")
 tiller.Kinematics("UR5e").forward(None)
 '''
 
