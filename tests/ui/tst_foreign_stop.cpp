@@ -9,6 +9,7 @@
 #include <QTcpServer>
 #include <QTest>
 #include <QVBoxLayout>
+#include <QWindow>
 #include <functional>
 
 #include "app/action_table.h"
@@ -245,6 +246,29 @@ private Q_SLOTS:
             QTest::keyClick(typed, Qt::Key_Escape);
             QTRY_VERIFY(QApplication::activeModalWidget() == nullptr);
         }
+    }
+
+    // A dialog keeps the mouse from the window behind it; STOP is where it always is all the same.
+    void stopIsReachedByMouseWhileADialogIsOpen() {
+        Bench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QDialog dialog(&bench.window);
+        dialog.resize(200, 100);
+        dialog.open();
+        QVERIFY(QTest::qWaitForWindowActive(&dialog));
+        QVERIFY(bench.startMoving());
+        // Through the windows, as the display server does it.
+        const auto& stop = bench.find<StopButton>("stopButton");
+        const QPoint place = stop.mapToGlobal(stop.rect().center());
+        QWindow* under = QGuiApplication::topLevelAt(place);
+        QVERIFY(under != nullptr);
+        QTest::mousePress(under, Qt::LeftButton, {}, under->mapFromGlobal(place));
+        QTest::mouseRelease(under, Qt::LeftButton, {}, under->mapFromGlobal(place));
+        QVERIFY2(bench.stopsAtOnce(), "the program goes on");
+        QVERIFY(bench.comesToRest());
+        QVERIFY(dialog.isVisible() && dialog.isActiveWindow());
+        dialog.close();
+        QTRY_VERIFY(bench.window.findChild<StopButton*>("stopAboveDialog") == nullptr);
     }
 
     // Its dashboard takes the connection and never says a word; a question to it is under way.

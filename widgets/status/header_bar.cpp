@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/status/header_bar.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -102,6 +103,12 @@ HeaderBar::HeaderBar(HeaderPort port, QWidget* parent)
     linkPace_.setSingleShot(true);
     linkPace_.setInterval(kLinkPeriodMs);
     connect(&linkPace_, &QTimer::timeout, this, &HeaderBar::showLink);
+    places_.setSingleShot(true);
+    places_.setInterval(kKeepPlacesMs);
+    connect(&places_, &QTimer::timeout, this, &HeaderBar::letPlacesGo);
+    for (QWidget* child : findChildren<QWidget*>()) {
+        child->installEventFilter(this);
+    }
     arrange();
     applyState(SessionState());
 }
@@ -147,12 +154,7 @@ void HeaderBar::applyState(const SessionState& state) {
     showOn(*control_, controlLook(state));
     speed_->setReported(state.speedFraction, hasData);
 
-    step_ = nextStep(state);
-    stepButton_->setVisible(step_ != NextStep::None);
-    stepButton_->setText(nextStepText(step_));
-    stepButton_->setAccessibleName(step_ == NextStep::None ? tr("Next step") : nextStepText(step_));
-    stepButton_->setToolTip(nextStepAdvice(step_));
-
+    showStep();
     showCap(state.speedCap);
     showLastStop();
     if (linkChanged || !linkPace_.isActive()) {
@@ -215,7 +217,91 @@ void HeaderBar::showCap(double speedCap) {
     }
 }
 
+void HeaderBar::showStep() {
+    if (places_.isActive()) {
+        return;  // the next step comes when the hand has had time to see it
+    }
+    step_ = nextStep(state_);
+    stepButton_->setVisible(step_ != NextStep::None);
+    stepButton_->setEnabled(true);
+    stepButton_->setText(nextStepText(step_));
+    stepButton_->setAccessibleName(step_ == NextStep::None ? tr("Next step") : nextStepText(step_));
+    stepButton_->setToolTip(nextStepAdvice(step_));
+}
+
+void HeaderBar::keepPlaces() {
+    layout_->activate();
+    layout_->setEnabled(false);
+    places_.start();
+}
+
+void HeaderBar::letPlacesGo() {
+    layout_->setEnabled(true);
+    showStep();
+    layout_->invalidate();
+    layout_->activate();
+}
+
+void HeaderBar::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    window()->installEventFilter(this);
+}
+
+void HeaderBar::offerStopAbove() {
+    QWidget* dialog = QApplication::activeModalWidget();
+    if (dialog == nullptr || !dialog->isVisible() || stopAbove_ || dialog == window()) {
+        return;
+    }
+    stopAbove_ = new StopButton(dialog);
+    stopAbove_->setObjectName(QStringLiteral("stopAboveDialog"));
+    stopAbove_->setWindowFlags(Qt::Tool | Qt::FramelessWindowHint | Qt::WindowDoesNotAcceptFocus |
+                               Qt::WindowStaysOnTopHint);
+    stopAbove_->setAttribute(Qt::WA_ShowWithoutActivating);
+    connect(stopAbove_, &StopButton::stopRequested, this,
+            [this] { port_.stop(control::StopCause::StopButton); });
+    placeStopAbove();
+    stopAbove_->show();
+}
+
+void HeaderBar::placeStopAbove() {
+    if (stopAbove_) {
+        stopAbove_->setFixedSize(stop_->size());
+        stopAbove_->move(stop_->mapToGlobal(QPoint(0, 0)));
+    }
+}
+
+bool HeaderBar::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == window()) {
+        switch (event->type()) {
+            case QEvent::WindowBlocked:
+                // The dialog is not on the screen yet.
+                QMetaObject::invokeMethod(this, &HeaderBar::offerStopAbove, Qt::QueuedConnection);
+                break;
+            case QEvent::WindowUnblocked:
+                delete stopAbove_;
+                break;
+            case QEvent::Move:
+            case QEvent::Resize:
+                placeStopAbove();
+                break;
+            default:
+                break;
+        }
+        return QWidget::eventFilter(watched, event);
+    }
+    if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick ||
+        event->type() == QEvent::TouchBegin) {
+        keepPlaces();
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
 void HeaderBar::takeStep() {
+    if (step_ != NextStep::Connect && step_ != NextStep::Recover) {
+        // Busy: a second click is not a second step.
+        keepPlaces();
+        stepButton_->setEnabled(false);
+    }
     switch (step_) {
         case NextStep::None:
             break;

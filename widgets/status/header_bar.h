@@ -2,8 +2,10 @@
 #pragma once
 
 // The header, never hidden: which robot, in which modes, who is in control and what the next step is, how
-// fast, how good the link, how the last stop went, and STOP in its own corner.
+// fast, how good the link, how the last stop went, and STOP in its own corner. What was just clicked keeps
+// its place for half a second, with all that stands beside it: a second click never lands on something else.
 
+#include <QPointer>
 #include <QTimer>
 #include <QWidget>
 #include <functional>
@@ -48,6 +50,8 @@ public:
     static constexpr int kHeight = 76;
     QSize sizeHint() const override { return {1920, kHeight}; }
     QSize minimumSizeHint() const override { return {1200, kHeight}; }
+    /// How long everything stays where it is after a click [ms].
+    static constexpr int kKeepPlacesMs = 500;
 
 public Q_SLOTS:
     void applyState(const tiller::SessionState& state);
@@ -64,9 +68,16 @@ protected:
     void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void offerStopAbove();
+    void placeStopAbove();
     void takeStep();
+    void showStep();
+    void keepPlaces();
+    void letPlacesGo();
     void showLink();
     void arrange();
     void showCap(double speedCap);
@@ -77,6 +88,7 @@ private:
     SessionState state_;
     NextStep step_ = NextStep::None;
     QTimer linkPace_;
+    QTimer places_;  ///< runs while everything keeps its place
 
     QHBoxLayout* layout_;
     QLabel* name_;
@@ -90,6 +102,8 @@ private:
     StateChip* link_;
     StateChip* lastStop_;
     StopButton* stop_;
+    /// A dialog keeps the mouse from this window: STOP stands above it then, in its usual place.
+    QPointer<StopButton> stopAbove_;
     QLabel* cap_;  ///< the banner below the bar; hidden unless the cap was raised
 };
 

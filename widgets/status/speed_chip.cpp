@@ -60,12 +60,6 @@ QRectF SpeedChip::groove() const {
     return {static_cast<double>(kPadding), 29, width() - 2.0 * kPadding, 8};
 }
 
-int SpeedChip::valueAt(int x) const {
-    const QRectF bar = groove();
-    return std::clamp(static_cast<int>(std::lround((x - bar.left()) / bar.width() * 100)), kLeastPercent,
-                      100);
-}
-
 void SpeedChip::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::current();
     QPainter painter(this);
@@ -105,12 +99,14 @@ void SpeedChip::mousePressEvent(QMouseEvent* event) {
         return;
     }
     setSliderDown(true);
-    setValue(valueAt(event->position().toPoint().x()));
+    pressedAt_ = event->position().toPoint().x();
+    pressedValue_ = value();
 }
 
 void SpeedChip::mouseMoveEvent(QMouseEvent* event) {
     if (isSliderDown()) {
-        setValue(valueAt(event->position().toPoint().x()));
+        const double along = (event->position().x() - pressedAt_) / groove().width();
+        setValue(pressedValue_ + static_cast<int>(std::lround(100 * along)));
     }
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The speed slider of the header, 2 to 100 %. It shows what the robot reports; a hand on it goes first. The
-// wheel never changes it.
+// The speed slider of the header, 2 to 100 %. It shows what the robot reports; a hand on it goes first. It is
+// drawn along, or moved by keys once it was clicked: a click alone changes nothing, and the wheel never does.
 
 #include <QAbstractSlider>
 #include <QTimer>
@@ -33,12 +33,13 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
 
 private:
-    int valueAt(int x) const;
     QRectF groove() const;
 
     QTimer settle_;  // how long a reported value waits for the robot to follow the hand
     bool showing_ = false;
     bool valid_ = false;
+    int pressedAt_ = 0;  ///< where the hand took it [px]
+    int pressedValue_ = 0;
 };
 
 }  // namespace tiller

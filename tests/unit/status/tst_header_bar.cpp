@@ -237,6 +237,12 @@ private Q_SLOTS:
         QCOMPARE(session.stops.size(), 1);
     }
 
+    /// A press at x, drawn by so many pixels, and let go.
+    static void draw(QWidget* slider, int x, int by) {
+        QTest::mousePress(slider, Qt::LeftButton, {}, QPoint(x, 30));
+        QTest::mouseMove(slider, QPoint(x + by, 30));
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, QPoint(x + by, 30));
+    }
     void sliderKeepsAboveTwoPercentAndIgnoresTheWheel() {
         FakeSession session;
         HeaderBar header(session.port());
@@ -245,11 +251,9 @@ private Q_SLOTS:
         header.applyState(movingState());
         auto* slider = header.findChild<SpeedChip*>();
         QVERIFY(session.speeds.isEmpty());  // what the robot reports is not sent back
-        QTest::mousePress(slider, Qt::LeftButton, {}, QPoint(0, 30));
-        QTest::mouseRelease(slider, Qt::LeftButton, {}, QPoint(0, 30));
+        draw(slider, 100, -slider->width());
         QCOMPARE(session.speeds, QList<double>{0.02});
-        QTest::mousePress(slider, Qt::LeftButton, {}, QPoint(slider->width() - 2, 30));
-        QTest::mouseRelease(slider, Qt::LeftButton, {}, QPoint(slider->width() - 2, 30));
+        draw(slider, 10, slider->width());
         QCOMPARE(session.speeds.last(), 1.0);
         QWheelEvent wheel(QPointF(40, 30), slider->mapToGlobal(QPointF(40, 30)), QPoint(), QPoint(0, -120),
                           Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
@@ -257,15 +261,87 @@ private Q_SLOTS:
         QCOMPARE(session.speeds.size(), 2);
     }
 
+    // A click that was meant for something else must not change the robot's speed.
+    void aClickAloneDoesNotMoveTheSlider() {
+        FakeSession session;
+        HeaderBar header(session.port());
+        header.resize(1920, HeaderBar::kHeight);
+        header.show();
+        header.applyState(movingState());
+        auto* slider = header.findChild<SpeedChip*>();
+        for (const int x : {3, slider->width() / 2, slider->width() - 3}) {
+            QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(x, 30));
+            QTest::mouseDClick(slider, Qt::LeftButton, {}, QPoint(x, 30));
+        }
+        QVERIFY(session.speeds.isEmpty());
+        QCOMPARE(slider->value(), 35);
+        QVERIFY(slider->hasFocus() || !slider->isActiveWindow());
+        QTest::keyClick(slider, Qt::Key_Up);
+        QCOMPARE(session.speeds, QList<double>{0.36});
+    }
+
+    // Power on, Release brakes, Take control: the second click comes where the first one went.
+    void nothingSlidesUnderASecondClick_data() {
+        QTest::addColumn<int>("width");
+        for (const int width : {1280, 1600, 1920}) {
+            QTest::newRow(QByteArray::number(width).constData()) << width;
+        }
+    }
+    void nothingSlidesUnderASecondClick() {
+        QFETCH(int, width);
+        FakeSession session;
+        HeaderBar header(session.port());
+        header.resize(width, HeaderBar::kHeight);
+        header.show();
+        SessionState state = movingState();
+        state.moving = state.jogActive = false;
+        state.control = ControlState::None;
+        state.robotMode = RobotMode::PowerOff;
+        header.applyState(state);
+        QCoreApplication::processEvents();
+        auto* button = header.findChild<QPushButton*>(QStringLiteral("nextStepButton"));
+        const auto places = [&header] {
+            QList<QRect> rects;
+            for (QWidget* child : header.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+                rects << child->geometry();
+            }
+            return rects;
+        };
+        const QList<QRect> before = places();
+        const QPoint hand = button->geometry().center();
+        QTest::mouseClick(button, Qt::LeftButton);
+        QCOMPARE(session.asked, QStringList{QStringLiteral("power on")});
+        // The robot follows at once, the words get longer and the next step is another one.
+        for (const RobotMode mode : {RobotMode::Booting, RobotMode::Idle, RobotMode::Running}) {
+            state.robotMode = mode;
+            state.control = mode == RobotMode::Running ? ControlState::InControl : ControlState::None;
+            header.applyState(state);
+            QCoreApplication::processEvents();
+            QCOMPARE(places(), before);
+            QWidget* under = header.childAt(hand);
+            QVERIFY(under == button);
+            QTest::mouseClick(under, Qt::LeftButton);
+        }
+        QCOMPARE(session.asked.size(), 1);
+        QVERIFY(session.speeds.isEmpty());
+        // Half a second later all is as it should be.
+        QTRY_VERIFY(!button->isVisible());
+        state.control = ControlState::None;
+        header.applyState(state);
+        QTRY_VERIFY(button->isVisible() && button->isEnabled());
+        QCOMPARE(button->text(), nextStepText(NextStep::TakeControl));
+    }
+
     void handOnTheSliderGoesBeforeTheReport() {
         SpeedChip slider;
         slider.resize(230, 47);
         slider.setReported(0.35, true);
-        QTest::mousePress(&slider, Qt::LeftButton, {}, QPoint(115, 30));
+        QTest::mousePress(&slider, Qt::LeftButton, {}, QPoint(80, 30));
+        QTest::mouseMove(&slider, QPoint(111, 30));
         QCOMPARE(slider.value(), 50);
         slider.setReported(0.35, true);
         QCOMPARE(slider.value(), 50);
-        QTest::mouseRelease(&slider, Qt::LeftButton, {}, QPoint(115, 30));
+        QTest::mouseRelease(&slider, Qt::LeftButton, {}, QPoint(111, 30));
         slider.setReported(0.50, true);  // the robot followed
         slider.setReported(0.20, true);  // the pendant changed it
         QCOMPARE(slider.value(), 20);
