@@ -241,7 +241,11 @@ void MainWindow::connectParts() {
     connectFrames();
     connectProject();
     io_->setNames(settings_.ioNames());
-    connect(io_, &IoTab::namesChanged, this, [this] { settings_.setIoNames(io_->names()); });
+    session_->setIoNames(io_->names());
+    connect(io_, &IoTab::namesChanged, this, [this] {
+        settings_.setIoNames(io_->names());
+        session_->setIoNames(io_->names());
+    });
     followJog();
 
     const auto followView = [this] {

@@ -25,11 +25,7 @@ bool bit(std::uint64_t bits, int channel) {
 }  // namespace
 
 QString IoTab::terminal(bool output, int channel) {
-    // The letters printed beside the controller's terminals.
-    const char* group = channel < 8    ? (output ? "DO" : "DI")
-                        : channel < 16 ? (output ? "CO" : "CI")
-                                       : (output ? "TO" : "TI");
-    return QStringLiteral("%1 %2").arg(QLatin1String(group)).arg(channel < 16 ? channel % 8 : channel - 16);
+    return ioTerminal(output, channel);
 }
 
 IoTab::IoTab(RobotSession& session, QWidget* parent)

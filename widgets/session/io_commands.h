@@ -22,6 +22,10 @@ struct RegisterValue {
     static constexpr int last(Kind kind) { return kind == Kind::Bit ? 127 : 47; }
 };
 
+/// "DI 0", "CO 3", "TO 1": the letters printed beside the controller's terminals.
+/// channel  0-7 standard, 8-15 configurable, 16-17 tool
+QString ioTerminal(bool output, int channel);
+
 /// Why outputs cannot be set, by their groups; empty where they can. Known once there is a connection.
 struct OutputHolders {
     QString standard;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/session/robot_session.h"
 
+#include <cmath>
+
 #include "robot/control/compliance.h"
 #include "widgets/common/notation.h"
 #include "widgets/session/controller_codes.h"
@@ -155,6 +157,8 @@ void RobotSession::disconnectFromRobot() {
     d_->sampleConnection = 0;
     d_->sliderBusy = false;
     d_->sliderWanted.reset();
+    d_->sliderLogged.reset();
+    d_->sliderAskedNs = 0;
     d_->stopsSeen = 0;
     d_->ownStops = 0;
     d_->stopInControl.reset();
@@ -235,6 +239,7 @@ void RobotSession::setSpeedSlider(double fraction) {
         return;
     }
     d_->sliderBusy = true;
+    d_->sliderAskedNs = d_->clock->nowNs();
     const std::uint64_t generation = d_->generation;
     d_->worker.post(this, [this, generation, fraction,
                            outputs = d_->link->outputs](const CancelToken& token) {
@@ -415,12 +420,36 @@ void RobotSession::reportChanges() {
         Q_EMIT message(obstacle.isEmpty() ? Severity::Info : Severity::Error,
                        obstacle.isEmpty() ? tr("Safety is normal again") : obstacle, Origin::Robot);
     }
+    if (state.link == LinkState::Live) {
+        reportSlider();
+    }
     if (d_->wasRecording && !state.recording.error.isEmpty()) {
         d_->wasRecording = false;
         Q_EMIT message(Severity::Error, state.recording.error);
     }
     if (d_->link) {
         reportControllerMessages();
+    }
+}
+
+// Whoever moved it; once it has come to rest, because a hand that draws it passes many places.
+void RobotSession::reportSlider() {
+    constexpr std::int64_t kRestNs = 500 * kNsPerMs;
+    constexpr std::int64_t kOursNs = 3 * kNsPerSecond;  // so long a place asked for may take to be there
+    constexpr double kSame = 0.005;
+    const std::int64_t now = d_->clock->nowNs();
+    const double fraction = d_->state.speedFraction;
+    if (fraction != d_->sliderSeen) {
+        d_->sliderSeen = fraction;
+        d_->sliderMovedNs = now;
+    }
+    if (!d_->sliderLogged) {
+        d_->sliderLogged = fraction;
+    } else if (std::abs(fraction - *d_->sliderLogged) > kSame && now - d_->sliderMovedNs >= kRestNs) {
+        d_->sliderLogged = fraction;
+        const bool ours = d_->sliderAskedNs != 0 && d_->sliderMovedNs - d_->sliderAskedNs < kOursNs;
+        Q_EMIT message(Severity::Info, tr("Speed slider: %1 %").arg(fraction * 100, 0, 'f', 0),
+                       ours ? Origin::Operator : Origin::Robot);
     }
 }
 

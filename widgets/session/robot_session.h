@@ -6,6 +6,7 @@
 // frame, and turns what the hand does into commands. Widgets hold it by reference and never talk to the
 // backend themselves.
 
+#include <QMap>
 #include <QObject>
 #include <QString>
 #include <functional>
@@ -86,6 +87,8 @@ public:
     void setAnalogOutput(int output, io::AnalogDomain domain, double level);
     void setRegister(const RegisterValue& value);
     const OutputHolders& outputHolders() const;
+    /// The operator's own names, by terminal ("DO 0", "AO 1"): messages use them.
+    void setIoNames(const QMap<QString, QString>& names);
 
     // Motion. A motion is begun by a press and needs hold() at least every 100 ms until it is ended; whoever
     // begins it keeps the number it was given, and a number that has been stopped never moves the arm again.
@@ -132,6 +135,7 @@ Q_SIGNALS:
 
 private:
     void keepOutputsConnected();
+    QString terminalText(const QString& terminal) const;
     void report(std::uint64_t generation, const QString& done, const Result<void>& result);
     void askService();
     void followService(const dashboard::ServiceReport& report);
@@ -139,6 +143,7 @@ private:
     void stopForeignProgram(control::StopCause cause);
     void followForeignStop();
     void reportChanges();
+    void reportSlider();
     void reportControllerMessages();
 
     struct Backend;

@@ -22,6 +22,25 @@ QString holderOf(const Result<void>& can) {
 
 }  // namespace
 
+QString ioTerminal(bool output, int channel) {
+    const char* group = channel < io::kFirstConfigurable ? (output ? "DO" : "DI")
+                        : channel < io::kFirstTool       ? (output ? "CO" : "CI")
+                                                         : (output ? "TO" : "TI");
+    const int first = channel < io::kFirstConfigurable ? 0
+                      : channel < io::kFirstTool       ? io::kFirstConfigurable
+                                                       : io::kFirstTool;
+    return QStringLiteral("%1 %2").arg(QLatin1String(group)).arg(channel - first);
+}
+
+void RobotSession::setIoNames(const QMap<QString, QString>& names) {
+    d_->ioNames = names;
+}
+
+QString RobotSession::terminalText(const QString& terminal) const {
+    const QString name = d_->ioNames.value(terminal);
+    return name.isEmpty() ? terminal : tr("%1 (%2)").arg(name, terminal);
+}
+
 const OutputHolders& RobotSession::outputHolders() const {
     return d_->outputHolders;
 }
@@ -57,7 +76,8 @@ void RobotSession::setDigitalOutput(int output, bool on) {
     if (!d_->link) {
         return;
     }
-    const QString done = tr("Output %1 %2").arg(output).arg(on ? tr("on") : tr("off"));
+    const QString done =
+        tr("Output %1: %2").arg(terminalText(ioTerminal(true, output)), on ? tr("on") : tr("off"));
     const std::uint64_t generation = d_->generation;
     d_->worker.post(this, [this, generation, output, on, done,
                            outputs = d_->link->outputs](const CancelToken& token) {
@@ -73,7 +93,7 @@ void RobotSession::setAnalogOutput(int output, io::AnalogDomain domain, double l
     }
     const bool current = domain == io::AnalogDomain::Current;
     const QString done = tr("Analog output %1: %2 %3")
-                             .arg(output)
+                             .arg(terminalText(QStringLiteral("AO %1").arg(output)))
                              .arg(current ? 4 + 16 * level : 10 * level, 0, 'f', 2)
                              .arg(current ? QStringLiteral("mA") : QStringLiteral("V"));
     const std::uint64_t generation = d_->generation;

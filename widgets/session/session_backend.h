@@ -68,8 +68,13 @@ struct RobotSession::Backend {
     std::optional<std::pair<control::StopCause, std::int64_t>> stopInControl;
 
     OutputHolders outputHolders;
+    QMap<QString, QString> ioNames;
     std::optional<double> sliderWanted;  ///< newest wish while one is being carried out
     bool sliderBusy = false;
+    std::optional<double> sliderLogged;  ///< its place as the log knows it
+    double sliderSeen = 0;               ///< where it was in the last frame,
+    std::int64_t sliderMovedNs = 0;      ///< and when it got there
+    std::int64_t sliderAskedNs = 0;      ///< when we asked for another place last; 0: never
 
     bool wasRecording = false;
     SafetyMode safetySeen = SafetyMode::Normal;

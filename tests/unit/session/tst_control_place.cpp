@@ -145,6 +145,60 @@ private Q_SLOTS:
         QVERIFY2(bench.warnings.isEmpty(), qPrintable(bench.said()));
     }
 
+    // Whoever moved it, and once it rests: the log tells.
+    void aMovedSpeedSliderIsLogged() {
+        Bench bench;
+        QStringList said;
+        QList<Origin> origins;
+        QObject::connect(&bench.session, &RobotSession::message, &bench.session,
+                         [&](Severity, const QString& text, Origin origin) {
+                             if (text.startsWith(QStringLiteral("Speed slider"))) {
+                                 said << text;
+                                 origins << origin;
+                             }
+                         });
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        bench.cell.advanceMs(1000);
+        QVERIFY(said.isEmpty());  // where it stood is no news
+        bench.cell.robot.setSpeedSlider(0.3);
+        bench.cell.advanceMs(1000);
+        QCOMPARE(said, QStringList{QStringLiteral("Speed slider: 30 %")});
+        QCOMPARE(origins.last(), Origin::Robot);
+        for (const double place : {0.4, 0.5, 0.6}) {
+            bench.session.setSpeedSlider(place);
+            bench.cell.advanceMs(50);
+        }
+        QVERIFY(bench.within([&] { return said.size() == 2; }));
+        bench.cell.advanceMs(1000);
+        QCOMPARE(said.last(), QStringLiteral("Speed slider: 60 %"));
+        QCOMPARE(said.size(), 2);
+        QCOMPARE(origins.last(), Origin::Operator);
+    }
+
+    // The log and its export call an output what the operator calls it.
+    void outputsAreLoggedByTheirNames() {
+        Bench bench;
+        QStringList said;
+        QObject::connect(&bench.session, &RobotSession::message, &bench.session,
+                         [&](Severity, const QString& text) { said << text; });
+        bench.session.setIoNames({{QStringLiteral("DO 3"), QStringLiteral("Gripper")}});
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        bench.session.setDigitalOutput(3, true);
+        QVERIFY(bench.within([&] { return said.contains(QStringLiteral("Output Gripper (DO 3): on")); }));
+        bench.session.setDigitalOutput(17, true);
+        QVERIFY(bench.within([&] { return said.contains(QStringLiteral("Output TO 1: on")); }));
+    }
+
+    void aCreepingSliderIsRefused() {
+        Bench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        bench.cell.advanceMs(100);
+        bench.session.setSpeedSlider(0);
+        QVERIFY(bench.within([&] { return !bench.warnings.isEmpty(); }));
+        QVERIFY2(bench.said().contains(QStringLiteral("0.02")), qPrintable(bench.said()));
+        QCOMPARE(bench.cell.truth().speedSlider, 1.0);
+    }
+
     void aTransitionOnPolyscopeXIsOneToo() {
         simulator::ControllerOptions options = VirtualCell::options();
         options.software = {10, 12, 0, 0};
