@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <QWindow>
 #include <functional>
+#include <memory>
 
 #include "app/action_table.h"
 #include "resources/resources.h"
@@ -63,14 +64,15 @@ constexpr const char* kFocuses[] = {"window", "text field", "table", "dialog", "
 
 struct Bench : WindowBench {
     DeviceReading pad;
-    QStringList errors;
+    std::shared_ptr<QStringList> said = std::make_shared<QStringList>();  ///< the window outlives us
+    QStringList& errors = *said;
     std::unique_ptr<script::ScriptClient> pendant;
 
     explicit Bench(const simulator::ControllerOptions& robot = VirtualCell::options()) : WindowBench(robot) {
         QObject::connect(&window.session(), &RobotSession::message, &window,
-                         [this](Severity severity, const QString& text) {
+                         [all = said](Severity severity, const QString& text) {
                              if (severity == Severity::Error) {
-                                 errors << text;
+                                 *all << text;
                              }
                          });
         window.devices().addSource(std::make_unique<PadSource>(pad));

@@ -17,10 +17,10 @@ constexpr int kNoticedMs = 600;
 constexpr int kPatienceMs = 20'000;
 
 struct Bench {
+    QStringList warnings;  // outlives the session, which has a last word
     VirtualClock clock;
     RobotSession session{clock};
     VirtualCell cell;
-    QStringList warnings;
     RobotSession::MotionId jog = 0;
 
     explicit Bench(const simulator::ControllerOptions& options = VirtualCell::options())
@@ -147,9 +147,9 @@ private Q_SLOTS:
 
     // Whoever moved it, and once it rests: the log tells.
     void aMovedSpeedSliderIsLogged() {
-        Bench bench;
-        QStringList said;
+        QStringList said;  // outlives the session, which has a last word
         QList<Origin> origins;
+        Bench bench;
         QObject::connect(&bench.session, &RobotSession::message, &bench.session,
                          [&](Severity, const QString& text, Origin origin) {
                              if (text.startsWith(QStringLiteral("Speed slider"))) {
@@ -177,8 +177,8 @@ private Q_SLOTS:
 
     // The log and its export call an output what the operator calls it.
     void outputsAreLoggedByTheirNames() {
-        Bench bench;
         QStringList said;
+        Bench bench;
         QObject::connect(&bench.session, &RobotSession::message, &bench.session,
                          [&](Severity, const QString& text) { said << text; });
         bench.session.setIoNames({{QStringLiteral("DO 3"), QStringLiteral("Gripper")}});
