@@ -254,8 +254,7 @@ void HeaderBar::offerStopAbove() {
     }
     stopAbove_ = new StopButton(dialog);
     stopAbove_->setObjectName(QStringLiteral("stopAboveDialog"));
-    stopAbove_->setWindowFlags(Qt::Tool | Qt::FramelessWindowHint | Qt::WindowDoesNotAcceptFocus |
-                               Qt::WindowStaysOnTopHint);
+    stopAbove_->setWindowFlags(Qt::ToolTip);  // the one kind that takes the focus from nobody
     stopAbove_->setAttribute(Qt::WA_ShowWithoutActivating);
     connect(stopAbove_, &StopButton::stopRequested, this,
             [this] { port_.stop(control::StopCause::StopButton); });
