@@ -82,7 +82,8 @@ struct ContractEvent {
     std::function<void(ContractCell&)> happen;
     /// What may be done after it, in order, each with some time: none of it may move the arm.
     std::vector<std::function<void(ContractCell&)>> after;
-    bool losesBoth = false;  ///< the process dies and the program is paused
+    bool robotBrakes = false;  ///< how long that takes is the robot's own affair
+    bool losesBoth = false;    ///< the process dies and the program is paused
 };
 
 const std::vector<ContractEvent>& contractEvents();
