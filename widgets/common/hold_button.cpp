@@ -156,12 +156,11 @@ bool HoldButton::event(QEvent* event) {
 bool HoldButton::touchEvent(QEvent* event) {
     const auto* touch = static_cast<QTouchEvent*>(event);
     event->accept();
-    if (!isEnabled()) {
+    // What a cancelled touch held the rule book has ended already.
+    if (!isEnabled() || event->type() == QEvent::TouchCancel) {
         return true;
     }
-    if (event->type() == QEvent::TouchCancel) {
-        guard_.stop(control::StopCause::DeviceLost);
-    } else if (touch->points().size() != 1) {
+    if (touch->points().size() != 1) {
         guard_.tell(HoldNews::Kind::PressedAgain);
     } else if (event->type() == QEvent::TouchBegin) {
         guard_.press({Grip::By::Touch});
