@@ -12,6 +12,9 @@
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
+#ifdef __linux__
+#include <sys/eventfd.h>
+#endif
 #endif
 
 namespace tiller::native_socket {
@@ -49,7 +52,14 @@ Transfer send(Descriptor socket, std::span<const std::uint8_t> bytes) {
                           static_cast<int>(bytes.size()), 0));
 }
 
-bool waitReadable(Descriptor socket, std::chrono::nanoseconds atMost) {
+Waker::Waker() = default;
+Waker::~Waker() = default;
+void Waker::wake() const {}
+bool Waker::take() const {
+    return false;
+}
+
+bool waitReadable(Descriptor socket, std::chrono::nanoseconds atMost, const Waker* /*waker*/) {
     WSAPOLLFD item{handle(socket), POLLRDNORM, 0};
     return WSAPoll(&item, 1, static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(atMost).count())) >
            0;
@@ -108,18 +118,49 @@ Transfer send(Descriptor socket, std::span<const std::uint8_t> bytes) {
     return outcome(::send(static_cast<int>(socket), bytes.data(), bytes.size(), kFlags));
 }
 
-bool waitReadable(Descriptor socket, std::chrono::nanoseconds atMost) {
-    pollfd item{static_cast<int>(socket), POLLIN, 0};
+#ifdef __linux__
+Waker::Waker() : descriptor_(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {}
+
+Waker::~Waker() {
+    if (descriptor_ >= 0) {
+        ::close(static_cast<int>(descriptor_));
+    }
+}
+
+void Waker::wake() const {
+    if (descriptor_ >= 0) {
+        (void)::eventfd_write(static_cast<int>(descriptor_), 1);
+    }
+}
+
+bool Waker::take() const {
+    eventfd_t calls = 0;
+    return descriptor_ >= 0 && ::eventfd_read(static_cast<int>(descriptor_), &calls) == 0;
+}
+#else
+Waker::Waker() = default;
+Waker::~Waker() = default;
+void Waker::wake() const {}
+bool Waker::take() const {
+    return false;
+}
+#endif
+
+bool waitReadable(Descriptor socket, std::chrono::nanoseconds atMost, const Waker* waker) {
+    const bool wakes = waker != nullptr && waker->descriptor() >= 0;
+    pollfd items[2] = {{static_cast<int>(socket), POLLIN, 0},
+                       {wakes ? static_cast<int>(waker->descriptor()) : -1, POLLIN, 0}};
+    const nfds_t count = wakes ? 2 : 1;
     if (atMost.count() < 0) {
         atMost = std::chrono::nanoseconds(0);
     }
 #ifdef __linux__
     const timespec time{static_cast<time_t>(atMost.count() / 1'000'000'000),
                         static_cast<long>(atMost.count() % 1'000'000'000)};
-    return ::ppoll(&item, 1, &time, nullptr) > 0;
+    return ::ppoll(items, count, &time, nullptr) > 0 && items[0].revents != 0;
 #else
-    return ::poll(&item, 1, static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(atMost).count())) >
-           0;
+    const auto ms = static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(atMost).count());
+    return ::poll(items, count, ms) > 0 && items[0].revents != 0;
 #endif
 }
 

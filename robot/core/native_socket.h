@@ -32,9 +32,28 @@ void prepare(Descriptor socket);
 Transfer receive(Descriptor socket, std::span<std::uint8_t> into);
 Transfer send(Descriptor socket, std::span<const std::uint8_t> bytes);
 
-/// Waits until the socket can be read (data, end of stream or error), or the time is over.
-/// Returns  true when it can be read
-bool waitReadable(Descriptor socket, std::chrono::nanoseconds atMost);
+/// Ends the wait of another thread in waitReadable(). Where the system has no means for it, it does nothing
+/// and the wait lasts as long as it would have. Threads  any. Blocks: never. Real-time: one system call each
+class Waker {
+public:
+    Waker();
+    ~Waker();
+    Waker(const Waker&) = delete;
+    Waker& operator=(const Waker&) = delete;
+
+    void wake() const;
+    /// Forgets the calls of wake() until now.
+    /// Returns  whether there were any
+    bool take() const;
+    Descriptor descriptor() const { return descriptor_; }  ///< negative: there is no means
+
+private:
+    Descriptor descriptor_ = -1;
+};
+
+/// Waits until the socket can be read (data, end of stream or error), the waker, if any, wakes, or the time
+/// is over. Returns  true when the socket can be read
+bool waitReadable(Descriptor socket, std::chrono::nanoseconds atMost, const Waker* waker = nullptr);
 
 void close(Descriptor socket);
 

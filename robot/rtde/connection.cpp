@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <mutex>
 #include <optional>
 
 #include "robot/core/tcp_connect.h"
@@ -26,7 +27,8 @@ struct Connection::State {
     PackageSplitter splitter;
     Descriptor socket = kNoSocket;
     QString peer;
-    Error error;
+    mutable std::mutex errorMutex;
+    Error error;    ///< under it
     Bytes replies;  ///< what the session wants sent
     // One data package being sent; more than zero bytes are left only if the peer is not reading.
     std::array<std::uint8_t, kMaxPackageSize> outgoing{};
@@ -42,7 +44,12 @@ struct Connection::State {
         }
     }
 
-    void failWith(ErrorCode code, const QString& what) { error = {code, peer, what}; }
+    // On a breaking connection reader and writer find out at the same time.
+    void failWith(ErrorCode code, const QString& what) { keep({code, peer, what}); }
+    void keep(const Error& reason) {
+        const std::lock_guard lock(errorMutex);
+        error = reason;
+    }
 
     Status flush() {
         while (outgoingBegin < outgoingEnd) {
@@ -199,7 +206,8 @@ bool Connection::hasPackage() const {
     return d_->splitter.hasNext();
 }
 
-Connection::Read Connection::readPackage(std::span<double> values, nanoseconds atMost) {
+Connection::Read Connection::readPackage(std::span<double> values, nanoseconds atMost,
+                                         const native_socket::Waker* waker) {
     State& d = *d_;
     if (d.socket == kNoSocket) {
         return Read::Failed;
@@ -225,7 +233,7 @@ Connection::Read Connection::readPackage(std::span<double> values, nanoseconds a
             return Read::Package;
         }
         if (d.splitter.fault() != PackageSplitter::Fault::None) {
-            d.error = d.located(d.splitter.error());
+            d.keep(d.located(d.splitter.error()));
             return Read::Malformed;
         }
         if (timeIsUp) {
@@ -234,7 +242,7 @@ Connection::Read Connection::readPackage(std::span<double> values, nanoseconds a
         // Waiting first costs two system calls a package, reading first would cost three.
         if (!onlyLook) {
             const auto left = end - std::chrono::steady_clock::now();
-            if (left.count() <= 0 || !native_socket::waitReadable(d.socket, left)) {
+            if (left.count() <= 0 || !native_socket::waitReadable(d.socket, left, waker)) {
                 return Read::Nothing;
             }
         }
@@ -316,6 +324,7 @@ bool Connection::isOpen() const {
 }
 
 Error Connection::error() const {
+    const std::lock_guard lock(d_->errorMutex);
     return d_->error;
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 // An RTDE connection: opens a native socket, runs the handshake within a deadline, and then moves data packages
-// over it without allocating. Whoever owns it reads and writes it from one
-// thread; it has none of its own. The destructor closes it, at once, whatever the peer does.
+// over it without allocating. Its owner reads it in one thread and may send from others, one at a time; it has
+// none of its own. The destructor closes it, at once, whatever the peer does.
 
 #include <QString>
 #include <chrono>
@@ -61,8 +61,10 @@ public:
     /// Waits for the next data package and decodes it. Packages of other kinds are taken in silently (text
     /// messages are kept in session()). A zero time only looks.
     /// values   at least outputs().size() numbers
+    /// waker    may end the wait early: Nothing then
     /// Blocks: atMost. Real-time: yes (two system calls a package)
-    Read readPackage(std::span<double> values, std::chrono::nanoseconds atMost);
+    Read readPackage(std::span<double> values, std::chrono::nanoseconds atMost,
+                     const native_socket::Waker* waker = nullptr);
     /// True when another package has already been received: readPackage() will not wait.
     bool hasPackage() const;
 
