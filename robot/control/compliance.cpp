@@ -162,7 +162,8 @@ Result<Motion> Compliance::startTeachMode(Holding holding) {
     return id ? MotionAccess::make(*controller_, *id, MotionKind::Freedrive) : Result<Motion>(id.error());
 }
 
-Result<void> Compliance::startContactDetection(const Twist& direction, const Deadline& deadline) {
+Result<void> Compliance::startContactDetection(const Twist& direction, const Deadline& deadline,
+                                               AfterContact after) {
     const Vector6 values = direction.vector();
     const ArgumentCheck check =
         ArgumentCheck("start contact detection").finite("direction", values.data(), 6);
@@ -174,7 +175,8 @@ Result<void> Compliance::startContactDetection(const Twist& direction, const Dea
     if (const auto known = d.needs(kContactSince, {}, context); !known) {
         return known;
     }
-    return noAnswer(d.request(RequestKind::WatchContact, 1, numbersOf(values), context, deadline));
+    const std::int32_t how = after == AfterContact::Return ? 2 : 1;
+    return noAnswer(d.request(RequestKind::WatchContact, how, numbersOf(values), context, deadline));
 }
 
 Result<bool> Compliance::hasContact(const Deadline& deadline) {

@@ -26,6 +26,11 @@ struct ForceMode {
     std::array<double, 6> limits{};
 };
 
+enum class AfterContact : std::uint8_t {
+    Stand,   ///< stops
+    Return,  ///< stops, then goes back to where the contact began
+};
+
 struct Freedrive {
     std::array<bool, 6> freeAxes{true, true, true, true, true, true};
     /// The axes' frame, in the base frame. Source: URScript freedrive_mode. Without axes and frame on
@@ -55,9 +60,12 @@ public:
     /// Freedrive on all axes, as software of every age knows it. Source: URScript teach_mode
     Result<Motion> startTeachMode(Holding holding = Holding::Free);
 
-    /// Looks for contact from now on; the motion under way then ends with StopCause::Contact.
-    /// direction  base frame; zeros: any. Since 5.4
-    Result<void> startContactDetection(const Twist& direction, const Deadline& deadline);
+    /// Looks for contact from now on; the motion under way then ends with StopCause::Contact. What touches
+    /// already is none.
+    /// direction  base frame; zeros: the direction the tool moves in. Since 5.4
+    /// after      what the arm does then; it is part of the motion, and any stop ends it
+    Result<void> startContactDetection(const Twist& direction, const Deadline& deadline,
+                                       AfterContact after = AfterContact::Stand);
     Result<bool> hasContact(const Deadline& deadline);
     /// Returns  whether there was contact
     Result<bool> endContactDetection(const Deadline& deadline);

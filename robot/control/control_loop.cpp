@@ -12,8 +12,7 @@ namespace tiller::control {
 
 namespace {
 
-// How long the program may leave a package unanswered before a motion ends, and before it counts as gone.
-constexpr std::int64_t kEchoNs = 100 * kNsPerMs;
+// How long the program may leave a package unanswered before it counts as gone.
 constexpr std::int64_t kEchoGoneNs = 500 * kNsPerMs;
 
 double fastest(const JointVelocities& qd) {
@@ -31,6 +30,9 @@ void ControlLoop::begin(std::int32_t session, double period, const ArmLimits& ar
     endRequested_.store(false, std::memory_order_release);
     nextSession_.store(0, std::memory_order_release);
     forcePermitted_.exchange(false, std::memory_order_acq_rel);
+    mayFinish_ = false;
+    finishHeard_ = false;
+    finishSequence_ = 0;
     request_.publish({});
     data_ = {};
     data_.hostNs = nowNs;
@@ -47,6 +49,16 @@ void ControlLoop::begin(std::int32_t session, double period, const ArmLimits& ar
     status_.late = 0;
     status_.limiter = {};
     publish();
+}
+
+void ControlLoop::follow(const Echo& echo) {
+    session_ = echo.session;
+    sequence_ = echo.sequence;
+    asked_ = echo.answer.number;
+}
+
+void ControlLoop::permitFinish() {
+    mayFinish_.store(true, std::memory_order_release);
 }
 
 void ControlLoop::permitForce(bool permitted) {
@@ -92,11 +104,12 @@ Command ControlLoop::tick(const Feedback& data) {
             ++status_.late;
         }
         // The stall is over, but what was asked for before it is too old to go on with.
-        if (sinceLast > kMaxDataAgeNs) {
+        if (sinceLast > patienceNs_) {
             endActive(StopCause::DataStale, data.hostNs);
         }
     }
     data_ = data;
+    sentEarly_ = false;
     evenNs_ = pace_.follow(data.hostNs, data.timestamp, data.awaited);
     if (!hasData_) {
         hasData_ = true;
@@ -118,7 +131,7 @@ Command ControlLoop::tick(const Feedback& data) {
 
 bool ControlLoop::fallback(std::int64_t nowNs, Command& out) {
     const std::int64_t age = nowNs - data_.hostNs;
-    if (age > kMaxDataAgeNs) {
+    if (age > patienceNs_) {
         endActive(StopCause::DataStale, nowNs);
     }
     if (dueNs() <= nowNs && cycleWithoutPackage(nowNs, out)) {
@@ -161,6 +174,31 @@ bool ControlLoop::cycleWithoutPackage(std::int64_t nowNs, Command& out) {
     return true;
 }
 
+bool ControlLoop::early(std::int64_t nowNs, Command& out) {
+    if (sentEarly_ || !hasData_ || !isInControl() || endRequested_.load(std::memory_order_acquire)) {
+        return false;
+    }
+    hookInUse_.store(true);
+    const bool hooked = hook_.load() != nullptr;
+    hookInUse_.store(false);
+    const MotionCommand* motion = hooked ? nullptr : mailbox_.active(nowNs);
+    if (motion != nullptr && (motion->id != followed_ || motion->kind != MotionCommand::Kind::Program)) {
+        return false;  // how it begins depends on where the arm is then
+    }
+    if (motion == nullptr && (sentMotion_ == kNoMotion || mailbox_.epoch().isActive(sentMotion_))) {
+        return false;
+    }
+    sentEarly_ = true;
+    out = {};
+    if (motion != nullptr) {
+        composeProgram(*motion, data_, {period_, false, nowNs}, out);
+    }
+    noteEnded(nowNs);
+    seal(out, nowNs);
+    publish();
+    return true;
+}
+
 void ControlLoop::lost(std::int64_t nowNs, ControlLoss loss) {
     leave(loss, StopCause::LinkLost, nowNs);
     noteEnded(nowNs);
@@ -189,6 +227,9 @@ void ControlLoop::followEcho(const Feedback& data) {
     }
     echoed_ = echo.sequence;
     unansweredSinceNs_ = 0;
+    if (finishSequence_ != 0 && echo.sequence >= finishSequence_) {
+        finishHeard_.store(true, std::memory_order_release);
+    }
     const std::int32_t behind = sequence_ - echo.sequence;
     if (behind >= 0 && static_cast<std::size_t>(behind) >= kSentMemory) {
         // Older than what is remembered: at least as long as all of it took.
@@ -219,6 +260,8 @@ void ControlLoop::watch(const Feedback& data) {
     status_.tcpOffset = data.tcpOffset.array();
     status_.speedScaling = data.speedScaling;
     status_.runtimeState = data.runtimeState;
+    status_.robotStatusBits = data.robotStatusBits;
+    status_.safetyStatusBits = data.safetyStatusBits;
     status_.forceKnown = data.tcpForce.has_value();
     if (data.runtimeState == RuntimeState::Playing) {
         playing_.fetch_add(1, std::memory_order_acq_rel);
@@ -239,15 +282,15 @@ void ControlLoop::watch(const Feedback& data) {
         return;
     }
     const std::int64_t unanswered = unansweredSinceNs_ == 0 ? 0 : data.hostNs - unansweredSinceNs_;
-    if (unanswered > kEchoGoneNs) {
+    if (unanswered > std::max(kEchoGoneNs, patienceNs_)) {
         leave(ControlLoss::EchoStalled, StopCause::ControlLost, data.hostNs);
         return;
     }
-    if (unanswered > kEchoNs) {
+    if (unanswered > patienceNs_) {
         endActive(StopCause::ControlLost, data.hostNs);
     }
     // Everything flows, but late: a stop would reach the arm as late.
-    if (status_.roundTripMs > kMaxRoundTripMs) {
+    if (status_.roundTripMs * static_cast<double>(kNsPerMs) > static_cast<double>(patienceNs_)) {
         endActive(StopCause::LinkLost, data.hostNs);
     }
     const MotionId motion = mailbox_.epoch().activeMotion();
@@ -365,6 +408,7 @@ void ControlLoop::composeProgram(const MotionCommand& motion, const Feedback& da
     command.speed = from->speed;
     command.acceleration = from->acceleration;
     command.rotationAcceleration = from->rotationAcceleration;
+    command.rotation = from->rotation;
 }
 
 bool ControlLoop::feelsContact(const JogTarget& target, const Feedback& data) {
@@ -444,6 +488,7 @@ void ControlLoop::noteEnded(std::int64_t nowNs) {
 void ControlLoop::publish() {
     status_.motion = mailbox_.epoch().activeMotion();
     status_.epoch = mailbox_.epoch().current();
+    status_.forceMode = forcePermitted_.load(std::memory_order_acquire);
     status_.moving = meter_.isMoving();
     status_.lastStop = meter_.last();
     published_.store(status_);
@@ -473,7 +518,11 @@ void ControlLoop::seal(Command& command, std::int64_t nowNs) {
     command.forcePermitted = forcePermitted_.load(std::memory_order_acquire);
     command.speedFraction = data_.speedFraction;
     constexpr std::int32_t kWrap = 0x3fffffff;
-    sequence_ = sequence_ >= kWrap ? 1 : sequence_ + 1;
+    sequence_ = sequence_ >= kWrap ? kBeforeFirstSequence + 1 : sequence_ + 1;
+    command.mayFinish = mayFinish_.load(std::memory_order_acquire);
+    if (command.mayFinish && finishSequence_ == 0) {
+        finishSequence_ = sequence_;
+    }
     command.sequence = sequence_;
     command.session = session_;
     sentNs_[static_cast<std::size_t>(sequence_) % kSentMemory] = nowNs;

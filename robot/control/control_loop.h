@@ -75,6 +75,9 @@ public:
     /// For when no package comes: ends the motion once the data are too old, and runs the cycle that is due.
     /// Returns  true when `out` shall be sent without waiting any longer
     bool fallback(std::int64_t nowNs, Command& out);
+    /// For when somebody has just changed what is to be done and no package is due: sends it at once, but
+    /// only once between two packages. Returns  true when `out` shall be sent
+    bool early(std::int64_t nowNs, Command& out);
     /// The connection is gone.
     void lost(std::int64_t nowNs, ControlLoss loss);
 
@@ -83,6 +86,16 @@ public:
         endLoss_.store(loss, std::memory_order_relaxed);
         endRequested_.store(true, std::memory_order_release);
     }
+    /// How old data may be, and how long the program may leave a package unanswered, before a motion ends.
+    /// Threads: before the control thread starts
+    void setPatience(std::int64_t ns) { patienceNs_ = ns; }
+    /// For who joins a program that runs: goes on counting where the client before has ended.
+    /// Threads: after begin(), before the control thread starts
+    void follow(const Echo& echo);
+    /// From the next tick on a move or path may come to its end without us.
+    void permitFinish();
+    /// Whether the robot has heard of it.
+    bool isFinishPermitted() const { return finishHeard_.load(std::memory_order_acquire); }
     /// From the next tick on only the program with this session is ours, and its echo is waited for.
     void expectSession(std::int32_t session) { nextSession_.store(session, std::memory_order_release); }
 
@@ -144,6 +157,11 @@ private:
     std::atomic<ControlLoss> endLoss_{ControlLoss::Released};
     std::atomic<std::int32_t> nextSession_{0};  ///< 0: none
     std::atomic<bool> forcePermitted_{false};
+    std::atomic<bool> mayFinish_{false};
+    std::atomic<bool> finishHeard_{false};
+    std::int32_t finishSequence_ = 0;  ///< of the first package that permits it; 0: none
+    std::int64_t patienceNs_ = kMaxDataAgeNs;
+    bool sentEarly_ = false;  ///< since the newest package
     std::atomic<std::uint64_t> playing_{0};
     std::atomic<CycleHook*> hook_{nullptr};
     std::atomic<bool> hookInUse_{false};
@@ -157,7 +175,7 @@ private:
     realtime::ArrivalPace pace_{period_};
     std::int64_t evenNs_ = 0;      ///< when the newest package's cycle is to begin, to be even
     std::int64_t composedNs_ = 0;  ///< when the command was made that is about to be sent
-    std::int32_t sequence_ = 0;
+    std::int32_t sequence_ = kBeforeFirstSequence;
     static constexpr std::size_t kSentMemory = 512;
     std::array<std::int64_t, kSentMemory> sentNs_{};
     std::int32_t echoed_ = 0;

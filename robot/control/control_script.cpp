@@ -131,7 +131,7 @@ QString refusedName(const QString& text) {
 
 ControlScript controlScript(const SoftwareVersion& version, RegisterRange range, std::int32_t session,
                             const MotionLimits& limits, const std::array<double, 6>& jointSpeeds,
-                            const QString& section, const QStringList& refused) {
+                            const QString& section, const QStringList& refused, const ForceSettings& force) {
     const QString source = QString::fromUtf8(controlScriptTemplate());
     // Ports that take scripts also take single lines: what stands in front of the program must not be sent.
     const qsizetype begin = source.indexOf(QLatin1String("def "));
@@ -153,6 +153,13 @@ ControlScript controlScript(const SoftwareVersion& version, RegisterRange range,
     }
     fill("JOINT_SPEEDS", speeds.join(QLatin1String(", ")));
     fill("LEEWAY", number(kJointLeeway));
+    const auto setting = [&](const char* function, const char* since, const std::optional<double>& value) {
+        return value && isSince(version, QLatin1String(since))
+                   ? QStringLiteral("%1(%2)").arg(QLatin1String(function), number(*value))
+                   : QString();
+    };
+    fill("FORCE_DAMPING", setting("force_mode_set_damping", "5.0 3.5", force.damping));
+    fill("FORCE_GAIN_SCALING", setting("force_mode_set_gain_scaling", "5.0", force.gainScaling));
     fill("WATCHDOG", QString::fromStdString(watchdogName(range)));
     QStringList lines = section.trimmed().isEmpty() ? QStringList{QStringLiteral("sync()")}
                                                     : section.split(QLatin1Char('\n'));

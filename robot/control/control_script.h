@@ -36,7 +36,8 @@ struct ControlScript {
 /// refused  names in CALLS that this controller does not know: the program does without them
 ControlScript controlScript(const SoftwareVersion& version, RegisterRange range, std::int32_t session,
                             const MotionLimits& limits, const std::array<double, 6>& jointSpeeds,
-                            const QString& section = {}, const QStringList& refused = {});
+                            const QString& section = {}, const QStringList& refused = {},
+                            const ForceSettings& force = {});
 
 /// Of what the controller says when it cannot compile the program: the name that it does not know, if the
 /// program can do without it; else empty.

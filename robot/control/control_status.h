@@ -79,16 +79,19 @@ struct ControllerStatus {
     double speedFraction = 1;        ///< speed slider
     double speedScaling = 1;         ///< what the controller's own limits leave of it
     RuntimeState runtimeState = RuntimeState::Stopped;
-    int waypoint = 0;                   ///< of a path, counted from 1: the one headed for
-    std::array<double, 6> q{};          ///< actual joint positions of the newest data [rad]
-    std::array<double, 6> tcpPose{};    ///< actual TCP pose in the base frame [m, rad]
-    std::array<double, 6> tcpOffset{};  ///< flange to TCP [m, rad]
-    bool forceKnown = false;            ///< the robot tells the force on its TCP
-    std::uint64_t ticks = 0;            ///< data packages answered
-    std::uint64_t late = 0;             ///< of those, more than half a period late by the host's clock
-    std::int64_t dataTimeNs = 0;        ///< when the newest data arrived; by the controller's Clock
-    bool priorityGranted = false;       ///< the control thread got the priority it asked for
-    bool cpusGranted = false;           ///< ... and the CPUs
+    std::uint32_t robotStatusBits = 0;   ///< as RTDE robot_status_bits
+    std::uint32_t safetyStatusBits = 0;  ///< as RTDE safety_status_bits
+    int waypoint = 0;                    ///< of a path, counted from 1: the one headed for
+    std::array<double, 6> q{};           ///< actual joint positions of the newest data [rad]
+    std::array<double, 6> tcpPose{};     ///< actual TCP pose in the base frame [m, rad]
+    std::array<double, 6> tcpOffset{};   ///< flange to TCP [m, rad]
+    bool forceMode = false;              ///< force mode may go on, and is on if it was begun
+    bool forceKnown = false;             ///< the robot tells the force on its TCP
+    std::uint64_t ticks = 0;             ///< data packages answered
+    std::uint64_t late = 0;              ///< of those, more than half a period late by the host's clock
+    std::int64_t dataTimeNs = 0;         ///< when the newest data arrived; by the controller's Clock
+    bool priorityGranted = false;        ///< the control thread got the priority it asked for
+    bool cpusGranted = false;            ///< ... and the CPUs
 };
 
 }  // namespace tiller::control

@@ -48,7 +48,7 @@ Result<void> Controller::takeControl(const Deadline& deadline) {
     }
     const UnderWay cancellable(*d_, deadline);
     d_->stopThread();
-    auto taken = d_->take(deadline);
+    auto taken = d_->take(deadline, false);
     if (!taken) {
         d_->stopThread();
         d_->loop.publishLoss(ControlLoss::NotTaken);
@@ -56,31 +56,80 @@ Result<void> Controller::takeControl(const Deadline& deadline) {
     return taken;
 }
 
-void Controller::release() {
-    stop(StopCause::ControlLost);
-    {
-        const std::lock_guard lock(d_->patience);
-        ++d_->ending;
-        d_->underWay.cancel();
-    }
+Result<void> Controller::joinProgram(const Deadline& deadline) {
     const std::lock_guard lock(d_->taking);
-    {
-        const std::lock_guard patience(d_->patience);
-        --d_->ending;
+    if (d_->running && d_->loop.isInControl()) {
+        return {};
     }
-    stop(StopCause::ControlLost);
-    if (!d_->running) {
-        d_->stopThread();
-        return;
-    }
-    d_->loop.requestEnd();
-    // Enough to see the arm come to rest from a jog; a longer way it brakes without us.
-    const Deadline patience = Deadline::after(std::chrono::milliseconds(160));
-    while (d_->running && d_->loop.isInControl() && !patience.hasExpired()) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    const UnderWay cancellable(*d_, deadline);
+    if (d_->running) {
+        const QString context = QStringLiteral("go on with the control program");
+        if (d_->loop.status().runtimeState != RuntimeState::Playing || d_->session == 0) {
+            return Error{ErrorCode::NotInControl, context, QStringLiteral("it does not run")};
+        }
+        d_->loop.expectSession(d_->session);
+        return d_->awaitControl(deadline, context);
     }
     d_->stopThread();
-    d_->loop.publishLoss(ControlLoss::Released);
+    auto taken = d_->take(deadline, true);
+    if (!taken) {
+        d_->stopThread();
+        d_->loop.publishLoss(ControlLoss::NotTaken);
+    }
+    return taken;
+}
+
+void Controller::Private::end(const std::function<void()>& whenRunning) {
+    {
+        const std::lock_guard lock(patience);
+        ++ending;
+        underWay.cancel();
+    }
+    const std::lock_guard lock(taking);
+    {
+        const std::lock_guard guard(patience);
+        --ending;
+    }
+    if (running) {
+        whenRunning();
+    }
+    stopThread();
+    loop.publishLoss(ControlLoss::Released);
+}
+
+void Controller::release() {
+    stop(StopCause::ControlLost);
+    d_->end([this] {
+        stop(StopCause::ControlLost);
+        d_->loop.requestEnd();
+        // Enough to see the arm come to rest from a jog; a longer way it brakes without us.
+        const Deadline patience = Deadline::after(std::chrono::milliseconds(160));
+        while (d_->running && d_->loop.isInControl() && !patience.hasExpired()) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+    });
+}
+
+void Controller::leave() {
+    const auto stopEndless = [this] {
+        if (!d_->mailbox.hasAnEnd()) {
+            stop(StopCause::ControlLost);
+        }
+        d_->loop.permitForce(false);
+    };
+    stopEndless();
+    d_->end([&] {
+        stopEndless();
+        d_->loop.permitFinish();
+        d_->wake();
+        // Some 5 ms, unless the robot hangs: then its program ends the motion by itself.
+        const Deadline patience = Deadline::after(std::chrono::milliseconds(160));
+        while (d_->running && d_->loop.isInControl() && !d_->loop.isFinishPermitted() &&
+               !patience.hasExpired()) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+    });
+    stop(StopCause::ControlLost);  // for those who wait for it here: we hear no more of it
 }
 
 void Controller::Private::run() {
@@ -105,6 +154,9 @@ void Controller::Private::run() {
     };
     bool alive = true;
     std::int64_t doneNs = now();
+    const auto lastData = [this] { return loop.status().dataTimeNs; };
+    const std::int64_t silenceNs = std::chrono::nanoseconds(options.silence).count();
+    const std::int64_t begunNs = doneNs;
     const auto answer = [&](const Command& command) {
         doneNs = now();
         return send(command);
@@ -114,12 +166,12 @@ void Controller::Private::run() {
         // The last of the wait for a cycle that is due is spent looking, not asleep.
         const std::int64_t left = due == kNoCycleDue ? kLookUpNs : due - now() - kWakeUpNs;
         const std::chrono::nanoseconds wait(std::clamp<std::int64_t>(left, 0, kLookUpNs));
-        switch (connection->readPackage(values, wait)) {
+        switch (connection->readPackage(values, wait, &waker)) {
             case rtde::Connection::Read::Package: {
                 Feedback data = layout.decode(values, now());
                 data.awaited = data.hostNs - doneNs > kBusyNs;
                 alive = answer(loop.tick(data));
-                if (loop.takePaused()) {
+                if (loop.takePaused() && !options.keepPaused) {
                     primary->requestProgramStop();  // set before this thread began, and until it has ended
                 }
                 break;
@@ -127,8 +179,12 @@ void Controller::Private::run() {
             case rtde::Connection::Read::Nothing: {
                 const bool looksOn = wait.count() == 0 && now() < due;
                 Command command;
-                if (!looksOn && loop.fallback(now(), command)) {
+                if ((waker.take() && loop.early(now(), command)) ||
+                    (!looksOn && loop.fallback(now(), command))) {
                     alive = answer(command);
+                }
+                if (silenceNs > 0 && now() - std::max(lastData(), begunNs) > silenceNs) {
+                    alive = false;
                 }
                 break;
             }
@@ -156,10 +212,11 @@ Error Controller::Private::obstacle(const QString& context) const {
             ErrorCode::UnsafeState, context,
             QStringLiteral("%1, %2").arg(robotModeName(status.robotMode), safetyModeName(status.safetyMode))};
     }
-    if (now() - status.dataTimeNs > kMaxDataAgeNs) {
-        return {ErrorCode::LinkLost, context, QStringLiteral("no data for more than 100 ms")};
+    if (now() - status.dataTimeNs > patienceNs()) {
+        return {ErrorCode::LinkLost, context,
+                QStringLiteral("no data for more than %1 ms").arg(options.patience.count())};
     }
-    if (status.roundTripMs > kMaxRoundTripMs) {
+    if (status.roundTripMs > static_cast<double>(options.patience.count())) {
         return {
             ErrorCode::LinkLost, context,
             QStringLiteral("commands take %1 ms to the robot and back").arg(status.roundTripMs, 0, 'f', 0)};
@@ -178,6 +235,7 @@ Result<MotionId> Controller::Private::start(const MotionCommand& command, std::u
         mailbox.end(id, StopCause::ControlLost, now());
         return Error{ErrorCode::NotInControl, context, {}};
     }
+    wake();
     return id;
 }
 
@@ -273,10 +331,13 @@ bool Controller::refreshMove(MoveId move) {
 void Controller::stop(StopCause cause) {
     d_->mailbox.stop(cause, d_->now());
     d_->loop.permitForce(false);  // afterwards: see setForceMode()
+    d_->wake();
 }
 
 bool Controller::end(MotionId motion, StopCause cause) {
-    return d_->mailbox.end(motion, cause, d_->now());
+    const bool ended = d_->mailbox.end(motion, cause, d_->now());
+    d_->wake();
+    return ended;
 }
 
 MotionState Controller::motionState(MotionId motion) const {
@@ -285,6 +346,15 @@ MotionState Controller::motionState(MotionId motion) const {
 
 ControllerStatus Controller::status() const {
     return d_->loop.status();
+}
+
+JointLimits Controller::jointLimits() const {
+    const ArmLimits arm = d_->armNow();
+    return {arm.minPosition, arm.maxPosition, arm.maxSpeed};
+}
+
+bool Controller::isConnected() const {
+    return d_->running.load(std::memory_order_acquire);
 }
 
 MotionLimits Controller::limits() const {

@@ -9,6 +9,8 @@
 // after it. A motion whose holder falls silent for 100 ms ends. Nothing resumes by itself.
 
 #include <QString>
+#include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -30,6 +32,13 @@ enum class RegisterRange : std::uint8_t {
     Upper,  ///< 24-47: meant for programs like this one; from software 3.9 / 5.3
 };
 
+/// How lively force mode is; left out: as the robot has it. Source: URScript force_mode_set_damping,
+/// force_mode_set_gain_scaling
+struct ForceSettings {
+    std::optional<double> damping;      ///< 0 ... 1
+    std::optional<double> gainScaling;  ///< 0 ... 2
+};
+
 struct ControllerOptions {
     Text host = QStringLiteral("127.0.0.1");
     int portOffset = 0;   ///< added to 30001 and 30004
@@ -44,6 +53,21 @@ struct ControllerOptions {
     MotionLimits limits;
     /// Used for the limiter until, or unless, the controller has told its own dimensions.
     RobotModelId model = RobotModelId::UR5e;
+    /// Data older than this, or a command unanswered for longer, end what is active. The robot ends it after
+    /// 100 ms without a heartbeat in any case, by its own time; a program without a person at a key may leave
+    /// it to the robot, so that a hiccup of this computer that the robot did not notice ends nothing.
+    std::chrono::milliseconds patience{100};
+    /// Without data for so long the connection counts as lost; 0: only when it ends.
+    std::chrono::milliseconds silence{0};
+    /// True: a control program that was paused may be played again (joinProgram()); what it was told before the
+    /// pause is over all the same. False: it is stopped.
+    bool keepPaused = false;
+    /// How the control program gets to the robot. Empty: sent to the primary interface.
+    std::function<Result<void>(const QString& program, const Deadline& deadline)> deliver;
+    /// False: takeControl() does not wait for the program to run, which somebody else starts some time later.
+    bool awaitProgram = true;
+    /// What the control program sets when it begins.
+    ForceSettings force;
 };
 
 /// A motion without a holder goes on until it is done or stopped; one with a holder also ends when the holder
@@ -75,6 +99,18 @@ public:
     ///          UnsafeState, RemoteControlRequired, ScriptError, ProtocolError, LinkLost
     /// Threads  any but the control thread; one at a time. Blocks: until the deadline
     Result<void> takeControl(const Deadline& deadline);
+
+    /// Takes control through the control program that runs already: of a client that has gone (leave()), or
+    /// ours after a pause. Sends none.
+    /// Errors   as takeControl(); NotInControl when the program that runs is none of ours
+    /// Threads  as takeControl()
+    Result<void> joinProgram(const Deadline& deadline);
+
+    /// Closes the connection and leaves the control program running for a client to come (joinProgram()). A
+    /// move or path under way comes to its end without us; whatever else moves the arm is ended, force mode
+    /// too.
+    /// Threads  and blocking as release()
+    void leave();
 
     /// Stops what moves, ends the control program and closes the connection. Cancels a call that is waiting
     /// (takeControl() and all that sends programs), through its deadline's token.
@@ -119,6 +155,10 @@ public:
     ///          interrupt the writing, and wait for ever for its end
     ControllerStatus status() const;
     MotionLimits limits() const;
+    /// What the joints of this arm can: by its own configuration once control has been taken.
+    JointLimits jointLimits() const;
+    /// Whether there is a connection, in control or not.
+    bool isConnected() const;
     /// From now on TCP and elbow get no faster than this [m/s]. Another cap than before ends whatever is
     /// active (StopCause::SelectionChanged): nothing goes on under a cap it was not begun with.
     /// Errors   InvalidArgument (not a number, or none above 0)

@@ -26,7 +26,9 @@
 namespace tiller::control {
 
 struct Controller::Private {
-    explicit Private(const ControllerOptions& o) : options(o), loop(mailbox, o.limits) {}
+    explicit Private(const ControllerOptions& o) : options(o), loop(mailbox, o.limits) {
+        loop.setPatience(patienceNs());
+    }
 
     ControllerOptions options;
     Mailbox mailbox;
@@ -42,6 +44,8 @@ struct Controller::Private {
     std::thread thread;
     std::atomic<bool> quit{false};
     std::atomic<bool> running{false};
+    native_socket::Waker waker;  ///< of the control thread
+    std::int32_t session = 0;    ///< under `taking`: of the program sent last, or joined
 
     mutable std::mutex arm;  ///< of all below
     SoftwareVersion version;
@@ -50,6 +54,11 @@ struct Controller::Private {
     ControlScript program;                           ///< the one sent last
     QString sectionName;                             ///< what its section is called in messages
     QStringList refused;  ///< names that this controller does not know and the program does without
+    struct ScriptHeard {
+        QString name;
+        bool started = false;
+        bool stopped = false;
+    } heardScript;  ///< what the controller says about the user's script
 
     Turn requesting;  ///< one request at a time
     /// Under it: numbers 6 to 17 as the program keeps them; nothing where that is not known.
@@ -65,6 +74,13 @@ struct Controller::Private {
     }
     int rtdePort() const { return options.rtdePort != 0 ? options.rtdePort : 30004 + options.portOffset; }
     std::int64_t now() const { return options.clock->nowNs(); }
+    std::int64_t patienceNs() const { return std::chrono::nanoseconds(options.patience).count(); }
+    /// Has the control thread send what was just asked for at once, where time does not stand still.
+    void wake() const {
+        if (options.clock->runsByItself()) {
+            waker.wake();
+        }
+    }
     /// With the cap as it is now: read after the stops are counted, so that a cap set meanwhile stops what
     /// was made with the one before.
     MotionLimits limitsNow() const {
@@ -83,17 +99,29 @@ struct Controller::Private {
 
     // take_control.cpp
     static std::int32_t newSession();
-    Result<void> take(const Deadline& deadline);
+    /// join  the program that runs, in place of sending one
+    Result<void> take(const Deadline& deadline, bool join);
+    Result<void> listen(const Deadline& deadline);
+    Result<void> awaitControl(const Deadline& deadline, const QString& context);
+    /// Cancels who is taking control, then has `whenRunning` prepare the end of the control thread.
+    void end(const std::function<void()>& whenRunning);
     Result<void> openRegisters(const Deadline& deadline);
     Result<void> checkModes(const Deadline& deadline);
+    /// What the program that runs says; errors when it is none of ours.
+    Result<Echo> findProgram(const Deadline& deadline);
+    Result<Feedback> firstData(const Deadline& deadline, const QString& context);
     Result<void> upload(std::int32_t session, const QString& section, const Deadline& deadline);
-    Result<void> uploadOnce(std::int32_t session, const QString& section, const Deadline& deadline);
-    void startThread(std::int32_t session, const ArmLimits& limits);
+    Result<void> uploadOnce(std::int32_t newSession, const QString& section, const Deadline& deadline);
+    void startThread(std::int32_t newSession, const Echo* joined);
     void stopThread();
     /// What the controller complained of since the last upload; code None when it did not.
     Error complaint(const QString& context);
     /// On the connection complaints come on, and after those of their time.
     std::uint64_t statesHeard();
+    ScriptHeard scriptHeard() const {
+        const std::lock_guard lock(arm);
+        return heardScript;
+    }
 
     // programs.cpp
     /// Ends the control program, if it runs. Needs `taking`.

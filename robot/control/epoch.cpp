@@ -68,6 +68,17 @@ std::uint64_t Epoch::stop(StopCause cause, std::int64_t nowNs) {
     return epochOf(seen) + 1;
 }
 
+void Epoch::skipTo(std::uint64_t epoch) {
+    Word seen = word_.load(std::memory_order_acquire);
+    while (epochOf(seen) < epoch) {
+        remember(seen);
+        if (word_.compare_exchange_weak(seen, word(epoch, false, StopCause::ControlLost),
+                                        std::memory_order_acq_rel, std::memory_order_acquire)) {
+            return;
+        }
+    }
+}
+
 bool Epoch::end(MotionId motion, StopCause cause, std::int64_t nowNs) {
     Word seen = word_.load(std::memory_order_acquire);
     while (epochOf(seen) == motion && isOccupied(seen)) {

@@ -25,7 +25,9 @@ public:
     /// Begins an empty epoch: ends whatever is active.
     /// Returns  that epoch
     std::uint64_t stop(StopCause cause, std::int64_t nowNs);
-    /// The same, but only if that motion is the active one.
+    /// Makes this the present epoch, empty, unless it is past already: another client was there before.
+    void skipTo(std::uint64_t epoch);
+    /// As stop(), but only if that motion is the active one.
     bool end(MotionId motion, StopCause cause, std::int64_t nowNs);
 
     std::uint64_t current() const;

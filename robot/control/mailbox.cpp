@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "robot/control/mailbox.h"
 
+#include "robot/control/registers.h"
+
 namespace tiller::control {
 
 MotionId Mailbox::start(MotionCommand command, std::int64_t nowNs) {
@@ -71,6 +73,18 @@ bool Mailbox::replace(MotionId motion, const MotionCommand& values, std::int64_t
     changed.program = last_.program;
     publish(changed);
     return epoch_.isActive(motion);
+}
+
+bool Mailbox::hasAnEnd() {
+    const std::lock_guard lock(callers_);
+    if (!epoch_.isActive(last_.id)) {
+        return false;
+    }
+    const bool moves = last_.kind == MotionCommand::Kind::MoveJ || last_.kind == MotionCommand::Kind::MoveL;
+    const auto program = static_cast<ScriptCommand>(last_.program);
+    return moves || (last_.kind == MotionCommand::Kind::Program &&
+                     (program == ScriptCommand::MoveJToPose || program == ScriptCommand::MoveLToJoints ||
+                      program == ScriptCommand::Section));
 }
 
 bool Mailbox::isRefreshable(MotionId motion, std::int64_t nowNs) {

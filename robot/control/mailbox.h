@@ -31,6 +31,7 @@ struct MotionCommand {
     double speed = 0;
     double acceleration = 0;
     double rotationAcceleration = 0;
+    std::array<double, 3> rotation{};  ///< Program: rotation vector of a custom frame
 };
 
 /// A stop that chooses its deceleration; it counts for the epoch it made.
@@ -76,6 +77,9 @@ public:
         return epoch_.end(motion, cause, nowNs);
     }
     const Epoch& epoch() const { return epoch_; }
+    void skipTo(std::uint64_t epoch) { epoch_.skipTo(epoch); }
+    /// Whether what is active comes to an end by itself: a move, a path.
+    bool hasAnEnd();
 
     /// The command to follow now, or null. Ends it first when its holder has fallen silent.
     /// Threads  the control thread only; the reference lives until the next call

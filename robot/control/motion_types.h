@@ -4,6 +4,7 @@
 // What may be asked of the arm, why it stops, and what a stop measured. Plain data, shared by the controller,
 // the session and the widgets.
 
+#include <array>
 #include <cstdint>
 
 #include "robot/core/joints.h"
@@ -81,6 +82,13 @@ struct StopMeasurement {
     double durationMs = 0;
     double distanceMm = 0;    ///< path length of the TCP
     std::uint64_t count = 0;  ///< number of stops measured so far; 0 = none yet
+};
+
+/// What the controller says its joints can do.
+struct JointLimits {
+    std::array<double, 6> minPosition{};  ///< [rad]
+    std::array<double, 6> maxPosition{};  ///< [rad]
+    std::array<double, 6> maxSpeed{};     ///< [rad/s]
 };
 
 /// Jog dynamics and caps. The controller has its own, wider ones.

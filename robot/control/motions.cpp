@@ -218,7 +218,7 @@ Result<Motion> Motions::movePath(const MotionPath& path, const Deadline& start, 
 }
 
 Result<Motion> Motions::moveUntilContact(const Twist& twist, const Twist& direction, double acceleration,
-                                         const Deadline& start) {
+                                         const Deadline& start, Sought sought) {
     constexpr auto kContext = "move until contact";
     auto& d = ControllerAccess::of(*controller_);
     const std::uint64_t stops = d.mailbox.epoch().stops();
@@ -252,6 +252,7 @@ Result<Motion> Motions::moveUntilContact(const Twist& twist, const Twist& direct
     command.speed = std::max(twist.linear.norm(), kSlowestReturn);
     command.acceleration = acceleration;
     command.rotationAcceleration = acceleration;
+    command.choice = sought == Sought::AnyContact ? 1 : 0;
     const auto id = d.start(command, stops, context);
     return id ? MotionAccess::make(*controller_, *id, MotionKind::UntilContact) : Result<Motion>(id.error());
 }
@@ -267,6 +268,7 @@ Result<Motion> Motions::stopJ(double deceleration, StopCause cause) {
     auto& d = ControllerAccess::of(*controller_);
     const MotionId id = d.mailbox.stop({0, Brake::Along::Joints, deceleration, deceleration}, cause, d.now());
     d.loop.permitForce(false);
+    d.wake();
     return MotionAccess::make(*controller_, id, MotionKind::Stop);
 }
 
@@ -284,6 +286,7 @@ Result<Motion> Motions::stopL(double deceleration, double rotationDeceleration, 
     auto& d = ControllerAccess::of(*controller_);
     const MotionId id = d.mailbox.stop({0, Brake::Along::Line, deceleration, rotation}, cause, d.now());
     d.loop.permitForce(false);
+    d.wake();
     return MotionAccess::make(*controller_, id, MotionKind::Stop);
 }
 

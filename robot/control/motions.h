@@ -11,6 +11,12 @@
 
 namespace tiller::control {
 
+/// Which contact a move looks for.
+enum class Sought : std::uint8_t {
+    NewContact,  ///< what touches at the start has to let go first
+    AnyContact,
+};
+
 /// All arguments are checked before anything is sent; an error names the argument that was wrong.
 /// Errors   of every command: NotInControl, UnsafeState, LinkLost; InvalidArgument (not a number, degrees or
 ///          millimetres by magnitude), LimitExceeded, NoSolution (poses)
@@ -37,10 +43,11 @@ public:
     /// twist        base frame [m/s, rad/s]
     /// direction    from which contact is looked for, base frame; zeros: any
     /// acceleration [m/s2]
+    /// sought       whether a contact that is there at the start counts: then the arm does not move
     /// Source       URScript tool_contact
     /// Errors       also VersionUnsupported (software before 5.4), Timeout, Cancelled
     Result<Motion> moveUntilContact(const Twist& twist, const Twist& direction, double acceleration,
-                                    const Deadline& start);
+                                    const Deadline& start, Sought sought = Sought::NewContact);
 
     /// Streams; the first target is where the arm stands (servo) or zero (speed) until another one is sent.
     /// holding  Held: without a new target for 100 ms the stream ends and the arm brakes

@@ -17,6 +17,13 @@ Error overdue(const Deadline& deadline, const QString& context, const QString& w
     return {deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context, what};
 }
 
+/// What the controller calls this program in its messages.
+QString scriptName(const QString& program) {
+    static const QRegularExpression kDefinition(QStringLiteral("^[ \\t]*def[ \\t]+(\\w+)"),
+                                                QRegularExpression::MultilineOption);
+    return kDefinition.match(program).captured(1);
+}
+
 Error stopped(const QString& context) {
     return {ErrorCode::Stopped, context, QStringLiteral("a stop or another motion came in between")};
 }
@@ -52,9 +59,9 @@ Result<void> Controller::Private::restart(const QString& section, const QString&
         const std::lock_guard lock(requesting);
         stored = {};
     }
-    const std::int32_t session = newSession();
-    loop.expectSession(session);
-    return upload(session, section, deadline);
+    const std::int32_t next = newSession();
+    loop.expectSession(next);
+    return upload(next, section, deadline);
 }
 
 Result<MotionId> Controller::Private::startSection(const QString& section, const QString& name,
@@ -150,13 +157,13 @@ Result<void> Controller::Private::bringBack() {
         return Error{ErrorCode::LinkLost, QStringLiteral("send the control program again"),
                      told ? QString() : QStringLiteral("the script could not be stopped and may go on")};
     }
-    const std::int32_t session = newSession();
+    const std::int32_t next = newSession();
     {
         const std::lock_guard again(requesting);
         stored = {};
     }
-    loop.expectSession(session);
-    return upload(session, {}, deadline);
+    loop.expectSession(next);
+    return upload(next, {}, deadline);
 }
 
 Result<void> Programs::runScript(const Text& program, const Deadline& deadline) {
@@ -185,6 +192,7 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline) 
         d.program.sectionLine = 1;
         d.program.sectionLines = static_cast<int>(program.count(QLatin1Char('\n'))) + 1;
         d.sectionName = QString();
+        d.heardScript = {scriptName(program), false, false};
     }
     const std::uint64_t played = d.loop.playing();
     Result<void> outcome;
@@ -238,12 +246,21 @@ Result<void> Controller::Private::watchScript(std::uint64_t epoch, std::uint64_t
         if (deadline.hasExpired()) {
             return overdue(deadline, context, QStringLiteral("the script was ended"));
         }
-        if (loop.playing() != played) {
-            if (!told && loop.status().runtimeState != RuntimeState::Playing) {
+        const ControllerStatus now = loop.status();
+        if (now.robotMode != RobotMode::Running || !allowsMotion(now.safetyMode)) {
+            return Error{
+                ErrorCode::UnsafeState, context,
+                QStringLiteral("%1, %2").arg(robotModeName(now.robotMode), safetyModeName(now.safetyMode))};
+        }
+        // The shortest ones play in no package; a paused one has not ended.
+        const ScriptHeard heard = scriptHeard();
+        if (loop.playing() != played || heard.stopped) {
+            const bool over = now.runtimeState == RuntimeState::Stopped;
+            if (!told && (over || heard.stopped)) {
                 told = Deadline::after(std::min(milliseconds(500), deadline.remaining()), deadline.token());
                 statesAtEnd = statesHeard();
             }
-        } else if (begun.hasExpired()) {
+        } else if (begun.hasExpired() && !heard.started) {
             return Error{ErrorCode::Timeout, context, QStringLiteral("it was never seen running")};
         }
         std::this_thread::sleep_for(milliseconds(1));
@@ -274,6 +291,11 @@ Result<void> Programs::reupload(const Deadline& deadline) {
 bool Programs::isProgramRunning() const {
     auto& d = ControllerAccess::of(*controller_);
     return d.running && d.loop.status().runtimeState == RuntimeState::Playing;
+}
+
+QString Programs::controlProgram(const SoftwareVersion& version, RegisterRange registers) {
+    const ArmLimits arm = ArmLimits::of(robotModel(ControllerOptions().model));
+    return controlScript(version, registers, Controller::Private::newSession(), {}, arm.maxSpeed).text;
 }
 
 }  // namespace tiller::control

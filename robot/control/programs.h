@@ -37,6 +37,11 @@ public:
     /// Whether any program runs on the robot, by the newest data.
     bool isProgramRunning() const;
 
+    /// The control program as software of this version gets it, to be read, or started by other means than
+    /// takeControl().
+    static QString controlProgram(const SoftwareVersion& version,
+                                  RegisterRange registers = RegisterRange::Upper);
+
 private:
     Controller* controller_;
 };

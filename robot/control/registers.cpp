@@ -33,10 +33,11 @@ int firstRegister(RegisterRange range) {
 }
 
 std::vector<std::string> outputNames(RegisterRange range) {
-    std::vector<std::string> names{"timestamp",   "runtime_state",         "robot_mode",
-                                   "safety_mode", "target_speed_fraction", "actual_q",
-                                   "actual_qd",   "actual_TCP_pose",       "actual_TCP_speed",
-                                   "tcp_offset",  "speed_scaling",         "actual_TCP_force"};
+    std::vector<std::string> names{"timestamp",         "runtime_state",         "robot_mode",
+                                   "safety_mode",       "target_speed_fraction", "actual_q",
+                                   "actual_qd",         "actual_TCP_pose",       "actual_TCP_speed",
+                                   "tcp_offset",        "speed_scaling",         "actual_TCP_force",
+                                   "robot_status_bits", "safety_status_bits"};
     for (int i = 0; i < kIntOutputs; ++i) {
         names.push_back(rtde::intRegisterName(rtde::Direction::Output, firstRegister(range) + i));
     }
@@ -90,6 +91,8 @@ Result<FeedbackLayout> FeedbackLayout::of(const rtde::Recipe& outputs, RegisterR
     layout.tcpOffset_ = outputs.indexOf("tcp_offset");  // older software has none
     layout.speedScaling_ = outputs.indexOf("speed_scaling");
     layout.tcpForce_ = outputs.indexOf("actual_TCP_force");
+    layout.robotStatus_ = outputs.indexOf("robot_status_bits");
+    layout.safetyStatus_ = outputs.indexOf("safety_status_bits");
     for (int i = 0; i < kDoubleOutputs; ++i) {
         layout.numbers_[static_cast<std::size_t>(i)] =
             find(rtde::doubleRegisterName(rtde::Direction::Output, firstRegister(range) + i));
@@ -128,6 +131,12 @@ Feedback FeedbackLayout::decode(std::span<const double> values, std::int64_t hos
         const auto force = six(values, *tcpForce_);
         f.tcpForce = Eigen::Vector3d(force[0], force[1], force[2]);
     }
+    if (robotStatus_) {
+        f.robotStatusBits = static_cast<std::uint32_t>(values[*robotStatus_]);
+    }
+    if (safetyStatus_) {
+        f.safetyStatusBits = static_cast<std::uint32_t>(values[*safetyStatus_]);
+    }
     const auto whole = [&](std::size_t i) { return static_cast<std::int32_t>(values[echo_[i]]); };
     f.echo.sequence = whole(0);
     f.echo.epoch = whole(1);
@@ -154,7 +163,7 @@ std::array<double, kCommandSize> encode(const Command& command) {
     *at++ = command.request.number;
     *at++ = static_cast<double>(command.request.kind);
     *at++ = command.request.whole;
-    *at++ = command.forcePermitted ? 1 : 0;
+    *at++ = (command.forcePermitted ? 1 : 0) + (command.mayFinish ? 2 : 0);
     *at++ = std::round(command.speedFraction * 1000);
     at = std::copy(command.values.begin(), command.values.end(), at);
     *at++ = command.speed;

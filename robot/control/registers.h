@@ -99,6 +99,10 @@ struct Answer {
     std::array<double, 6> numbers{};
 };
 
+/// Sequence numbers are above this. Programs written for ur_rtde keep 1 or 2 in the register that echoes
+/// them: whose program runs can be told without asking it.
+inline constexpr std::int32_t kBeforeFirstSequence = 0x1000;
+
 /// One package to the robot.
 struct Command {
     std::int32_t sequence = 0;  ///< another one each time: the heartbeat
@@ -114,6 +118,7 @@ struct Command {
     Request request;
     bool forcePermitted = false;  ///< force mode may go on
     double speedFraction = 1;     ///< of the speed slider
+    bool mayFinish = false;       ///< a move or path may come to its end without a heartbeat
 };
 
 /// What control.script says in its output registers.
@@ -134,6 +139,8 @@ struct Feedback {
     RuntimeState runtimeState = RuntimeState::Stopped;
     RobotMode robotMode = RobotMode::NoController;
     SafetyMode safetyMode = SafetyMode::Undefined;
+    std::uint32_t robotStatusBits = 0;
+    std::uint32_t safetyStatusBits = 0;
     double speedFraction = 1;
     double speedScaling = 1;
     JointPositions q;
@@ -163,7 +170,7 @@ public:
 private:
     std::size_t timestamp_ = 0, runtimeState_ = 0, robotMode_ = 0, safetyMode_ = 0, speedFraction_ = 0;
     std::size_t q_ = 0, qd_ = 0, tcpPose_ = 0, tcpSpeed_ = 0;
-    std::optional<std::size_t> tcpOffset_, speedScaling_, tcpForce_;
+    std::optional<std::size_t> tcpOffset_, speedScaling_, tcpForce_, robotStatus_, safetyStatus_;
     std::array<std::size_t, 8> echo_{};
     std::array<std::size_t, 6> numbers_{};
 };

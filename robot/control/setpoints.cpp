@@ -108,6 +108,8 @@ Error SetpointRules::check(const SpeedParameters& p) const {
         .positive("acceleration", p.acceleration, kHighestToolAcceleration, "m/s2 or rad/s2", "mm/s2")
         .positive("rotationAcceleration", orSame(p.rotationAcceleration, p.acceleration),
                   kHighestToolAcceleration, "rad/s2", "deg/s2")
+        .range("duration", p.duration, 0, 3600, "s")
+        .pose("T_base_frame", p.T_base_frame)
         .error();
 }
 
@@ -139,6 +141,10 @@ void fill(MotionCommand& command, const CircularServoParameters& p, double) {
 void fill(MotionCommand& command, const SpeedParameters& p, double) {
     command.acceleration = p.acceleration;
     command.rotationAcceleration = orSame(p.rotationAcceleration, p.acceleration);
+    command.speed = p.duration;
+    command.choice = static_cast<std::int32_t>(p.frame);
+    const Eigen::Vector3d& rotation = p.T_base_frame.rotation;
+    command.rotation = {rotation.x(), rotation.y(), rotation.z()};
 }
 
 SetpointRules rulesOf(Controller& controller) {
@@ -168,9 +174,15 @@ Result<void> Setpoints<Target, Parameters>::send(const Target& target, const Par
     MotionCommand command;
     fill(command, target);
     fill(command, parameters, d.versionNow().controlPeriod());
+    if constexpr (std::is_same_v<Parameters, ServoParameters>) {
+        command.choice = parameters.guarded ? 1 : 2;
+    }
     Error refused;
     const auto mayFollow = [&](const MotionCommand& before, std::int64_t sinceNs) {
         if constexpr (std::is_same_v<Parameters, ServoParameters>) {
+            if (!parameters.guarded) {
+                return true;
+            }
             const bool first = before.choice == 0;
             const ControllerStatus status = first ? d.loop.status() : ControllerStatus();
             const auto here = std::is_same_v<Target, Pose> ? status.tcpPose : status.q;
@@ -181,6 +193,7 @@ Result<void> Setpoints<Target, Parameters>::send(const Target& target, const Par
     };
     switch (d.mailbox.changeIf(motion_.id(), command, d.now(), mayFollow)) {
         case Mailbox::Change::Done:
+            d.wake();
             return {};
         case Mailbox::Change::Refused:
             return refused;

@@ -5,6 +5,7 @@
 // the arm goes on with the last one until it is replaced, and brakes when the stream ends.
 
 #include "robot/control/motion.h"
+#include "robot/control/motion_types.h"
 #include "robot/core/joints.h"
 #include "robot/core/spatial.h"
 
@@ -14,6 +15,9 @@ struct ServoParameters {
     double duration = 0;     ///< time one target rules [s]; 0: the control period
     double lookahead = 0.1;  ///< 0.03 ... 0.2 [s]; larger is smoother and lags more
     double gain = 300;       ///< 100 ... 2000; larger is stiffer
+    /// False: a target may be any distance away; what happens then is up to the robot, which follows as fast
+    /// as it may or stops protectively.
+    bool guarded = true;
 };
 
 struct CircularServoParameters {
@@ -25,6 +29,11 @@ struct CircularServoParameters {
 struct SpeedParameters {
     double acceleration = 0.5;        ///< joints [rad/s2], tool [m/s2]
     double rotationAcceleration = 0;  ///< tool [rad/s2]; 0: the same number as acceleration
+    /// How long each set point is held before the next one is looked at [s]; 0: the control period. Source:
+    /// URScript speedj, t
+    double duration = 0;
+    JogFrame frame = JogFrame::Base;  ///< tool: whose axes the twist is along
+    Pose T_base_frame = {};           ///< only for JogFrame::Custom; its rotation counts
 };
 
 /// Made by Motions::start...; ends like any motion, through motion().cancel(), Motions::stopJ/stopL or a new
@@ -57,6 +66,6 @@ using JointServo = Setpoints<JointPositions, ServoParameters>;   ///< [rad]
 using PoseServo = Setpoints<Pose, ServoParameters>;              ///< base frame [m, rad]
 using CircularServo = Setpoints<Pose, CircularServoParameters>;  ///< base frame [m, rad]
 using JointSpeed = Setpoints<JointVelocities, SpeedParameters>;  ///< [rad/s]
-using ToolSpeed = Setpoints<Twist, SpeedParameters>;             ///< base frame [m/s, rad/s]
+using ToolSpeed = Setpoints<Twist, SpeedParameters>;             ///< [m/s, rad/s]
 
 }  // namespace tiller::control

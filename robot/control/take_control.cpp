@@ -42,9 +42,44 @@ Error explainUnknown(const QString& context, RegisterRange range) {
 
 }  // namespace
 
-Result<void> Controller::Private::take(const Deadline& deadline) {
+Result<void> Controller::Private::take(const Deadline& deadline, bool join) {
     loop.publishLoss(ControlLoss::Taking);
+    if (auto opened = openRegisters(deadline); !opened) {
+        return opened;
+    }
+    if (options.awaitProgram) {
+        if (auto safe = checkModes(deadline); !safe) {
+            return safe;
+        }
+    }
+    std::optional<Echo> joined;
+    if (join) {
+        const auto found = findProgram(deadline);
+        if (!found) {
+            return found.error();
+        }
+        joined = *found;
+    }
+    if (auto heard = listen(deadline); !heard) {
+        return heard;
+    }
+    const std::int32_t next = join ? joined->session : newSession();
+    {
+        // What was meant for the connection before must not reach this one.
+        const std::lock_guard lock(requesting);
+        stored = {};
+        kick = false;
+        wrench.take();
+        startThread(next, join ? &*joined : nullptr);
+    }
+    if (join) {
+        return awaitControl(deadline, QStringLiteral("join the control program at %1").arg(options.host));
+    }
+    return upload(next, {}, deadline);
+}
 
+// The primary interface: what the controller says about programs, and the arm's own dimensions.
+Result<void> Controller::Private::listen(const Deadline& deadline) {
     script::PrimaryClientOptions listening;
     listening.host = options.host;
     listening.port = primaryPort();
@@ -52,13 +87,6 @@ Result<void> Controller::Private::take(const Deadline& deadline) {
     listening.reconnect = false;
     auto listener = std::make_unique<script::PrimaryClient>(listening);
     listener->start();
-
-    if (auto opened = openRegisters(deadline); !opened) {
-        return opened;
-    }
-    if (auto safe = checkModes(deadline); !safe) {
-        return safe;
-    }
     if (auto heard = listener->waitForState(deadline); !heard) {
         return heard;
     }
@@ -66,23 +94,12 @@ Result<void> Controller::Private::take(const Deadline& deadline) {
     if (const auto told = listener->configuration()) {
         limits = {told->dh, told->minPosition, told->maxPosition, told->maxSpeed};
     }
-    {
-        const std::lock_guard lock(arm);
-        armLimits = limits;
-        version = connection->version();
-        refused.clear();
-        primary = std::move(listener);
-    }
-    const std::int32_t session = newSession();
-    {
-        // What was meant for the connection before must not reach this one.
-        const std::lock_guard lock(requesting);
-        stored = {};
-        kick = false;
-        wrench.take();
-        startThread(session, limits);
-    }
-    return upload(session, {}, deadline);
+    const std::lock_guard lock(arm);
+    armLimits = limits;
+    version = connection->version();
+    refused.clear();
+    primary = std::move(listener);
+    return {};
 }
 
 std::int32_t Controller::Private::newSession() {
@@ -126,9 +143,8 @@ Result<void> Controller::Private::openRegisters(const Deadline& deadline) {
     return {};
 }
 
-Result<void> Controller::Private::checkModes(const Deadline& deadline) {
+Result<Feedback> Controller::Private::firstData(const Deadline& deadline, const QString& context) {
     std::vector<double> values(connection->outputs().size());
-    const QString context = QStringLiteral("take control at %1").arg(connection->peer());
     while (!deadline.hasExpired()) {
         const auto read = connection->readPackage(values, deadline.nextPoll());
         if (read == rtde::Connection::Read::Nothing) {
@@ -137,24 +153,47 @@ Result<void> Controller::Private::checkModes(const Deadline& deadline) {
         if (read != rtde::Connection::Read::Package) {
             return connection->error();
         }
-        const Feedback data = layout.decode(values, now());
-        if (data.robotMode != RobotMode::Running || !allowsMotion(data.safetyMode)) {
-            return Error{
-                ErrorCode::UnsafeState, context,
-                QStringLiteral("%1, %2").arg(robotModeName(data.robotMode), safetyModeName(data.safetyMode))};
-        }
-        return {};
+        return layout.decode(values, now());
     }
     return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
                  QStringLiteral("no data package")};
 }
 
+Result<void> Controller::Private::checkModes(const Deadline& deadline) {
+    const QString context = QStringLiteral("take control at %1").arg(connection->peer());
+    const auto data = firstData(deadline, context);
+    if (!data) {
+        return data.error();
+    }
+    if (data->robotMode != RobotMode::Running || !allowsMotion(data->safetyMode)) {
+        return Error{
+            ErrorCode::UnsafeState, context,
+            QStringLiteral("%1, %2").arg(robotModeName(data->robotMode), safetyModeName(data->safetyMode))};
+    }
+    return {};
+}
+
+// By what it says alone: to a program of others, what ours is asked with would be commands.
+Result<Echo> Controller::Private::findProgram(const Deadline& deadline) {
+    const QString context = QStringLiteral("join the control program at %1").arg(connection->peer());
+    const auto data = firstData(deadline, context);
+    if (!data) {
+        return data.error();
+    }
+    const Echo& echo = data->echo;
+    if (data->runtimeState != RuntimeState::Playing || echo.sequence <= kBeforeFirstSequence ||
+        echo.session <= 0 || echo.epoch <= 0) {
+        return Error{ErrorCode::NotInControl, context, QStringLiteral("no control program of ours runs")};
+    }
+    return echo;
+}
+
 // A name that is dropped from the language makes a controller refuse the whole program: once it has told
 // which, the program does without.
-Result<void> Controller::Private::upload(std::int32_t session, const QString& section,
+Result<void> Controller::Private::upload(std::int32_t newSession, const QString& section,
                                          const Deadline& deadline) {
     for (;;) {
-        auto sent = uploadOnce(session, section, deadline);
+        auto sent = uploadOnce(newSession, section, deadline);
         if (sent || sent.error().code != ErrorCode::ScriptError) {
             return sent;
         }
@@ -167,7 +206,7 @@ Result<void> Controller::Private::upload(std::int32_t session, const QString& se
     }
 }
 
-Result<void> Controller::Private::uploadOnce(std::int32_t session, const QString& section,
+Result<void> Controller::Private::uploadOnce(std::int32_t newSession, const QString& section,
                                              const Deadline& deadline) {
     const QString context =
         QStringLiteral("start the control program at %1:%2").arg(options.host).arg(primaryPort());
@@ -176,20 +215,31 @@ Result<void> Controller::Private::uploadOnce(std::int32_t session, const QString
         const std::lock_guard lock(arm);
         without = refused;
     }
-    const ControlScript script = controlScript(versionNow(), options.registers, session, options.limits,
-                                               armNow().maxSpeed, section, without);
+    const ControlScript script = controlScript(versionNow(), options.registers, newSession, options.limits,
+                                               armNow().maxSpeed, section, without, options.force);
     {
         const std::lock_guard lock(arm);
         primary->takeMessages();  // what was said before is not about us
         program = script;
     }
-    script::ScriptClient client(options.host, primaryPort());
-    if (auto connected = client.connect(deadline); !connected) {
-        return connected;
+    session = newSession;
+    if (options.deliver) {
+        if (auto delivered = options.deliver(script.text, deadline); !delivered) {
+            return delivered;
+        }
+    } else {
+        script::ScriptClient client(options.host, primaryPort());
+        if (auto connected = client.connect(deadline); !connected) {
+            return connected;
+        }
+        if (auto sent = client.send(script.text, deadline); !sent) {
+            return sent;
+        }
     }
-    if (auto sent = client.send(script.text, deadline); !sent) {
-        return sent;
-    }
+    return options.awaitProgram ? awaitControl(deadline, context) : Result<void>();
+}
+
+Result<void> Controller::Private::awaitControl(const Deadline& deadline, const QString& context) {
     while (!loop.isInControl()) {
         if (const Error bad = complaint(context); bad.code != ErrorCode::None) {
             return bad;
@@ -214,6 +264,11 @@ Error Controller::Private::complaint(const QString& context) {
         return {};
     }
     for (const auto& message : primary->takeMessages()) {
+        if (message.kind == script::MessageKind::Key && !heardScript.name.isEmpty() &&
+            message.text == heardScript.name) {
+            heardScript.started = heardScript.started || message.title.endsWith(QLatin1String("STARTED"));
+            heardScript.stopped = heardScript.stopped || message.title.endsWith(QLatin1String("STOPPED"));
+        }
         if (message.kind == script::MessageKind::RuntimeException) {
             const QString place = message.line > 0 ? program.place(message.line, message.column) + ": " : "";
             const QString name = sectionName.isEmpty() ? QString() : sectionName + QLatin1Char(' ');
@@ -233,8 +288,14 @@ std::uint64_t Controller::Private::statesHeard() {
     return primary ? primary->state().packages : 0;
 }
 
-void Controller::Private::startThread(std::int32_t session, const ArmLimits& limits) {
-    loop.begin(session, connection->period(), limits, now());
+void Controller::Private::startThread(std::int32_t newSession, const Echo* joined) {
+    session = newSession;
+    loop.begin(newSession, connection->period(), armNow(), now());
+    if (joined != nullptr) {
+        // Nothing the client before us asked for may be taken for ours.
+        mailbox.skipTo(static_cast<std::uint64_t>(joined->epoch) + 1);
+        loop.follow(*joined);
+    }
     quit.store(false, std::memory_order_release);
     running.store(true, std::memory_order_release);
     thread = std::thread([this] { run(); });

@@ -31,6 +31,7 @@ struct ScriptBench {
     std::function<bool(std::size_t)> comesLate;  ///< what of a package is there a frame after the rest
     std::map<std::size_t, double> late;
     bool forcePermitted = false;
+    bool mayFinish = false;
 
     explicit ScriptBench(RegisterRange range = RegisterRange::Upper, SoftwareVersion version = {5, 22, 0, 0},
                          const QString& section = {})
@@ -55,7 +56,8 @@ struct ScriptBench {
         command.kind = kind;
         command.epoch = epoch;
         command.values = values;
-        command.speed = 0.5;
+        const bool isSpeed = kind == ScriptCommand::SpeedJ || kind == ScriptCommand::SpeedL;
+        command.speed = isSpeed ? 0 : 0.5;  // of speeds: for how long
         command.acceleration = 1.4;
         command.rotationAcceleration = 2;
         send(command);
@@ -64,6 +66,7 @@ struct ScriptBench {
         command.session = command.session == 0 ? kSession : command.session;
         command.request = request;
         command.forcePermitted = forcePermitted;
+        command.mayFinish = mayFinish;
         command.sequence = ++sequence;
         const auto values = encode(command);
         for (std::size_t i = 0; i < values.size(); ++i) {

@@ -238,6 +238,114 @@ private Q_SLOTS:
         QCOMPARE(bench.ask(RequestKind::ReadContact).whole, 1);
     }
 
+    // And the way back is part of the motion: a stop ends it like any other.
+    void aWatchedContactMayLeadBackAndAStopEndsThat_data() {
+        QTest::addColumn<bool>("stopped");
+        QTest::newRow("to the end") << false;
+        QTest::newRow("stopped") << true;
+    }
+    void aWatchedContactMayLeadBackAndAStopEndsThat() {
+        QFETCH(bool, stopped);
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.ask(RequestKind::WatchContact, 2, {0, 0, 1, 0, 0, 0});
+        bench.hold(ScriptCommand::SpeedL, 2, 5, {0, 0, -0.05, 0, 0, 0});
+        bench.host.contact = 7;
+        bench.host.moveFrames = 50;
+        bench.hold(ScriptCommand::SpeedL, 2, 60, {0, 0, -0.05, 0, 0, 0});
+        QCOMPARE(bench.state(), ScriptState::Executing);
+        const auto* back = bench.last<urscript::Move>();
+        QVERIFY(back != nullptr);
+        QCOMPARE(std::get<JointPositions>(back->target)[0], bench.host.q[0] - 7);
+        if (stopped) {
+            bench.hold(ScriptCommand::Idle, 3, 2);
+            QVERIFY(bench.last<urscript::StopJ>() != nullptr || bench.last<urscript::StopL>() != nullptr);
+            return;
+        }
+        bench.hold(ScriptCommand::SpeedL, 2, 60, {0, 0, -0.05, 0, 0, 0});
+        QCOMPARE(bench.state(), ScriptState::Contact);
+        bench.hold(ScriptCommand::SpeedL, 2, 5, {0, 0, -0.05, 0, 0, 0});  // over for good
+        QVERIFY(bench.last<urscript::SpeedL>() == nullptr);
+    }
+
+    void whatTouchesWhenTheWatchBeginsIsNoContact() {
+        Bench bench;
+        bench.host.contact = 2;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.ask(RequestKind::WatchContact, 1, {0, 0, 1, 0, 0, 0});
+        bench.hold(ScriptCommand::SpeedL, 2, 5, {0, 0, -0.05, 0, 0, 0});
+        QCOMPARE(bench.state(), ScriptState::Executing);
+        bench.host.contact = 0;
+        bench.hold(ScriptCommand::SpeedL, 2, 2, {0, 0, -0.05, 0, 0, 0});
+        bench.host.contact = 3;
+        bench.hold(ScriptCommand::SpeedL, 2, 2, {0, 0, -0.05, 0, 0, 0});
+        QCOMPARE(bench.state(), ScriptState::Braking);
+    }
+
+    void aClientThatSaidGoodbyeLeavesMovesToTheirEnd_data() {
+        QTest::addColumn<ScriptCommand>("kind");
+        QTest::addColumn<bool>("finishes");
+        QTest::newRow("movej") << ScriptCommand::MoveJ << true;
+        QTest::newRow("movel") << ScriptCommand::MoveL << true;
+        QTest::newRow("section") << ScriptCommand::Section << true;
+        QTest::newRow("speedl") << ScriptCommand::SpeedL << false;
+        QTest::newRow("servoj") << ScriptCommand::ServoJ << false;
+        QTest::newRow("until contact") << ScriptCommand::UntilContact << false;
+        QTest::newRow("freedrive") << ScriptCommand::Freedrive << false;
+    }
+    void aClientThatSaidGoodbyeLeavesMovesToTheirEnd() {
+        QFETCH(ScriptCommand, kind);
+        QFETCH(bool, finishes);
+        Bench bench(RegisterRange::Upper, {5, 22, 0, 0}, QStringLiteral("sleep(0.4)"));
+        bench.host.moveFrames = 200;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.mayFinish = true;
+        bench.hold(kind, 2, 5, {0.1, 0.2, 0.3, 0, 0, 0});
+        bench.frame(bench.silentFrames() + 10);
+        QCOMPARE(bench.state() == ScriptState::Executing, finishes);
+        bench.frame(400);
+        QCOMPARE(bench.state(), finishes ? ScriptState::Done : ScriptState::Expired);
+        bench.frame(static_cast<int>(6 / bench.host.step));
+        QVERIFY(bench.running());  // for the client to come
+    }
+
+    void setPointsMayBeHeldForATimeAndGivenInTheToolsAxes() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        Command speed;
+        speed.kind = ScriptCommand::SpeedL;
+        speed.epoch = 2;
+        speed.values = {0, 0, 0.1, 0, 0, 0};
+        speed.speed = 0.05;
+        speed.acceleration = speed.rotationAcceleration = 1;
+        speed.choice = 2;
+        speed.rotation = {3.14159265358979, 0, 0};
+        bench.send(speed);
+        bench.frame(2);
+        QVERIFY(bench.last<urscript::SpeedL>() != nullptr);
+        QVERIFY(std::abs(bench.last<urscript::SpeedL>()->xd.linear.z() + 0.1) < 1e-9);
+        QCOMPARE(bench.last<urscript::SpeedL>()->duration, 0.05);
+    }
+
+    void anUnguardedServoGoesWhereItIsTold() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        Command servo;
+        servo.kind = ScriptCommand::ServoJ;
+        servo.epoch = 2;
+        servo.choice = 2;
+        servo.values = {2, 0, 0, 0, 0, 0};
+        servo.speed = 0.002;
+        servo.acceleration = 0.1;
+        servo.rotationAcceleration = 300;
+        for (int i = 0; i < 5; ++i) {
+            bench.send(servo);
+            bench.frame();
+        }
+        QCOMPARE(bench.state(), ScriptState::Executing);
+        QCOMPARE(bench.last<urscript::ServoJ>()->q[0], 2.0);
+    }
+
     void freedriveAndTeachModeEndWithTheirCommand() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
