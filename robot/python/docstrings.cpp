@@ -102,7 +102,7 @@ const std::unordered_map<std::string_view, const char*> kTexts = {
 {"RTDEControlInterface.servoJ", "Leads the arm to joint positions q [rad] in small steps, one a cycle.\n\nspeed, acceleration: not used by current software. time: one target rules [s]. lookahead_time: 0.03 ... 0.2 s. gain: 100 ... 2000. A target far from the arm is handed on as it is: the controller follows as fast as it may or stops protectively."},
 {"RTDEControlInterface.servoL", "Leads the TCP to a pose in the base frame [m, rad] in small steps, one a cycle: see servoJ()."},
 {"RTDEControlInterface.servoC", "Leads the TCP to a pose in the base frame [m, rad] at a constant tool speed [m/s].\nacceleration [m/s2], blend radius [m]."},
-{"RTDEControlInterface.servoStop", "Ends servoing with deceleration a [rad/s2]."},
+{"RTDEControlInterface.servoStop", "Ends servoing along the line of the tool, with deceleration a [m/s2]."},
 {"RTDEControlInterface.stopL", "Stops the arm with a deceleration of the tool, a [m/s2]. Overtakes a motion that another thread waits for."},
 {"RTDEControlInterface.stopJ", "Stops the arm with a deceleration of the joints, a [rad/s2]. Overtakes a motion that another thread waits for."},
 {"RTDEControlInterface.jogStart", "Jogs with tool speeds [m/s, rad/s] along the axes of a feature until jogStop(), another command, or 0.1 s of silence of this process; a program that only sleeps keeps jogging.\nfeature: FEATURE_BASE, FEATURE_TOOL or FEATURE_CUSTOM. acc [m/s2]. custom_frame: a pose in the base frame [m, rad]."},

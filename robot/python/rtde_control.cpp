@@ -140,6 +140,7 @@ void defineLife(ControlClass& cls) {
     cls.def("disconnect", &Control::disconnect, Unlocked());
     cls.def("reconnect", &Control::reconnect, Unlocked());
     cls.def("isConnected", &Control::isConnected, Unlocked());
+    cls.def("lastError", &Control::lastError);
     cls.def("sendCustomScriptFunction", &Control::sendCustomScriptFunction, py::arg("function_name"),
             py::arg("script"), Unlocked());
     cls.def("sendCustomScript", &Control::sendCustomScript, py::arg("script"), Unlocked());

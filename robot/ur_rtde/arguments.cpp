@@ -14,9 +14,11 @@ namespace {
 
 constexpr double kTwoTurns = 4 * 3.14159265358979323846 + 0.01;
 constexpr double kJointRange = 2 * 3.14159265358979323846 + 0.1;
+constexpr double kRounding = 1e-6;
 // Of velocities given axis by axis: the fastest wrist turns with 2 pi.
 constexpr double kMaxTurn = 6.3;
 constexpr double kMaxTravel = 5.0;
+constexpr double kLeast = 1e-6;  // of speeds and accelerations: at 0 a move never ends
 constexpr double kReach = 10.0;  // no arm reaches a third of it, a millimetre value is soon above
 constexpr const char* kDegrees = "; angles are in radians, is this one in degrees?";
 constexpr const char* kMillimetres = "; lengths are in metres, is this one in millimetres?";
@@ -73,8 +75,20 @@ void listWithin(const std::string& name, const List& values, std::size_t size, d
     }
 }
 
-void joints(const std::string& name, const List& q) {
-    listWithin(name, q, 6, kJointRange, "rad", kDegrees);
+control::JointLimits anyArm() {
+    control::JointLimits limits;
+    limits.minPosition.fill(-kJointRange);
+    limits.maxPosition.fill(kJointRange);
+    limits.maxSpeed.fill(kMaxTurn);
+    return limits;
+}
+
+void joints(const std::string& name, const List& q, const control::JointLimits& arm) {
+    list(name, q, 6);
+    for (std::size_t i = 0; i < 6; ++i) {
+        inRange(at(name, i), q[i], arm.minPosition[i] - kRounding, arm.maxPosition[i] + kRounding, "rad",
+                kDegrees);
+    }
 }
 
 void pose(const std::string& name, const List& pose) {
@@ -85,8 +99,12 @@ void pose(const std::string& name, const List& pose) {
     }
 }
 
-void jointSpeeds(const std::string& name, const List& qd) {
-    listWithin(name, qd, 6, kMaxTurn, "rad/s", kDegrees);
+void jointSpeeds(const std::string& name, const List& qd, const control::JointLimits& arm) {
+    list(name, qd, 6);
+    for (std::size_t i = 0; i < 6; ++i) {
+        const double most = arm.maxSpeed[i] + kRounding;
+        inRange(at(name, i), qd[i], -most, most, "rad/s", kDegrees);
+    }
 }
 
 void twist(const std::string& name, const List& xd) {
@@ -97,16 +115,15 @@ void twist(const std::string& name, const List& xd) {
     }
 }
 
-void jointMove(double speed, double acceleration) {
-    inRange("speed", speed, UR_JOINT_VELOCITY_MIN, UR_JOINT_VELOCITY_MAX, "rad/s", kDegrees);
-    inRange("acceleration", acceleration, UR_JOINT_ACCELERATION_MIN, UR_JOINT_ACCELERATION_MAX, "rad/s2",
-            kDegrees);
+void jointMove(double speed, double acceleration, const control::JointLimits& arm) {
+    const double fastest = *std::max_element(arm.maxSpeed.begin(), arm.maxSpeed.end());
+    inRange("speed", speed, kLeast, fastest, "rad/s", kDegrees);
+    inRange("acceleration", acceleration, kLeast, UR_JOINT_ACCELERATION_MAX, "rad/s2", kDegrees);
 }
 
 void toolMove(double speed, double acceleration) {
-    inRange("speed", speed, UR_TOOL_VELOCITY_MIN, UR_TOOL_VELOCITY_MAX, "m/s", kMillimetres);
-    inRange("acceleration", acceleration, UR_TOOL_ACCELERATION_MIN, UR_TOOL_ACCELERATION_MAX, "m/s2",
-            kMillimetres);
+    inRange("speed", speed, kLeast, UR_TOOL_VELOCITY_MAX, "m/s", kMillimetres);
+    inRange("acceleration", acceleration, kLeast, UR_TOOL_ACCELERATION_MAX, "m/s2", kMillimetres);
 }
 
 void flags(const char* name, const std::vector<int>& values, std::size_t size) {

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "robot/control/motion_types.h"
+
 namespace tiller::urrtde::check {
 
 using List = std::vector<double>;
@@ -19,15 +21,18 @@ void integer(const char* name, int value, int lowest, int highest);
 void list(const std::string& name, const List& values, std::size_t size);
 void listWithin(const std::string& name, const List& values, std::size_t size, double limit, const char* unit,
                 const char* hint = "");
-/// 6 angles within two turns and a little [rad]; a value above is probably in degrees.
-void joints(const std::string& name, const List& q);
+/// Wide enough for every arm: where none is known yet.
+control::JointLimits anyArm();
+/// 6 angles within what the arm can [rad]; a value above is probably in degrees.
+void joints(const std::string& name, const List& q, const control::JointLimits& arm);
 /// 3 lengths within 10 m and a rotation vector within two turns; values above are probably millimetres or
 /// degrees.
 void pose(const std::string& name, const List& pose);
-void jointSpeeds(const std::string& name, const List& qd);
+void jointSpeeds(const std::string& name, const List& qd, const control::JointLimits& arm);
 /// 3 speeds [m/s] and 3 rotational speeds [rad/s].
 void twist(const std::string& name, const List& xd);
-void jointMove(double speed, double acceleration);
+/// Both above 0, as nothing would move otherwise.
+void jointMove(double speed, double acceleration, const control::JointLimits& arm);
 void toolMove(double speed, double acceleration);
 void flags(const char* name, const std::vector<int>& values, std::size_t size);
 /// A port of TCP.

@@ -12,6 +12,7 @@ using List = std::vector<double>;
 
 namespace {
 
+constexpr double kUnused = 1000;
 constexpr double kMaxForce = 1000;  // [N], [Nm]; above what any arm withstands
 
 List joined(List first, const List& second) {
@@ -28,8 +29,9 @@ List reals(const std::vector<int>& values) {
 }
 
 List servoValues(List target, double speed, double acceleration, double time, double lookahead, double gain) {
-    check::number("speed", speed, 0, UR_JOINT_VELOCITY_MAX, "rad/s");
-    check::number("acceleration", acceleration, 0, UR_JOINT_ACCELERATION_MAX, "rad/s2");
+    // Not used by any software of today: whatever they are, nothing depends on them.
+    check::number("speed", speed, 0, kUnused);
+    check::number("acceleration", acceleration, 0, kUnused);
     check::number("time", time, 0, 10, "s");
     check::number("lookahead_time", lookahead, UR_SERVO_LOOKAHEAD_TIME_MIN, UR_SERVO_LOOKAHEAD_TIME_MAX, "s");
     check::number("gain", gain, UR_SERVO_GAIN_MIN, UR_SERVO_GAIN_MAX);
@@ -42,23 +44,23 @@ List servoValues(List target, double speed, double acceleration, double time, do
 
 void RTDEControlInterface::stopL(double a, bool asynchronous) {
     check::number("a", a, 0.01, UR_TOOL_ACCELERATION_MAX, "m/s2");
-    d_->session.stop({CommandId::StopL, 20, {a, flag(asynchronous)}}, !asynchronous);
+    d_->session.backend()->stop({CommandId::StopL, 20, {a, flag(asynchronous)}}, !asynchronous);
 }
 
 void RTDEControlInterface::stopJ(double a, bool asynchronous) {
     check::number("a", a, 0.01, UR_JOINT_ACCELERATION_MAX, "rad/s2");
-    d_->session.stop({CommandId::StopJ, 20, {a, flag(asynchronous)}}, !asynchronous);
+    d_->session.backend()->stop({CommandId::StopJ, 20, {a, flag(asynchronous)}}, !asynchronous);
 }
 
 bool RTDEControlInterface::moveJ(const List& q, double speed, double acceleration, bool asynchronous) {
-    check::joints("q", q);
-    check::jointMove(speed, acceleration);
+    check::joints("q", q, d_->limits());
+    check::jointMove(speed, acceleration, d_->limits());
     return d_->move(CommandId::MoveJ, joined(q, {speed, acceleration, flag(asynchronous)}));
 }
 
 bool RTDEControlInterface::moveJ_IK(const List& pose, double speed, double acceleration, bool asynchronous) {
     check::pose("pose", pose);
-    check::jointMove(speed, acceleration);
+    check::jointMove(speed, acceleration, d_->limits());
     return d_->move(CommandId::MoveJIk, joined(pose, {speed, acceleration, flag(asynchronous)}));
 }
 
@@ -69,7 +71,7 @@ bool RTDEControlInterface::moveL(const List& pose, double speed, double accelera
 }
 
 bool RTDEControlInterface::moveL_FK(const List& q, double speed, double acceleration, bool asynchronous) {
-    check::joints("q", q);
+    check::joints("q", q, d_->limits());
     check::toolMove(speed, acceleration);
     return d_->move(CommandId::MoveLFk, joined(q, {speed, acceleration, flag(asynchronous)}));
 }
@@ -90,7 +92,7 @@ bool RTDEControlInterface::movePath(const Path& path, bool asynchronous) {
     if (path.size() == 0) {
         throw std::invalid_argument("path is empty");
     }
-    return d_->session.follow(path.toScriptCode(), asynchronous);
+    return d_->session.backend()->follow(path, asynchronous);
 }
 
 bool RTDEControlInterface::moveUntilContact(const List& xd, const List& direction, double acceleration) {
@@ -102,7 +104,7 @@ bool RTDEControlInterface::moveUntilContact(const List& xd, const List& directio
 }
 
 AsyncOperationStatus RTDEControlInterface::getAsyncOperationProgressEx() {
-    return AsyncOperationStatus(d_->session.state().progress);
+    return AsyncOperationStatus(d_->session.backend()->progress());
 }
 
 int RTDEControlInterface::getAsyncOperationProgress() {
@@ -113,35 +115,35 @@ int RTDEControlInterface::getAsyncOperationProgress() {
 // ---- streams --------------------------------------------------------------------------------------------
 
 bool RTDEControlInterface::speedJ(const List& qd, double acceleration, double time) {
-    check::jointSpeeds("qd", qd);
+    check::jointSpeeds("qd", qd, d_->limits());
     check::number("acceleration", acceleration, 0.001, UR_JOINT_ACCELERATION_MAX, "rad/s2");
     check::number("time", time, 0, 3600, "s");
-    return d_->session.stream({CommandId::SpeedJ, 13, joined(qd, {acceleration, time})});
+    return d_->session.backend()->stream({CommandId::SpeedJ, 13, joined(qd, {acceleration, time})});
 }
 
 bool RTDEControlInterface::speedL(const List& xd, double acceleration, double time) {
     check::twist("xd", xd);
     check::number("acceleration", acceleration, 0.001, UR_TOOL_ACCELERATION_MAX, "m/s2");
     check::number("time", time, 0, 3600, "s");
-    return d_->session.stream({CommandId::SpeedL, 13, joined(xd, {acceleration, time})});
+    return d_->session.backend()->stream({CommandId::SpeedL, 13, joined(xd, {acceleration, time})});
 }
 
 bool RTDEControlInterface::speedStop(double a) {
     check::number("a", a, 0.01, UR_TOOL_ACCELERATION_MAX, "m/s2");
-    return d_->session.stop({CommandId::SpeedStop, 8, {a}});
+    return d_->session.backend()->stop({CommandId::SpeedStop, 8, {a}});
 }
 
 bool RTDEControlInterface::servoJ(const List& q, double speed, double acceleration, double time,
                                   double lookahead_time, double gain) {
-    check::joints("q", q);
-    return d_->session.stream(
+    check::joints("q", q, d_->limits());
+    return d_->session.backend()->stream(
         {CommandId::ServoJ, 2, servoValues(q, speed, acceleration, time, lookahead_time, gain)});
 }
 
 bool RTDEControlInterface::servoL(const List& pose, double speed, double acceleration, double time,
                                   double lookahead_time, double gain) {
     check::pose("pose", pose);
-    return d_->session.stream(
+    return d_->session.backend()->stream(
         {CommandId::ServoL, 2, servoValues(pose, speed, acceleration, time, lookahead_time, gain)});
 }
 
@@ -149,12 +151,12 @@ bool RTDEControlInterface::servoC(const List& pose, double speed, double acceler
     check::pose("pose", pose);
     check::toolMove(speed, acceleration);
     check::number("blend", blend, UR_BLEND_MIN, UR_BLEND_MAX, "m");
-    return d_->session.stream({CommandId::ServoC, 5, joined(pose, {speed, acceleration, blend})});
+    return d_->session.backend()->stream({CommandId::ServoC, 5, joined(pose, {speed, acceleration, blend})});
 }
 
 bool RTDEControlInterface::servoStop(double a) {
-    check::number("a", a, 0.01, UR_JOINT_ACCELERATION_MAX, "rad/s2");
-    return d_->session.stop({CommandId::ServoStop, 8, {a}});
+    check::number("a", a, 0.01, UR_TOOL_ACCELERATION_MAX, "m/s2");
+    return d_->session.backend()->stop({CommandId::ServoStop, 8, {a}});
 }
 
 bool RTDEControlInterface::jogStart(const List& speeds, int feature, double acc, const List& custom_frame) {
@@ -172,7 +174,7 @@ bool RTDEControlInterface::jogStart(const List& speeds, int feature, double acc,
 }
 
 bool RTDEControlInterface::jogStop() {
-    return d_->session.stop({CommandId::JogStop, 4, {}});
+    return d_->session.backend()->stop({CommandId::JogStop, 4, {}});
 }
 
 // ---- force and hands ------------------------------------------------------------------------------------
@@ -186,11 +188,11 @@ bool RTDEControlInterface::forceMode(const List& task_frame, const std::vector<i
     check::twist("limits", limits);
     List values{static_cast<double>(type)};
     values = joined(joined(values, reals(selection_vector)), task_frame);
-    return d_->session.stream({CommandId::ForceMode, 3, joined(joined(values, wrench), limits)});
+    return d_->session.backend()->stream({CommandId::ForceMode, 3, joined(joined(values, wrench), limits)});
 }
 
 bool RTDEControlInterface::forceModeStop() {
-    return d_->session.stop({CommandId::ForceModeStop, 4, {}});
+    return d_->session.backend()->stop({CommandId::ForceModeStop, 4, {}});
 }
 
 bool RTDEControlInterface::freedriveMode(const std::vector<int>& free_axes, const List& feature) {
@@ -204,7 +206,7 @@ bool RTDEControlInterface::endFreedriveMode() {
 }
 
 int RTDEControlInterface::getFreedriveStatus() {
-    const auto answer = d_->session.perform({CommandId::FreedriveStatus, 4, {}});
+    const auto answer = d_->session.backend()->perform({CommandId::FreedriveStatus, 4, {}});
     if (!answer) {
         throw std::runtime_error("getFreedriveStatus: the robot did not answer");
     }

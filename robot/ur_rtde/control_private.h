@@ -12,6 +12,8 @@ struct ur_rtde::RTDEControlInterface::Private {
     tiller::urrtde::ControlSession session;
     double givenPeriod;  ///< [s]; 0: the controller's own
 
+    tiller::control::JointLimits limits() const { return session.backend()->jointLimits(); }
+
     using CommandId = tiller::urrtde::CommandId;
     using List = std::vector<double>;
 
@@ -21,23 +23,23 @@ struct ur_rtde::RTDEControlInterface::Private {
         return version.major > 5 || (version.major == 5 && version.minor >= 4);
     }
     bool done(CommandId id, int recipe, const List& values = {}) {
-        const auto answer = session.perform({id, recipe, values});
+        const auto answer = session.backend()->perform({id, recipe, values});
         return answer && (answer->result != 0 || !answersResult(id));
     }
     bool move(CommandId id, const List& values) {
-        const auto answer = session.perform({id, 1, values});
+        const auto answer = session.backend()->perform({id, 1, values});
         return answer && (answer->result != 0 || session.isForeign());
     }
     /// The six values the robot answers with; none when it does not, or says that there are none.
     List six(CommandId id, int recipe, const List& values = {}, bool mayFail = false) {
-        const auto answer = session.perform({id, recipe, values});
+        const auto answer = session.backend()->perform({id, recipe, values});
         if (!answer || (mayFail && answer->result == 0)) {
             return {};
         }
         return {answer->values.begin(), answer->values.end()};
     }
     int integer(CommandId id, int recipe, const List& values = {}) {
-        const auto answer = session.perform({id, recipe, values});
+        const auto answer = session.backend()->perform({id, recipe, values});
         return answer ? answer->result : 0;
     }
 

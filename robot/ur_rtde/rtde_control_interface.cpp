@@ -50,8 +50,19 @@ void RTDEControlInterface::disconnect() {
 }
 
 bool RTDEControlInterface::reconnect() {
-    d_->session.reconnect();
+    try {
+        d_->session.reconnect();
+    } catch (const tiller::urrtde::Interrupted&) {
+        throw;
+    } catch (const std::exception& error) {
+        d_->session.keepError(error.what());
+        return false;
+    }
     return isConnected();
+}
+
+std::string RTDEControlInterface::lastError() const {
+    return d_->session.lastError();
 }
 
 bool RTDEControlInterface::isConnected() {
@@ -71,8 +82,9 @@ void RTDEControlInterface::unlockProtectiveStop() {
 }
 
 void RTDEControlInterface::waitPeriod(const std::chrono::steady_clock::time_point& t_cycle_start) {
-    RTDEUtility::waitPeriod(t_cycle_start,
-                            d_->givenPeriod > 0 ? d_->givenPeriod : d_->session.controlPeriod());
+    RTDEUtility::waitPeriod(t_cycle_start, d_->givenPeriod > 0
+                                               ? d_->givenPeriod
+                                               : d_->session.backend()->version().controlPeriod());
 }
 
 std::chrono::steady_clock::time_point RTDEControlInterface::initPeriod() {
@@ -94,21 +106,18 @@ bool RTDEControlInterface::sendCustomScriptFunction(const std::string& function_
         throw std::invalid_argument("script is empty");
     }
     std::istringstream lines(script);
-    // The first line tells of runs too short to be seen playing.
-    const int mark = d_->session.nextMark();
-    std::string text = "def " + function_name + "():\n\twrite_output_integer_register(" +
-                       std::to_string(d_->session.offset() + 1) + ", " + std::to_string(mark) + ")\n";
+    std::string text = "def " + function_name + "():\n";
     for (std::string line; std::getline(lines, line);) {
         text += "\t" + line + "\n";
     }
-    return d_->session.runCustom(text + "end\n", mark);
+    return d_->session.backend()->runCustom(text + "end\n");
 }
 
 bool RTDEControlInterface::sendCustomScript(const std::string& script) {
     if (script.empty()) {
         throw std::invalid_argument("script is empty");
     }
-    return d_->session.runCustom(script);
+    return d_->session.backend()->runCustom(script);
 }
 
 bool RTDEControlInterface::sendCustomScriptFile(const std::string& file_path) {
@@ -118,7 +127,7 @@ bool RTDEControlInterface::sendCustomScriptFile(const std::string& file_path) {
     if (!file || text.str().empty()) {
         throw std::invalid_argument("file_path: cannot read " + file_path);
     }
-    return d_->session.runCustom(text.str());
+    return d_->session.backend()->runCustom(text.str());
 }
 
 void RTDEControlInterface::setCustomScriptFile(const std::string& file_path) {
@@ -129,7 +138,7 @@ void RTDEControlInterface::setCustomScriptFile(const std::string& file_path) {
 }
 
 void RTDEControlInterface::stopScript() {
-    d_->session.stopProgram();
+    d_->session.backend()->stopProgram();
 }
 
 bool RTDEControlInterface::isProgramRunning() {
@@ -137,7 +146,7 @@ bool RTDEControlInterface::isProgramRunning() {
 }
 
 uint32_t RTDEControlInterface::getRobotStatus() {
-    return d_->session.state().robotStatus;
+    return d_->session.backend()->robotStatus();
 }
 
 // ---- settings -------------------------------------------------------------------------------------------
@@ -166,11 +175,11 @@ bool RTDEControlInterface::setWatchdog(double min_frequency) {
 }
 
 bool RTDEControlInterface::kickWatchdog() {
-    return d_->session.kickWatchdog();
+    return d_->session.backend()->kickWatchdog();
 }
 
 bool RTDEControlInterface::triggerProtectiveStop() {
-    return d_->session.protectiveStop();
+    return d_->session.backend()->protectiveStop();
 }
 
 // ---- force and sensor -----------------------------------------------------------------------------------
@@ -191,7 +200,7 @@ bool RTDEControlInterface::forceModeSetGainScaling(double scaling) {
 
 bool RTDEControlInterface::setExternalForceTorque(const List& external_force_torque) {
     check::list("external_force_torque", external_force_torque, 6);
-    return d_->session.stream({CommandId::ExternalForceTorque, 18, external_force_torque});
+    return d_->session.backend()->stream({CommandId::ExternalForceTorque, 18, external_force_torque});
 }
 
 namespace {
@@ -253,21 +262,22 @@ List RTDEControlInterface::getTargetWaypoint() {
 }
 
 namespace {
-List kinematicsQuestion(const List& x, const List& near, double positionError, double orientationError) {
+List kinematicsQuestion(const List& x, const List& near, double positionError, double orientationError,
+                        const tiller::control::JointLimits& arm) {
     check::pose("x", x);
     check::number("max_position_error", positionError, 0, 1, "m");
     check::number("max_orientation_error", orientationError, 0, 1, "rad");
     if (near.empty()) {
         return x;
     }
-    check::joints("qnear", near);
+    check::joints("qnear", near, arm);
     return joined(joined(x, near), {positionError, orientationError});
 }
 }  // namespace
 
 List RTDEControlInterface::getInverseKinematics(const List& x, const List& qnear, double max_position_error,
                                                 double max_orientation_error) {
-    const List values = kinematicsQuestion(x, qnear, max_position_error, max_orientation_error);
+    const List values = kinematicsQuestion(x, qnear, max_position_error, max_orientation_error, d_->limits());
     return qnear.empty() ? d_->six(CommandId::InverseKinematics, 6, values, true)
                          : d_->six(CommandId::InverseKinematicsNear, 10, values, true);
 }
@@ -275,9 +285,10 @@ List RTDEControlInterface::getInverseKinematics(const List& x, const List& qnear
 bool RTDEControlInterface::getInverseKinematicsHasSolution(const List& x, const List& qnear,
                                                            double max_position_error,
                                                            double max_orientation_error) {
-    const List values = kinematicsQuestion(x, qnear, max_position_error, max_orientation_error);
-    const auto answer = qnear.empty() ? d_->session.perform({CommandId::HasSolution, 6, values})
-                                      : d_->session.perform({CommandId::HasSolutionNear, 10, values});
+    const List values = kinematicsQuestion(x, qnear, max_position_error, max_orientation_error, d_->limits());
+    const auto answer = qnear.empty()
+                            ? d_->session.backend()->perform({CommandId::HasSolution, 6, values})
+                            : d_->session.backend()->perform({CommandId::HasSolutionNear, 10, values});
     if (!answer) {
         throwUnanswered("getInverseKinematicsHasSolution");
     }
@@ -289,7 +300,7 @@ List RTDEControlInterface::getForwardKinematics(const List& q, const List& tcp_o
         return answered("getForwardKinematics", d_->six(CommandId::ForwardKinematics, 4));
     }
     const List joints = q.empty() ? answered("getForwardKinematics", getActualJointPositionsHistory()) : q;
-    check::joints("q", joints);
+    check::joints("q", joints, d_->limits());
     if (!tcp_offset.empty()) {
         check::pose("tcp_offset", tcp_offset);
     }

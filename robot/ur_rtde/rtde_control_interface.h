@@ -1,19 +1,28 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Moves the arm. A control program is uploaded once; commands reach it through RTDE registers.
+// Moves the arm, through the control program of robot/control and by its rules.
 //
 // Functions that command something return true on success, motions unless asynchronous when they are done,
-// and false when the robot does not (program not running, protective or emergency stop, no connection).
+// and false when the robot does not (program not running, protective or emergency stop, no connection):
+// lastError() says why.
 //
 // Arguments are checked before anything is sent: std::invalid_argument for a wrong number of values or a
-// value that is not a number, std::range_error for one out of range, both naming the argument. Angles that
-// look like degrees and lengths that look like millimetres are out of range.
+// value that is not a number, std::range_error for one out of range, both naming the argument. Ranges of
+// joints and their speeds are the connected robot's own. Whether the arm can reach a pose is looked at before
+// a move begins.
 //
-// Beyond what ur_rtde does: motions without an end of their own (speed, servo, jog) end within 0.1 s when
-// this program falls silent; stopJ, stopL, stopScript and triggerProtectiveStop overtake a motion another
-// thread is waiting for; a move after servoing needs no servoStop(); a lost connection is not taken up again
-// without reconnect().
+// What ends a motion, beyond its own end and the stops: a thread of this process tells the robot 500 times a
+// second that it lives. When the process is killed or stopped, or the link falls silent, for 0.1 s, every
+// motion ends, moves and paths too; a program that merely sleeps keeps its motion. The same after a protective,
+// safeguard or emergency stop, and when the program is paused. Nothing of it comes back by itself: set points
+// (speed, servo) are refused until servoStop(), speedStop(), jogStop() or another command has been called.
+// disconnect() lets a move or path under way come to its end and ends everything else.
+//
+// Beyond what ur_rtde does: stopJ, stopL, stopScript and triggerProtectiveStop overtake a motion another thread
+// is waiting for; stops end force mode too; a move after servoing needs no servoStop(); a lost connection is not
+// taken up again without reconnect(). With setCustomScriptFile(), FLAG_CUSTOM_SCRIPT, or without upload where
+// another program runs, commands go to that program by ur_rtde's registers, and what ends a motion is up to it.
 
 #include <ur_rtde/async_operation_status.h>
 #include <ur_rtde/dashboard_enums.h>
@@ -101,7 +110,11 @@ public:
 
     /// Ends the connection; the program on the robot goes on, bounded motions too (see stopScript()).
     void disconnect();
+    /// Returns  false when it did not work: lastError() says why. Never throws on that account
     bool reconnect();
+    /// Why the last call that returned false or threw did; empty when none has. Also said on standard error,
+    /// once. Beyond what ur_rtde has.
+    std::string lastError() const;
     bool isConnected();
     /// Of the controller's software; zeros before the first connection.
     const Versions& versions() const;
@@ -142,7 +155,7 @@ public:
     bool movePath(const Path& path, bool asynchronous = false);
     /// Moves with speed xd until the tool touches something, then back to where it did; not at all when it
     /// does already. Returns false, without moving, on software before 5.4, which feels no contact. direction
-    /// which contacts count, in the base frame; zeros: all
+    /// which contacts count, in the base frame; zeros: those in the direction of xd
     bool moveUntilContact(const std::vector<double>& xd,
                           const std::vector<double>& direction = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
                           double acceleration = 0.5);
@@ -151,6 +164,8 @@ public:
     AsyncOperationStatus getAsyncOperationProgressEx();
 
     // ---- streams of set points
+    /// time  how long the set point is held before the next one is looked at [s]; 0: a control period. The arm
+    ///       goes on afterwards, as with ur_rtde: until a new set point, a stop, or an end as above
     bool speedJ(const std::vector<double>& qd, double acceleration = 0.5, double time = 0.0);
     bool speedL(const std::vector<double>& xd, double acceleration = 0.25, double time = 0.0);
     bool speedStop(double a = 10.0);
@@ -163,7 +178,7 @@ public:
                 double lookahead_time, double gain);
     bool servoC(const std::vector<double>& pose, double speed = 0.25, double acceleration = 1.2,
                 double blend = 0.0);
-    bool servoStop(double a = 10.0);
+    bool servoStop(double a = 10.0);  ///< along the line of the tool [m/s2]
     /// speeds  [m/s, rad/s] along the axes of the feature; acc [m/s2]; custom_frame a pose in the base frame
     bool jogStart(const std::vector<double>& speeds, int feature = FEATURE_BASE, double acc = 0.5,
                   const std::vector<double>& custom_frame = {});
@@ -191,7 +206,9 @@ public:
     bool endTeachMode();
     /// Number of controller steps back to the contact, 0 for none.
     int toolContact(const std::vector<double>& direction);
-    /// Looks for contact from when there is none. Returns false on software before 5.4.
+    /// Looks for contact from when there is none; the motion under way then stops and goes back to where the
+    /// contact began, and any stop ends that too. direction  zeros: the direction the tool moves in. Returns
+    /// false on software before 5.4.
     bool startContactDetection(const std::vector<double>& direction = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
     bool readContactDetection();
     bool stopContactDetection();

@@ -164,8 +164,8 @@ bool RTDEIOInterface::setToolDigitalOut(std::uint8_t output_id, bool signal_leve
 }
 
 bool RTDEIOInterface::setSpeedSlider(double speed) {
-    check::number("speed", speed, 0, 1);
-    return d_->send(kSlider, {1, std::max(speed, kLowestSpeed)});
+    check::number("speed", speed, kLowestSpeed, 1);
+    return d_->send(kSlider, {1, speed});
 }
 
 bool RTDEIOInterface::setAnalogOutputVoltage(std::uint8_t output_id, double voltage_ratio) {

@@ -32,7 +32,8 @@ public:
     bool setStandardDigitalOut(std::uint8_t output_id, bool signal_level);      ///< 0 ... 7
     bool setConfigurableDigitalOut(std::uint8_t output_id, bool signal_level);  ///< 0 ... 7
     bool setToolDigitalOut(std::uint8_t output_id, bool signal_level);          ///< 0, 1
-    /// speed  0 ... 1; below 0.02 it is raised to that, because a robot at zero has stopped itself for less
+    /// speed  0.02 ... 1. Below that the arm would creep, and 0 has caused protective stops: to hold the arm still,
+    /// pause the program or stop it
     bool setSpeedSlider(double speed);
     bool setAnalogOutputVoltage(std::uint8_t output_id,
                                 double voltage_ratio);  ///< 0, 1; ratio 0 ... 1 of 10 V

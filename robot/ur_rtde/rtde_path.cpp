@@ -35,7 +35,7 @@ void checkPosition(const std::string& name, PathEntry::ePositionType type, const
                    std::size_t first) {
     const List six(values.begin() + static_cast<std::ptrdiff_t>(first),
                    values.begin() + static_cast<std::ptrdiff_t>(first) + 6);
-    type == PathEntry::PositionTcpPose ? check::pose(name, six) : check::joints(name, six);
+    type == PathEntry::PositionTcpPose ? check::pose(name, six) : check::joints(name, six, check::anyArm());
 }
 
 void checkRows(const std::vector<List>& path) {
@@ -62,7 +62,7 @@ PathEntry::PathEntry(eMoveType move_type, ePositionType position_type, const Lis
     }
     checkPosition("parameters", pos_type_, param_, speedAt - 6);
     if (move_type_ == MoveJ) {
-        check::jointMove(param_[speedAt], param_[speedAt + 1]);
+        check::jointMove(param_[speedAt], param_[speedAt + 1], check::anyArm());
     } else {
         check::toolMove(param_[speedAt], param_[speedAt + 1]);
     }

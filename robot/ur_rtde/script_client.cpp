@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include "robot/control/programs.h"
 #include "robot/script/script_client.h"
 #include "robot/ur_rtde/arguments.h"
-#include "robot/ur_rtde/control_program.h"
 #include "robot/ur_rtde/waiting.h"
 
 namespace ur_rtde {
@@ -141,9 +141,11 @@ std::string ScriptClient::getScript() {
     const std::lock_guard lock(d_->mutex);
     std::string text;
     if (d_->file.empty()) {
-        text = std::string("def rtde_control():\n") + tiller::urrtde::controlProgram() + "end\n";
-        const std::string place = tiller::urrtde::kOffsetPlace;
-        text.insert(text.find(place) + place.size(), "  global O = 0\n");
+        // By the name programs for ur_rtde know it.
+        text = tiller::control::Programs::controlProgram({d_->major, d_->minor, 0, 0},
+                                                         tiller::control::RegisterRange::Lower)
+                   .replace(QStringLiteral("def tiller_control()"), QStringLiteral("def rtde_control()"))
+                   .toStdString();
     } else if (auto content = contentOf(d_->file)) {
         text = std::move(*content);
     } else {

@@ -58,10 +58,16 @@ const std::vector<Case>& cases() {
              c.moveJ(List{0, -90, 0, 0, 0, 0});
          }},
         {"moveJ speed", "speed", Wrong::Range, [](C& c) { c.moveJ(kQ, 60.0); }},
-        {"moveJ above ur_rtde's limit", "speed", Wrong::Range, [](C& c) { c.moveJ(kQ, 3.2); }},
+        {"moveJ above the arm's own limit", "speed", Wrong::Range, [](C& c) { c.moveJ(kQ, 3.5); }},
         {"moveL above ur_rtde's limit", "speed", Wrong::Range, [](C& c) { c.moveL(kPose, 3.1); }},
         {"moveL endless", "acceleration", Wrong::NotANumber,
          [](C& c) { c.moveL(kPose, 0.1, std::numeric_limits<double>::infinity()); }},
+        {"moveJ at no speed", "speed", Wrong::Range, [](C& c) { c.moveJ(kQ, 0.0); }},
+        {"moveJ without acceleration", "acceleration", Wrong::Range, [](C& c) { c.moveJ(kQ, 1.0, 0.0); }},
+        {"moveL at no speed", "speed", Wrong::Range, [](C& c) { c.moveL(kPose, 0.0); }},
+        {"moveL_FK without acceleration", "acceleration", Wrong::Range,
+         [](C& c) { c.moveL_FK(kQ, 0.1, 0.0); }},
+        {"servoC at no speed", "speed", Wrong::Range, [](C& c) { c.servoC(kPose, 0.0); }},
         {"moveJ negative", "speed", Wrong::Range, [](C& c) { c.moveJ(kQ, -1.0); }},
         {"moveJ acceleration", "acceleration", Wrong::Range, [](C& c) { c.moveJ(kQ, 1.0, 500.0); }},
         {"moveJ path", "path[0]", Wrong::Size, [](C& c) { c.moveJ(std::vector<List>{kQ}); }},
@@ -347,8 +353,8 @@ private Q_SLOTS:
         }
         QVERIFY(text.contains("\n# HEADER_BEGIN\n"));
         QVERIFY(text.contains("\n# HEADER_END\n"));
-        QVERIFY(text.contains("global O = 24\n"));
-        QVERIFY(!text.contains("def rtde_control"));
+        QVERIFY(text.contains("\ntiller_FIRST = 24\n"));
+        QVERIFY(!text.contains("def rtde_control") && !text.contains("def tiller_control"));
     }
 };
 

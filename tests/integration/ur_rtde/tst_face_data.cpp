@@ -60,6 +60,23 @@ private Q_SLOTS:
         QVERIFY(std::chrono::steady_clock::now() - begin >= std::chrono::microseconds(1999));
     }
 
+    // A robot that is being started again, say: the interface comes back with it.
+    void aFailedReconnectDoesNotEndTheAutomaticOne() {
+        simulator::ControllerOptions options;
+        options.listenAddress = test::ownAddress(7);
+        options.poweredOn = true;
+        auto robot = std::make_unique<simulator::Controller>(options);
+        QVERIFY(robot->start().ok());
+        RTDEReceiveInterface receive(options.listenAddress.toStdString());
+        QVERIFY(receive.isConnected());
+        robot.reset();
+        QVERIFY(!receive.reconnect());
+        QVERIFY(!receive.isConnected());
+        robot = std::make_unique<simulator::Controller>(options);
+        QVERIFY(robot->start().ok());
+        QTRY_VERIFY_WITH_TIMEOUT(receive.isConnected(), 30'000);
+    }
+
     void everyValueIsThereAndRight() {
         const simulator::Truth truth = cell_->robot.truth();
         const auto q = truth.q.array();
@@ -205,7 +222,8 @@ private Q_SLOTS:
         QVERIFY(io.setSpeedSlider(0.4));
         QVERIFY(until([&] { return std::abs(receive_->getTargetSpeedFraction() - 0.4) < 0.006; }));
         QVERIFY(std::abs(receive_->getSpeedScalingCombined() - receive_->getSpeedScaling() * 0.4) < 0.01);
-        QVERIFY(io.setSpeedSlider(0.0));  // never to a standstill
+        QVERIFY_EXCEPTION_THROWN(io.setSpeedSlider(0.0), std::range_error);  // it would creep
+        QVERIFY(io.setSpeedSlider(0.02));
         QVERIFY(until([&] { return std::abs(receive_->getTargetSpeedFraction() - 0.02) < 0.006; }));
         QVERIFY(io.setSpeedSlider(1.0));
         QVERIFY(io.setInputIntRegister(18, 42));

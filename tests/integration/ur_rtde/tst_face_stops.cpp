@@ -5,7 +5,9 @@
 #include <ur_rtde/rtde_control_interface.h>
 
 #include <QScopeGuard>
+#include <QTemporaryDir>
 #include <QTest>
+#include <fstream>
 #include <future>
 
 #include "robot/ur_rtde/waiting.h"
@@ -147,10 +149,9 @@ private Q_SLOTS:
         impatient = true;
         QVERIFY_EXCEPTION_THROWN(waiting.get(), urrtde::Interrupted);
         impatient = false;
-        QVERIFY(untilNotRunning());
         QVERIFY(untilStanding());
         QVERIFY(joints()[0] < kStart[0] + 0.9);
-        QVERIFY(control_->reuploadScript());
+        QVERIFY(control_->isProgramRunning());  // the control program is back
         QVERIFY(control_->moveJ(kStart));
     }
 
@@ -184,6 +185,91 @@ private Q_SLOTS:
         QVERIFY(!second.get());
         QVERIFY(untilStanding());
         QVERIFY(!control_->isProgramRunning());
+    }
+
+    // Reader and writers find out at the same time: a race that ThreadSanitizer sees.
+    void aLinkMayBreakWhileSetPointsAreSent_data() {
+        QTest::addColumn<bool>("custom");
+        QTest::newRow("our program") << false;
+        QTest::newRow("a program of the user's") << true;
+    }
+    void aLinkMayBreakWhileSetPointsAreSent() {
+        QFETCH(bool, custom);
+        QTemporaryDir folder;
+        if (custom) {
+            const std::string file = folder.filePath("custom.script").toStdString();
+            std::ofstream(file) << "  O = 0\n  while read_input_integer_register(O) != 255:\n"
+                                   "    write_output_integer_register(O, 1)\n    sync()\n  end\n";
+            control_->setCustomScriptFile(file);
+        }
+        for (int i = 0; i < 5; ++i) {
+            std::atomic<bool> over{false};
+            std::thread streaming([&] {
+                while (!over) {
+                    control_->speedJ({0, 0, 0, 0, 0, 0.05}, 1.0);
+                }
+            });
+            QVERIFY(cell_->pass(0.05));
+            cell_->robot.closeClients();
+            QVERIFY(cell_->until([&](const simulator::Truth&) { return !control_->isConnected(); }));
+            over = true;
+            streaming.join();
+            QVERIFY(!control_->speedJ({0, 0, 0, 0, 0, 0.05}, 1.0));
+            QVERIFY(untilStanding());
+            QVERIFY(control_->reconnect());
+        }
+    }
+
+    // A loop that does not look at what calls return would take the motion up again.
+    void setPointsDoNotTakeUpWhatAPauseHasEnded() {
+        ur_rtde::DashboardClient pendant(cell_->host());
+        pendant.connect();
+        const auto turn = [&] { return control_->speedJ({0, 0, 0, 0, 0, 0.2}, 2.0); };
+        QVERIFY(turn());
+        QVERIFY(untilMoving());
+        pendant.pause();
+        QVERIFY(untilStanding());
+        pendant.play();
+        QVERIFY(cell_->until([&](const simulator::Truth&) { return control_->isProgramRunning(); }));
+        for (int i = 0; i < 20; ++i) {
+            QVERIFY(!turn());
+            QVERIFY(cell_->pass(0.01));
+        }
+        QVERIFY(stands(cell_->robot.truth()));
+        QVERIFY(!control_->lastError().empty());
+        QVERIFY(control_->speedStop());
+        QVERIFY(turn());
+        QVERIFY(untilMoving());
+        QVERIFY(control_->speedStop());
+    }
+
+    // A loop on the progress of an asynchronous motion ends with it, however it ended.
+    void theProgressEndsWithTheProgramAndTheLink_data() {
+        QTest::addColumn<int>("end");
+        QTest::newRow("protective stop") << 0;
+        QTest::newRow("dashboard stop") << 1;
+        QTest::newRow("link") << 2;
+    }
+    void theProgressEndsWithTheProgramAndTheLink() {
+        QFETCH(int, end);
+        QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.05, 1.4, true));
+        QVERIFY(untilMoving());
+        QVERIFY(control_->getAsyncOperationProgress() >= 0);
+        if (end == 0) {
+            cell_->robot.protectiveStop();
+        } else if (end == 1) {
+            ur_rtde::DashboardClient pendant(cell_->host());
+            pendant.connect();
+            pendant.stop();
+        } else {
+            cell_->robot.closeClients();
+        }
+        QVERIFY(
+            cell_->until([&](const simulator::Truth&) { return control_->getAsyncOperationProgress() < 0; }));
+        QVERIFY(!control_->getAsyncOperationProgressEx().isAsyncOperationRunning());
+        QVERIFY(cell_->until([&](const simulator::Truth&) { return !control_->isProgramRunning(); }));
+        QVERIFY(!control_->moveJ(kStart));
+        QVERIFY(!control_->lastError().empty());
     }
 
     void aKickLeavesTheMoveAnotherThreadWaitsForAlone() {

@@ -2,7 +2,7 @@
 // One command: wait for its turn and for the program to be ready, send, wait for the answer.
 #include <QScopeGuard>
 
-#include "robot/ur_rtde/control_session.h"
+#include "robot/ur_rtde/custom/custom_control.h"
 #include "robot/ur_rtde/waiting.h"
 
 namespace tiller::urrtde {
@@ -22,14 +22,14 @@ std::vector<double> numbered(const Command& command) {
 }
 
 // What was not sent needs no end, but what an earlier client or program left must not begin by itself.
-void clearUnlessStopping(ControlLink& link) {
+void clearUnlessStopping(RegisterLink& link) {
     if (!link.isCommandAlone()) {
         link.clear();
     }
 }
 
 // A connection with no room for it just now has some a moment later.
-bool sendStop(ControlLink& link, const Command& command) {
+bool sendStop(RegisterLink& link, const Command& command) {
     bool sent = link.sendAlone(command.recipe, numbered(command));
     for (int i = 0; i < 20 && !sent && link.isAlive(); ++i) {
         std::this_thread::sleep_for(milliseconds(5));
@@ -40,7 +40,7 @@ bool sendStop(ControlLink& link, const Command& command) {
 
 }  // namespace
 
-ControlSession::TurnLock ControlSession::takeTurn() {
+CustomControl::TurnLock CustomControl::takeTurn() {
     TurnLock turn(turn_, std::defer_lock);
     while (!turn.try_lock_for(milliseconds(10))) {
         throwIfInterrupted();
@@ -48,7 +48,7 @@ ControlSession::TurnLock ControlSession::takeTurn() {
     return turn;
 }
 
-ControlSession::TurnLock ControlSession::takeTurnToStop() {
+CustomControl::TurnLock CustomControl::takeTurnToStop() {
     ++stopsWaiting_;
     const auto arrived = qScopeGuard([this] { --stopsWaiting_; });
     if (const auto current = link()) {
@@ -57,48 +57,47 @@ ControlSession::TurnLock ControlSession::takeTurnToStop() {
     return takeTurn();
 }
 
-bool ControlSession::isReady(ControlLink& link, const std::function<bool(const LinkState&)>& giveUp) {
+bool CustomControl::isReady(RegisterLink& link, const std::function<bool(const RegisterState&)>& giveUp) {
     // A stop nobody waited for is done at standstill. Programs of others may not know it.
-    const auto isFree = [&link](const LinkState&) { return !link.isCommandAlone(); };
-    if (!link.wait(isFree, giveUp, isOurs() ? kEver : kReadyTime)) {
-        if (isOurs() || !link.isAlive() || giveUp(link.state()) || !link.state().isPlaying()) {
+    const auto isFree = [&link](const RegisterState&) { return !link.isCommandAlone(); };
+    if (!link.wait(isFree, giveUp, kReadyTime)) {
+        if (!link.isAlive() || giveUp(link.state()) || !link.state().isPlaying()) {
             return false;
         }
         link.forgetCommandAlone();
     }
-    return link.wait([](const LinkState& state) { return state.answer == 1; }, giveUp, kReadyTime);
+    return link.wait([](const RegisterState& state) { return state.answer == 1; }, giveUp, kReadyTime);
 }
 
 // Only after the program has seen a command does "ready" say that it has seen its end too.
-void ControlSession::untilSeen(ControlLink& link, std::uint64_t sent, milliseconds atMost) {
+void CustomControl::untilSeen(RegisterLink& link, std::uint64_t sent, milliseconds atMost) {
     constexpr int kPackages = 3;  // for programs of others, which may call themselves ready all the time
-    link.wait(
-        [&](const LinkState& s) { return s.answer != 1 || (!isOurs() && s.sequence > sent + kPackages); },
-        [this](const LinkState& s) { return s.isStopped() || s.hasEnded() || disconnecting_; }, atMost);
+    link.wait([&](const RegisterState& s) { return s.answer != 1 || s.sequence > sent + kPackages; },
+              [this](const RegisterState& s) { return s.isStopped() || s.hasEnded() || disconnecting_; },
+              atMost);
 }
 
-std::optional<LinkState> ControlSession::perform(const Command& command) {
+std::optional<Answer> CustomControl::perform(const Command& command) {
     const TurnLock turn = takeTurn();
-    return performInTurn(command, true);
+    const auto done = performInTurn(command, true);
+    return done ? std::optional(Answer{done->result, done->values}) : std::nullopt;
 }
 
-std::optional<LinkState> ControlSession::performInTurn(const Command& command, bool mayBeStopped) {
+std::optional<RegisterState> CustomControl::performInTurn(const Command& command, bool mayBeStopped) {
     const auto current = link();
     if (!current || !current->isAlive()) {
         return std::nullopt;
     }
-    ControlLink& robot = *current;
-    const bool foreign = isForeign();
-    const bool mayIdle = foreign || server_;
+    RegisterLink& robot = *current;
     // Two reasons to stop waiting that are no failure of the link.
-    const auto hopeless = [&](const LinkState& state) {
-        return state.isStopped() || ((!mayIdle || !mayBeStopped) && !state.isPlaying()) ||
+    const auto hopeless = [&](const RegisterState& state) {
+        return state.isStopped() || (!mayBeStopped && !state.isPlaying()) ||
                (mayBeStopped && stopsWaiting_ > 0) || disconnecting_;
     };
     // A program of others may never answer a stop, which must not keep the next one waiting. And an
     // interrupted stop takes the place of whatever is under way.
-    const auto pointless = [&](const LinkState& state) {
-        return hopeless(state) || (!isOurs() && stopsWaiting_ > 0) || !robot.holds(command.id);
+    const auto pointless = [&](const RegisterState& state) {
+        return hopeless(state) || stopsWaiting_ > 0 || !robot.holds(command.id);
     };
     if (hopeless(robot.state())) {
         say("the robot is stopped, or the control program does not run");
@@ -111,15 +110,15 @@ std::optional<LinkState> ControlSession::performInTurn(const Command& command, b
         return std::nullopt;
     }
     const std::uint64_t sent = robot.state().sequence;
-    LinkState answer;
+    RegisterState answer;
     std::uint64_t readySince = 0;
     try {
         const bool done = robot.wait(
-            [&](const LinkState& state) {
+            [&](const RegisterState& state) {
                 answer = state;
                 // Programs written for others answer some questions with "ready" only, a few packages later.
-                const bool quick = foreign && command.id >= CommandId::ToolContact &&
-                                   command.id <= CommandId::JointPositionsHistory;
+                const bool quick =
+                    command.id >= CommandId::ToolContact && command.id <= CommandId::JointPositionsHistory;
                 readySince = readySince == 0 ? state.sequence : readySince;
                 return state.isDone(static_cast<int>(command.id)) ||
                        (quick && state.sequence > readySince + 5);
@@ -128,7 +127,7 @@ std::optional<LinkState> ControlSession::performInTurn(const Command& command, b
         if (!done) {
             untilSeen(robot, sent, milliseconds(1000));
         }
-        const LinkState now = robot.state();
+        const RegisterState now = robot.state();
         if (!done && !mayBeStopped && now.answer == 1 && !now.isPlaying() && !now.hasEnded()) {
             sendStop(robot, command);  // paused before it was seen: obeyed when the program goes on
         } else {
@@ -140,13 +139,13 @@ std::optional<LinkState> ControlSession::performInTurn(const Command& command, b
         const Uninterrupted stopping;
         untilSeen(robot, sent, milliseconds(50));
         robot.clear(command.id);
-        robot.wait([](const LinkState& state) { return state.answer == 1; }, hopeless, milliseconds(100));
+        robot.wait([](const RegisterState& state) { return state.answer == 1; }, hopeless, milliseconds(100));
         sendStop(robot, {CommandId::StopJ, 20, {4.0, 1.0}});
         throw;
     }
 }
 
-bool ControlSession::stop(const Command& command, bool wait) {
+bool CustomControl::stop(const Command& command, bool wait) {
     auto current = link();
     bool tried = false;
     try {
@@ -155,9 +154,11 @@ bool ControlSession::stop(const Command& command, bool wait) {
         if (!current || !current->isAlive()) {
             return false;
         }
-        ControlLink& robot = *current;
-        const auto hopeless = [this](const LinkState& state) { return state.hasEnded() || disconnecting_; };
-        const auto isSilent = [&](const LinkState& state) {
+        RegisterLink& robot = *current;
+        const auto hopeless = [this](const RegisterState& state) {
+            return state.hasEnded() || disconnecting_;
+        };
+        const auto isSilent = [&](const RegisterState& state) {
             return hopeless(state) || !state.isPlaying() || state.isStopped();
         };
         const bool ready = !isSilent(robot.state()) && isReady(robot, isSilent);
@@ -181,27 +182,25 @@ bool ControlSession::stop(const Command& command, bool wait) {
     }
 }
 
-bool ControlSession::stream(const Command& command) {
+bool CustomControl::stream(const Command& command) {
     const TurnLock turn = takeTurn();
     const auto current = link();
     if (!current || !current->isAlive()) {
         return false;
     }
-    ControlLink& robot = *current;
-    const bool mayIdle = isForeign() || server_;
-    const auto hopeless = [&](const LinkState& state) {
-        return state.isStopped() || (!mayIdle && !state.isPlaying()) || stopsWaiting_ > 0 || disconnecting_;
+    RegisterLink& robot = *current;
+    const auto hopeless = [&](const RegisterState& state) {
+        return state.isStopped() || stopsWaiting_ > 0 || disconnecting_;
     };
     if (hopeless(robot.state()) || !isReady(robot, hopeless)) {
         clearUnlessStopping(robot);
         return false;
     }
-    robot.countStream();
     return robot.send(command.recipe, numbered(command));
 }
 
-bool ControlSession::protectiveStop() {
-    const auto isStopped = [](const LinkState& state) { return (state.safetyStatus & (1U << 2)) != 0; };
+bool CustomControl::protectiveStop() {
+    const auto isStopped = [](const RegisterState& state) { return (state.safetyStatus & (1U << 2)) != 0; };
     if (isStopped(state())) {
         return true;
     }
@@ -209,14 +208,14 @@ bool ControlSession::protectiveStop() {
     const auto current = link();
     const bool stopped =
         current && current->wait(
-                       isStopped, [](const LinkState&) { return false; }, milliseconds(1000));
+                       isStopped, [](const RegisterState&) { return false; }, milliseconds(1000));
     if (current && !stopped) {
         current->clear(CommandId::ProtectiveStop);  // not at some later time
     }
     return stopped;
 }
 
-bool ControlSession::kickWatchdog() {
+bool CustomControl::kickWatchdog() {
     const auto current = link();
     return current && current->kick();
 }

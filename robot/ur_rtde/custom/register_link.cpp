@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/ur_rtde/control_link.h"
+#include "robot/ur_rtde/custom/register_link.h"
 
 #include "robot/realtime/thread_priority.h"
 #include "robot/rtde/fields.h"
@@ -12,11 +12,10 @@ namespace {
 using rtde::Direction;
 using std::chrono::milliseconds;
 
-constexpr milliseconds kBeatEvery(20);       // when the data come more slowly
+constexpr milliseconds kLookEvery(20);
 constexpr milliseconds kSilenceLimit(2500);  // without data for so long the link counts as broken
 constexpr int kClearRecipe = 4;
 constexpr int kKickRecipe = 11;
-constexpr std::size_t kBeatRecipe = 21;
 
 /// int registers 0 ..., then double registers 0 ..., then one more field.
 struct RecipeShape {
@@ -53,9 +52,6 @@ std::vector<rtde::InputRequest> inputRequests(int offset) {
         }
         requests.push_back(std::move(request));
     }
-    requests.push_back({{rtde::intRegisterName(Direction::Input, offset + 8),
-                         rtde::intRegisterName(Direction::Input, offset + 9)},
-                        false});
     return requests;
 }
 
@@ -74,7 +70,8 @@ std::vector<std::string> outputNames(int offset) {
 
 }  // namespace
 
-Result<std::unique_ptr<ControlLink>> ControlLink::open(const LinkOptions& options, const Deadline& deadline) {
+Result<std::unique_ptr<RegisterLink>> RegisterLink::open(const RegisterLinkOptions& options,
+                                                         const Deadline& deadline) {
     rtde::ConnectionOptions wanted;
     wanted.host = options.host;
     wanted.request.outputs = outputNames(options.offset);
@@ -90,24 +87,24 @@ Result<std::unique_ptr<ControlLink>> ControlLink::open(const LinkOptions& option
     if (!opened) {
         return opened.error();
     }
-    std::unique_ptr<ControlLink> link(new ControlLink(options, std::move(opened).value()));
+    std::unique_ptr<RegisterLink> link(new RegisterLink(options, std::move(opened).value()));
     if (auto found = link->findFields(); !found) {
         return found.error();
     }
-    // What an earlier client left in the registers must be gone before a heartbeat could revive it.
+    // What an earlier client left in the registers shall not be obeyed.
     link->clear();
     link->thread_ = std::thread([self = link.get()] { self->run(); });
     return link;
 }
 
-ControlLink::ControlLink(const LinkOptions& options, std::unique_ptr<rtde::Connection> connection)
+RegisterLink::RegisterLink(const RegisterLinkOptions& options, std::unique_ptr<rtde::Connection> connection)
     : options_(options), connection_(std::move(connection)), version_(connection_->version()) {}
 
-ControlLink::~ControlLink() {
+RegisterLink::~RegisterLink() {
     close();
 }
 
-void ControlLink::close() {
+void RegisterLink::close() {
     quit_ = true;
     alive_ = false;
     wake();
@@ -118,7 +115,7 @@ void ControlLink::close() {
     connection_->close();
 }
 
-Result<void> ControlLink::findFields() {
+Result<void> RegisterLink::findFields() {
     const rtde::Recipe& outputs = connection_->outputs();
     std::string missing;
     const auto find = [&](const std::string& name) {
@@ -147,7 +144,7 @@ Result<void> ControlLink::findFields() {
     return {};
 }
 
-void ControlLink::run() {
+void RegisterLink::run() {
     realtime::nameThread("ur_rtde-control");
     if (options_.priority > 0) {
         realtime::requestThreadPriority(options_.priority);
@@ -155,7 +152,7 @@ void ControlLink::run() {
     std::vector<double> values(connection_->outputs().size());
     auto lastData = std::chrono::steady_clock::now();
     while (!quit_) {
-        const auto read = connection_->readPackage(values, kBeatEvery);
+        const auto read = connection_->readPackage(values, kLookEvery);
         if (read == rtde::Connection::Read::Package) {
             lastData = std::chrono::steady_clock::now();
             publish(values);
@@ -163,7 +160,6 @@ void ControlLink::run() {
                    std::chrono::steady_clock::now() - lastData > kSilenceLimit) {
             break;
         }
-        beat();
     }
     alive_ = false;
     {
@@ -174,8 +170,8 @@ void ControlLink::run() {
     changed_.notify_all();
 }
 
-void ControlLink::publish(const std::vector<double>& values) {
-    LinkState now;
+void RegisterLink::publish(const std::vector<double>& values) {
+    RegisterState now;
     {
         const std::lock_guard lock(mutex_);
         ++state_.sequence;
@@ -202,24 +198,13 @@ void ControlLink::publish(const std::vector<double>& values) {
     }
 }
 
-void ControlLink::beat() {
-    if (!connection_->inputs()[kBeatRecipe - 1].isValid()) {
-        return;  // somebody else has these registers
-    }
-    constexpr int kWrap = 1 << 30;
-    heartbeat_ = heartbeat_ % kWrap + 1;
-    const std::array<double, 2> values{static_cast<double>(heartbeat_), static_cast<double>(streams_)};
-    const std::lock_guard lock(sending_);
-    connection_->sendInputs(kBeatRecipe - 1, values);
-}
-
-LinkState ControlLink::state() const {
+RegisterState RegisterLink::state() const {
     const std::lock_guard lock(mutex_);
     return state_;
 }
 
-bool ControlLink::wait(const std::function<bool(const LinkState&)>& done,
-                       const std::function<bool(const LinkState&)>& giveUp, milliseconds atMost) {
+bool RegisterLink::wait(const std::function<bool(const RegisterState&)>& done,
+                        const std::function<bool(const RegisterState&)>& giveUp, milliseconds atMost) {
     constexpr milliseconds kSlice(10);
     const auto end = std::chrono::steady_clock::now() + atMost;
     std::unique_lock lock(mutex_);
@@ -235,12 +220,12 @@ bool ControlLink::wait(const std::function<bool(const LinkState&)>& done,
     return true;
 }
 
-bool ControlLink::send(int recipe, const std::vector<double>& values) {
+bool RegisterLink::send(int recipe, const std::vector<double>& values) {
     const std::lock_guard lock(sending_);
     return sendLocked(recipe, values);
 }
 
-bool ControlLink::sendLocked(int recipe, const std::vector<double>& values) {
+bool RegisterLink::sendLocked(int recipe, const std::vector<double>& values) {
     const auto index = static_cast<std::size_t>(recipe - 1);
     if (!alive_ || !connection_->inputs()[index].isValid() ||
         connection_->inputs()[index].size() != values.size()) {
@@ -256,7 +241,7 @@ bool ControlLink::sendLocked(int recipe, const std::vector<double>& values) {
     return true;
 }
 
-bool ControlLink::sendAlone(int recipe, const std::vector<double>& values) {
+bool RegisterLink::sendAlone(int recipe, const std::vector<double>& values) {
     const std::lock_guard lock(sending_);
     if (!sendLocked(recipe, values)) {
         return false;
@@ -265,16 +250,16 @@ bool ControlLink::sendAlone(int recipe, const std::vector<double>& values) {
     return true;
 }
 
-bool ControlLink::kick() {
+bool RegisterLink::kick() {
     const std::lock_guard lock(sending_);
     return sendLocked(kKickRecipe, {static_cast<double>(command_)});
 }
 
-bool ControlLink::clear() {
+bool RegisterLink::clear() {
     return send(kClearRecipe, {0.0});
 }
 
-bool ControlLink::clear(CommandId command) {
+bool RegisterLink::clear(CommandId command) {
     const std::lock_guard lock(sending_);
     return !holds(command) || sendLocked(kClearRecipe, {0.0});
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The RTDE connection of RTDEControlInterface: what the robot says about the control program, and the recipes
-// commands travel in. The registers and recipes are those that control programs written for ur_rtde use, so
-// that customised ones work too; the heartbeat is ours. Private to this room.
+// The RTDE connection to a program of the user's that obeys ur_rtde's registers: what the robot says about
+// it, and the recipes commands travel in. Private to this room.
 
 #include <QString>
 #include <array>
@@ -18,78 +17,19 @@
 #include "robot/core/modes.h"
 #include "robot/core/result.h"
 #include "robot/rtde/connection.h"
+#include "robot/ur_rtde/control_backend.h"
 
 namespace tiller::urrtde {
 
-struct LinkOptions {
+struct RegisterLinkOptions {
     QString host;
     double frequency = 0;  ///< 0: the controller's own
     int offset = 0;        ///< of the registers: 0 or 24
     int priority = 0;
 };
 
-/// The numbers the control program knows.
-enum class CommandId : int {
-    MoveJ = 1,
-    MoveJIk = 2,
-    MoveL = 3,
-    MoveLFk = 4,
-    ForceMode = 6,
-    ForceModeStop = 7,
-    ZeroFtSensor = 8,
-    SpeedJ = 9,
-    SpeedL = 10,
-    ServoJ = 11,
-    ServoC = 12,
-    SpeedStop = 15,
-    ServoStop = 16,
-    SetPayload = 17,
-    TeachMode = 18,
-    EndTeachMode = 19,
-    ForceModeDamping = 20,
-    ForceModeGainScaling = 21,
-    ServoL = 24,
-    ToolContact = 25,
-    StepTime = 26,
-    JointPositionsHistory = 27,
-    TargetWaypoint = 28,
-    SetTcp = 29,
-    InverseKinematicsNear = 30,
-    ProtectiveStop = 31,
-    StopL = 33,
-    StopJ = 34,
-    SetWatchdog = 35,
-    PoseWithinLimits = 36,
-    JointsWithinLimits = 37,
-    JointTorques = 38,
-    PoseTrans = 39,
-    TcpOffset = 40,
-    JogStart = 41,
-    JogStop = 42,
-    ForwardKinematics = 43,
-    ForwardKinematicsOf = 44,
-    MovePath = 45,
-    InverseKinematics = 46,
-    IsSteady = 47,
-    MoveUntilContact = 51,
-    FreedriveMode = 52,
-    EndFreedriveMode = 53,
-    FreedriveStatus = 54,
-    ExternalForceTorque = 55,
-    FtRtdeInput = 56,
-    ExternalFtSensor = 57,
-    ToolFlangePose = 58,
-    SetGravity = 59,
-    HasSolution = 60,
-    HasSolutionNear = 61,
-    StartContactDetection = 62,
-    StopContactDetection = 63,
-    ReadContactDetection = 64,
-    StopScript = 255,
-};
-
 /// One package of the robot.
-struct LinkState {
+struct RegisterState {
     std::uint64_t sequence = 0;  ///< 0: none yet
     std::uint64_t played = 0;    ///< packages until now in which a program played
     std::uint32_t robotStatus = 0;
@@ -109,27 +49,27 @@ struct LinkState {
 };
 
 /// Thread: one, named "ur_rtde-control", priority as in the options; started by open(), ended by close() and
-/// the destructor within 50 ms. It reads the packages, answers each with a heartbeat, and tells those who
-/// wait.
-class ControlLink {
+/// the destructor within 50 ms. It reads the packages and tells those who wait.
+class RegisterLink {
 public:
     /// Errors   as rtde::Connection::open; FieldUnknown when the robot has not these registers
-    static Result<std::unique_ptr<ControlLink>> open(const LinkOptions& options, const Deadline& deadline);
-    ~ControlLink();
-    ControlLink(const ControlLink&) = delete;
-    ControlLink& operator=(const ControlLink&) = delete;
+    static Result<std::unique_ptr<RegisterLink>> open(const RegisterLinkOptions& options,
+                                                      const Deadline& deadline);
+    ~RegisterLink();
+    RegisterLink(const RegisterLink&) = delete;
+    RegisterLink& operator=(const RegisterLink&) = delete;
 
     // All of the following: threads any.
 
     void close();
     bool isAlive() const { return alive_; }
     SoftwareVersion version() const { return version_; }
-    LinkState state() const;
+    RegisterState state() const;
     /// Waits for a package that makes `done` true; `giveUp` ends the wait too. Packages that arrive together
     /// may be seen as one: what does not last has to be counted in the state.
     /// Returns  whether `done` was true of the last package seen
-    bool wait(const std::function<bool(const LinkState&)>& done,
-              const std::function<bool(const LinkState&)>& giveUp, std::chrono::milliseconds atMost);
+    bool wait(const std::function<bool(const RegisterState&)>& done,
+              const std::function<bool(const RegisterState&)>& giveUp, std::chrono::milliseconds atMost);
     /// Wakes those who wait, so that they ask again.
     void wake() { changed_.notify_all(); }
 
@@ -149,18 +89,15 @@ public:
     void forgetCommandAlone() { alone_ = 0; }
     /// Sends the command register as it is, for a watchdog: what is under way goes on.
     bool kick();
-    /// Tells the program that what follows is a new command of a stream.
-    void countStream() { ++streams_; }
 
 private:
-    ControlLink(const LinkOptions& options, std::unique_ptr<rtde::Connection> connection);
+    RegisterLink(const RegisterLinkOptions& options, std::unique_ptr<rtde::Connection> connection);
     Result<void> findFields();
     void run();
     void publish(const std::vector<double>& values);
-    void beat();
     bool sendLocked(int recipe, const std::vector<double>& values);
 
-    LinkOptions options_;
+    RegisterLinkOptions options_;
     std::unique_ptr<rtde::Connection> connection_;
     SoftwareVersion version_;
     std::array<std::size_t, 3> status_{};
@@ -170,14 +107,12 @@ private:
     std::atomic<bool> alive_{true};
     std::atomic<bool> quit_{false};
     std::atomic<int> alone_{0};  ///< the command nobody waits for; 0: none
-    std::atomic<int> streams_{0};
-    int heartbeat_ = 0;
     std::mutex sending_;
     std::atomic<int> command_{0};  ///< in the command register
 
     mutable std::mutex mutex_;  ///< of the state
     std::condition_variable changed_;
-    LinkState state_;
+    RegisterState state_;
     std::thread thread_;
 };
 

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What RTDEControlInterface asks of whoever carries its commands out: our control program (NativeControl), or
+// a program of the user's that obeys ur_rtde's registers (custom/). Private to this room.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot/control/motion_types.h"
+#include "robot/core/version.h"
+#include "robot/ur_rtde/rtde_control_interface.h"
+
+namespace tiller::urrtde {
+
+/// The numbers programs written for ur_rtde know.
+enum class CommandId : int {
+    MoveJ = 1,
+    MoveJIk = 2,
+    MoveL = 3,
+    MoveLFk = 4,
+    ForceMode = 6,
+    ForceModeStop = 7,
+    ZeroFtSensor = 8,
+    SpeedJ = 9,
+    SpeedL = 10,
+    ServoJ = 11,
+    ServoC = 12,
+    SpeedStop = 15,
+    ServoStop = 16,
+    SetPayload = 17,
+    TeachMode = 18,
+    EndTeachMode = 19,
+    ForceModeDamping = 20,
+    ForceModeGainScaling = 21,
+    ServoL = 24,
+    ToolContact = 25,
+    StepTime = 26,
+    JointPositionsHistory = 27,
+    TargetWaypoint = 28,
+    SetTcp = 29,
+    InverseKinematicsNear = 30,
+    ProtectiveStop = 31,
+    StopL = 33,
+    StopJ = 34,
+    SetWatchdog = 35,
+    PoseWithinLimits = 36,
+    JointsWithinLimits = 37,
+    JointTorques = 38,
+    PoseTrans = 39,
+    TcpOffset = 40,
+    JogStart = 41,
+    JogStop = 42,
+    ForwardKinematics = 43,
+    ForwardKinematicsOf = 44,
+    MovePath = 45,
+    InverseKinematics = 46,
+    IsSteady = 47,
+    MoveUntilContact = 51,
+    FreedriveMode = 52,
+    EndFreedriveMode = 53,
+    FreedriveStatus = 54,
+    ExternalForceTorque = 55,
+    FtRtdeInput = 56,
+    ExternalFtSensor = 57,
+    ToolFlangePose = 58,
+    SetGravity = 59,
+    HasSolution = 60,
+    HasSolutionNear = 61,
+    StartContactDetection = 62,
+    StopContactDetection = 63,
+    ReadContactDetection = 64,
+    StopScript = 255,
+};
+
+struct Command {
+    CommandId id;
+    int recipe;                  ///< 1 ... 20: the registers ur_rtde gives it
+    std::vector<double> values;  ///< in their order, without the command itself
+};
+
+struct Answer {
+    int result = 0;  ///< one number; 0: it could not be done
+    std::array<double, 6> values{};
+};
+
+/// Threads  any; commands wait for their turn, stops do not
+class ControlBackend {
+public:
+    virtual ~ControlBackend() = default;
+
+    /// Moves and paths come to their end, what has no end of its own is ended; the program lives on.
+    virtual void disconnect() = 0;
+    virtual bool isConnected() const = 0;
+    virtual SoftwareVersion version() const = 0;
+    virtual control::JointLimits jointLimits() const = 0;
+    virtual std::uint32_t robotStatus() const = 0;
+    virtual int progress() const = 0;  ///< see AsyncOperationStatus
+    /// Why the last call that failed did; empty when that is not known.
+    virtual std::string lastError() const = 0;
+
+    /// Has a command carried out and waits until it is.
+    /// Returns  none when it was not, or another thread stopped it
+    virtual std::optional<Answer> perform(const Command& command) = 0;
+    /// Ends what another thread waits for instead of waiting for it.
+    /// wait  false: return when it is on its way
+    virtual bool stop(const Command& command, bool wait = true) = 0;
+    /// One set point of a stream.
+    virtual bool stream(const Command& command) = 0;
+    virtual bool follow(const ur_rtde::Path& path, bool asynchronous) = 0;
+    virtual bool kickWatchdog() = 0;
+    virtual bool protectiveStop() = 0;
+
+    virtual bool reupload() = 0;
+    virtual void stopProgram() = 0;
+    /// Runs a program of the user's in between.
+    virtual bool runCustom(const std::string& program) = 0;
+};
+
+}  // namespace tiller::urrtde

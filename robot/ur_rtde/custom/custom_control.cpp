@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: MIT
+// The life of the user's program: connecting, uploading, stopping, running others in between.
+#include "robot/ur_rtde/custom/custom_control.h"
+
+#include <fstream>
+#include <sstream>
+
+#include "robot/ur_rtde/arguments.h"
+#include "robot/ur_rtde/waiting.h"
+
+namespace tiller::urrtde {
+
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using Face = ur_rtde::RTDEControlInterface;
+
+constexpr milliseconds kConnectTime(5000);
+constexpr milliseconds kProgramStart(5000);
+constexpr milliseconds kManualStart(60000);
+constexpr milliseconds kProgramEnd(5000);
+constexpr milliseconds kEver = std::chrono::hours(24 * 365);
+
+const auto never = [](const RegisterState&) { return false; };
+const auto isPlaying = [](const RegisterState& state) { return state.isPlaying(); };
+const auto hasEnded = [](const RegisterState& state) { return state.hasEnded(); };
+
+// A whole program, as programs of users are; the built-in one is what stands between `def` and `end`.
+bool isWhole(const std::string& text) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t begin = line.find_first_not_of(" \t\r");
+        if (begin != std::string::npos && line[begin] != '#') {
+            return line.compare(0, 4, "def ") == 0;
+        }
+    }
+    return false;
+}
+
+// Where programs made for ur_rtde want their registers and paths.
+constexpr const char* kOffsetPlace = "  # register offset\n";
+constexpr const char* kFloatOffsetPlace = "# float register offset\n";
+constexpr const char* kIntOffsetPlace = "# int register offset\n";
+constexpr const char* kPathPlace = "# inject move path\n";
+
+}  // namespace
+
+CustomControl::CustomControl(const SessionOptions& options, Pendant& pendant, ProgramServer* server,
+                             std::string file)
+    : options_(options), pendant_(pendant), server_(server), scriptFile_(std::move(file)) {
+    connect();
+}
+
+CustomControl::~CustomControl() {
+    disconnect();
+}
+
+void CustomControl::disconnect() {
+    disconnecting_ = true;
+    if (const auto current = link()) {
+        current->close();
+    }
+    // Whoever waited has noticed by now.
+    if (const std::unique_lock turn(turn_, milliseconds(100)); turn.owns_lock()) {
+        scripts_.reset();
+    }
+    disconnecting_ = false;
+}
+
+bool CustomControl::isConnected() const {
+    const auto current = link();
+    return current && current->isAlive();
+}
+
+RegisterState CustomControl::state() const {
+    const auto current = link();
+    return current ? current->state() : RegisterState();
+}
+
+std::shared_ptr<RegisterLink> CustomControl::link() const {
+    const std::lock_guard lock(linkMutex_);
+    return link_;
+}
+
+SoftwareVersion CustomControl::version() const {
+    const auto current = link();
+    return current ? current->version() : SoftwareVersion{};
+}
+
+control::JointLimits CustomControl::jointLimits() const {
+    return check::anyArm();  // nobody asked it
+}
+
+std::string CustomControl::lastError() const {
+    const std::lock_guard lock(linkMutex_);
+    return error_;
+}
+
+void CustomControl::say(const std::string& text) const {
+    options_.say(text);
+    const std::lock_guard lock(linkMutex_);
+    error_ = text;
+}
+
+void CustomControl::connect() {
+    RegisterLinkOptions wanted;
+    wanted.host = QString::fromStdString(options_.host);
+    wanted.frequency = options_.frequency > 0 ? options_.frequency : 0;
+    wanted.offset = options_.offset();
+    wanted.priority = options_.priority;
+    auto opened = RegisterLink::open(wanted, within(kConnectTime));
+    if (!opened) {
+        raise(opened.error());
+    }
+    std::shared_ptr<RegisterLink> fresh = std::move(opened).value();
+    {
+        const std::lock_guard lock(linkMutex_);
+        link_ = fresh;
+    }
+    if (!fresh->wait([](const RegisterState& state) { return state.sequence > 0; }, never, kConnectTime)) {
+        throw std::runtime_error("RTDE at " + options_.host + " sends no data");
+    }
+    fresh->clear();
+    startProgram(*fresh);
+}
+
+void CustomControl::startProgram(RegisterLink& link) {
+    if (server_ != nullptr && !scriptFile_.empty()) {
+        server_->setProgram(program(link.version(), {}, true));
+    }
+    if (server_ == nullptr && !scriptFile_.empty()) {
+        if (isPlaying(link.state()) && !endProgram(link)) {
+            throw std::runtime_error("The program that runs on the robot cannot be stopped");
+        }
+        if (!upload(link, {}) || !awaitProgram(link, kProgramStart)) {
+            throw std::logic_error(
+                "The program does not run within 5 s: is the robot switched on, are its brakes released, and "
+                "may scripts be sent to it?");
+        }
+        return;
+    }
+    if (!options_.has(Face::FLAG_NO_WAIT) && !awaitProgram(link, kManualStart)) {
+        throw std::logic_error("No program was started on the robot within 60 s");
+    }
+}
+
+std::string CustomControl::program(const SoftwareVersion& version, const std::string& pathCode,
+                                   bool bare) const {
+    std::ifstream file(scriptFile_, std::ios::binary);
+    std::ostringstream content;
+    content << file.rdbuf();
+    if (!file) {
+        throw std::runtime_error("cannot read the script " + scriptFile_);
+    }
+    std::string text = content.str();
+    ur_rtde::ScriptClient tool(options_.host, version.major, version.minor);
+    const std::string number = std::to_string(options_.offset());
+    for (const auto& [place, code] : {std::pair{kOffsetPlace, "  global O = " + number + "\n"},
+                                      {kFloatOffsetPlace, number},
+                                      {kIntOffsetPlace, number},
+                                      {kPathPlace, pathCode}}) {
+        if (text.find(place) != std::string::npos) {
+            tool.setScriptInjection(place, code);
+        }
+    }
+    if (!tool.removeUnsupportedFunctions(text) || !tool.scanAndInjectAdditionalScriptCode(text)) {
+        throw std::runtime_error("The script " + scriptFile_ +
+                                 " has a version mark that cannot be understood");
+    }
+    if (bare || isWhole(text)) {
+        return text;
+    }
+    return "def rtde_control():\n" + text + "end\n";
+}
+
+bool CustomControl::upload(RegisterLink& link, const std::string& pathCode) {
+    playedBefore_ = link.state().played;
+    if (scriptFile_.empty()) {
+        return false;  // somebody else's, which only they can start
+    }
+    const std::string text = program(link.version(), pathCode, server_ != nullptr);
+    if (server_ != nullptr) {
+        server_->setProgram(text);
+        pendant_.play();  // the program with the URCap's node asks again when it starts
+        return true;
+    }
+    return sendScript(link, text);
+}
+
+bool CustomControl::sendScript(const RegisterLink& link, const std::string& text) {
+    if (!scripts_) {
+        scripts_ = std::make_unique<ur_rtde::ScriptClient>(options_.host, link.version().major,
+                                                           link.version().minor);
+    }
+    if (!scripts_->isConnected()) {
+        scripts_->connect();
+    }
+    return scripts_->sendScriptCommand(text);
+}
+
+bool CustomControl::awaitProgram(RegisterLink& link, milliseconds atMost,
+                                 const std::function<bool(const RegisterState&)>& giveUp) {
+    // A program of the user's that was sent may be over already.
+    const auto ready = [&](const RegisterState& state) {
+        return playedBefore_ ? state.played != *playedBefore_ : state.isPlaying();
+    };
+    return link.wait(ready, giveUp ? giveUp : never, atMost);
+}
+
+// The polite way first; the dashboard for programs that do not listen.
+bool CustomControl::endProgram(RegisterLink& link) {
+    link.send(4, {static_cast<double>(CommandId::StopScript)});
+    bool ended = link.wait(hasEnded, never, milliseconds(500));
+    if (!ended) {
+        pendant_.stop();
+    }
+    ended = ended || link.wait(hasEnded, never, kProgramEnd);
+    ended = ended && link.wait([](const RegisterState& s) { return s.runtime == RuntimeState::Stopped; },
+                               never, kProgramEnd);
+    link.clear();
+    return ended;
+}
+
+bool CustomControl::reupload() {
+    const TurnLock turn = takeTurn();
+    const auto current = link();
+    if (!current || !current->isAlive()) {
+        return false;
+    }
+    if (!endProgram(*current) || !upload(*current, {})) {
+        return false;
+    }
+    // During a stop nothing runs; handed over is all there can be. One that was just unlocked may be in the
+    // next packages still.
+    const std::uint64_t settled = current->state().sequence + 50;
+    bool stopped = false;
+    const auto isStopped = [&](const RegisterState& state) {
+        stopped = state.isStopped() && state.sequence > settled;
+        return stopped;
+    };
+    return awaitProgram(*current, kProgramStart, isStopped) || stopped;
+}
+
+void CustomControl::stopProgram() {
+    auto current = link();
+    try {
+        const TurnLock turn = takeTurnToStop();
+        current = link();
+        if (current && current->isAlive()) {
+            endProgram(*current);
+        }
+    } catch (const Interrupted&) {
+        if (current) {
+            current->send(4, {static_cast<double>(CommandId::StopScript)});
+        }
+        throw;
+    }
+}
+
+bool CustomControl::runCustom(const std::string& text) {
+    const TurnLock turn = takeTurn();
+    const auto current = link();
+    if (!current || !current->isAlive() || !endProgram(*current)) {
+        return false;
+    }
+    // It may be over before this thread looks, which is why the packages are counted; or before any package
+    // tells that it plays: then what programs written for ur_rtde end with tells.
+    const RegisterState before = current->state();
+    const auto hasBegun = [&before](const RegisterState& state) {
+        return state.played != before.played || (before.answer != 2 && state.answer == 2);
+    };
+    const auto isUnwanted = [this](const RegisterState& state) {
+        return state.isStopped() || stopsWaiting_ > 0;
+    };
+    const auto isOver = [](const RegisterState& state) { return state.runtime == RuntimeState::Stopped; };
+    const auto end = [&] {
+        const Uninterrupted stopping;
+        try {
+            if (!sendScript(*current, "stop program\n")) {
+                say("the custom script could not be stopped");
+            }
+        } catch (const std::runtime_error& error) {
+            say(error.what());
+        }
+    };
+    bool ran = false;
+    try {
+        ran = sendScript(*current, text) && current->wait(hasBegun, isUnwanted, kProgramStart) &&
+              current->wait(hasEnded, isUnwanted, kEver) && current->wait(isOver, never, kProgramEnd);
+    } catch (const Interrupted&) {
+        // Nobody waits for it any more: it shall not go on by itself.
+        end();
+        throw;
+    }
+    if (!ran && stopsWaiting_ > 0) {
+        end();
+        // It may have been on its way still.
+        current->wait(hasBegun, never, milliseconds(500));
+        current->wait(isOver, never, kProgramEnd);
+    }
+    return upload(*current, {}) && awaitProgram(*current, kProgramStart) && ran;
+}
+
+bool CustomControl::follow(const ur_rtde::Path& path, bool asynchronous) {
+    const TurnLock turn = takeTurn();
+    const auto current = link();
+    if (!current || !current->isAlive() || !endProgram(*current) || !upload(*current, path.toScriptCode()) ||
+        !awaitProgram(*current, kProgramStart)) {
+        return false;
+    }
+    return performInTurn({CommandId::MovePath, 15, {asynchronous ? 1.0 : 0.0}}, true).has_value();
+}
+
+}  // namespace tiller::urrtde

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Carries out the commands of RTDEControlInterface through a program of the user's, by ur_rtde's registers.
+// What ends a motion there is that program's own affair. Private to this room.
+
+#include "robot/ur_rtde/control_session.h"
+#include "robot/ur_rtde/custom/register_link.h"
+#include "robot/ur_rtde/script_client.h"
+
+#include "robot/core/turn.h"
+
+namespace tiller::urrtde {
+
+class CustomControl final : public ControlBackend {
+public:
+    /// Connects; sends the file, or waits for a program that somebody else starts.
+    /// file  empty: none is sent. Throws as RTDEControlInterface does
+    CustomControl(const SessionOptions& options, Pendant& pendant, ProgramServer* server, std::string file);
+    ~CustomControl() override;
+
+    void disconnect() override;
+    bool isConnected() const override;
+    SoftwareVersion version() const override;
+    control::JointLimits jointLimits() const override;
+    std::uint32_t robotStatus() const override { return state().robotStatus; }
+    int progress() const override { return state().progress; }
+    std::string lastError() const override;
+
+    std::optional<Answer> perform(const Command& command) override;
+    bool stop(const Command& command, bool wait) override;
+    bool stream(const Command& command) override;
+    bool follow(const ur_rtde::Path& path, bool asynchronous) override;
+    bool kickWatchdog() override;
+    bool protectiveStop() override;
+    bool reupload() override;
+    void stopProgram() override;
+    bool runCustom(const std::string& program) override;
+
+private:
+    using TurnLock = std::unique_lock<Turn>;
+    TurnLock takeTurn();
+    TurnLock takeTurnToStop();  ///< ends what another thread waits for
+    RegisterState state() const;
+    void untilSeen(RegisterLink& link, std::uint64_t sent, std::chrono::milliseconds atMost);
+    std::shared_ptr<RegisterLink> link() const;
+    bool isReady(RegisterLink& link, const std::function<bool(const RegisterState&)>& giveUp);
+    std::optional<RegisterState> performInTurn(const Command& command, bool mayBeStopped);
+    bool endProgram(RegisterLink& link);
+    bool upload(RegisterLink& link, const std::string& pathCode);
+    bool sendScript(const RegisterLink& link, const std::string& text);
+    bool awaitProgram(RegisterLink& link, std::chrono::milliseconds atMost,
+                      const std::function<bool(const RegisterState&)>& giveUp = {});
+    void connect();
+    void startProgram(RegisterLink& link);
+    std::string program(const SoftwareVersion& version, const std::string& pathCode, bool bare) const;
+    void say(const std::string& text) const;
+
+    const SessionOptions& options_;
+    Pendant& pendant_;
+    ProgramServer* server_;
+    const std::string scriptFile_;
+    std::optional<std::uint64_t> playedBefore_;  ///< packages before the last upload; none: nothing was sent
+    Turn turn_;                                  ///< one command after the other
+    std::atomic<int> stopsWaiting_{0};           ///< threads that want to stop something
+    std::atomic<bool> disconnecting_{false};
+    mutable std::mutex linkMutex_;  ///< of what follows
+    std::shared_ptr<RegisterLink> link_;
+    mutable std::string error_;
+    std::unique_ptr<ur_rtde::ScriptClient> scripts_;
+};
+
+}  // namespace tiller::urrtde
