@@ -8,15 +8,15 @@ START = [-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310]
 
 
 class Robot:
-    def __init__(self):
-        self._process = subprocess.Popen([os.environ["TILLER_ROBOT"]], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+    def __init__(self, *arguments):
+        self._process = subprocess.Popen([os.environ["TILLER_ROBOT"], *arguments], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                          text=True)
         self.host = self._process.stdout.readline().strip()
 
     def tell(self, word):
         self._process.stdin.write(word + "\n")
         self._process.stdin.flush()
-        self._process.stdout.readline()
+        return self._process.stdout.readline().strip()
 
     def close(self):
         self._process.stdin.close()

@@ -146,7 +146,8 @@ private Q_SLOTS:
         QCOMPARE(role(), std::string("RESTRICTED"));
 
         // An e-Series has none, and says so.
-        const auto later = cell();
+        const auto later =
+            cell([](simulator::ControllerOptions& o) { o.listenAddress = test::ownAddress(2); });
         DashboardClient other(later->host());
         other.connect();
         QVERIFY_EXCEPTION_THROWN(other.setUserRole(ur_rtde::UserRole::OPERATOR), std::logic_error);

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// A program for ur_rtde that moves the arm in one way until somebody ends it:
+//     face_mover <host> <way of moving>
+// It does not look at what the calls return, as many programs do not. On each line of standard input it does
+// what the line says: "release" what ends this way of moving, "disconnect"; and says so when done.
+#include <ur_rtde/rtde_control_interface.h>
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <string>
+#include <thread>
+
+using ur_rtde::Path;
+using Control = ur_rtde::RTDEControlInterface;
+using List = std::vector<double>;
+
+namespace {
+
+const List kBegin{-1.57, -1.2, -2.3, -1.2, 1.57, 0};
+const List kDown{0, 0, -0.1, 0, 0, 0};
+constexpr double kTurn = 0.4;  // [rad/s]
+
+struct Way {
+    std::function<void(Control&)> begin;          ///< once
+    std::function<void(Control&, double)> cycle;  ///< every 4 ms, with the time since the beginning [s]
+    std::function<void(Control&)> release;
+};
+
+List turned(double angle) {
+    List q = kBegin;
+    q[0] += angle;
+    return q;
+}
+
+List lowered(Control& control, double way) {
+    static const List pose = control.getForwardKinematics(kBegin, List(6, 0.0));
+    List out = pose;
+    out[2] -= way;
+    return out;
+}
+
+void nothing(Control& /*control*/) {}
+void idle(Control& /*control*/, double /*time*/) {}
+void stopJ(Control& control) {
+    control.stopJ(4.0);
+}
+void stopL(Control& control) {
+    control.stopL(3.0);
+}
+
+const std::map<std::string, Way>& ways() {
+    const auto speedStop = [](Control& c) { c.speedStop(3.0); };
+    const auto servoStop = [](Control& c) { c.servoStop(3.0); };
+    static const std::map<std::string, Way> table = {
+        {"moveJ", {[](Control& c) { c.moveJ(turned(1.5), kTurn, 1.4, true); }, idle, stopJ}},
+        {"moveJ_IK", {[](Control& c) { c.moveJ_IK(lowered(c, 0.3), kTurn, 1.4, true); }, idle, stopJ}},
+        {"moveL", {[](Control& c) { c.moveL(lowered(c, 0.3), 0.1, 0.5, true); }, idle, stopL}},
+        {"moveL_FK", {[](Control& c) { c.moveL_FK(turned(0.5), 0.1, 0.5, true); }, idle, stopL}},
+        {"path",
+         {[](Control& c) {
+              Path path;
+              List first = turned(1.0);
+              first.insert(first.end(), {kTurn, 1.4, 0.0});
+              List second = turned(-1.0);
+              second.insert(second.end(), {kTurn, 1.4, 0.0});
+              path.appendMovejPath({first, second});
+              c.movePath(path, true);
+          },
+          idle, stopJ}},
+        {"speedJ",
+         {nothing,
+          [](Control& c, double) {
+              c.speedJ({kTurn, 0, 0, 0, 0, 0}, 1.4);
+          },
+          speedStop}},
+        {"speedJ once",
+         {[](Control& c) {
+              c.speedJ({kTurn, 0, 0, 0, 0, 0}, 1.4);
+          },
+          idle, speedStop}},
+        {"speedL", {nothing, [](Control& c, double) { c.speedL(kDown, 0.5); }, speedStop}},
+        {"servoJ",
+         {nothing, [](Control& c, double t) { c.servoJ(turned(0.3 * t), 0, 0, 0.004, 0.1, 300); },
+          servoStop}},
+        {"servoL",
+         {nothing, [](Control& c, double t) { c.servoL(lowered(c, 0.08 * t), 0, 0, 0.004, 0.1, 300); },
+          servoStop}},
+        {"servoC", {nothing, [](Control& c, double) { c.servoC(lowered(c, 0.3), 0.1, 0.5); }, servoStop}},
+        {"jog",
+         {[](Control& c) { c.jogStart(kDown, Control::FEATURE_BASE, 0.5); }, idle,
+          [](Control& c) { c.jogStop(); }}},
+        {"jog in the tool's frame",
+         {[](Control& c) {
+              c.jogStart({0, 0, 0.1, 0, 0, 0}, Control::FEATURE_TOOL, 0.5);
+          },
+          idle, [](Control& c) { c.jogStop(); }}},
+        {"move until contact",
+         {[](Control& c) { std::thread([&c] { c.moveUntilContact(kDown); }).detach(); }, idle, stopL}},
+        {"force mode",
+         {[](Control& c) {
+              c.forceMode(List(6, 0.0), {0, 0, 1, 0, 0, 0}, {0, 0, -10, 0, 0, 0}, 2, {2, 2, 0.1, 1, 1, 1});
+          },
+          idle, [](Control& c) { c.forceModeStop(); }}},
+        {"freedrive",
+         {[](Control& c) { c.freedriveMode(); }, idle, [](Control& c) { c.endFreedriveMode(); }}},
+        {"teach mode", {[](Control& c) { c.teachMode(); }, idle, [](Control& c) { c.endTeachMode(); }}},
+    };
+    return table;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 3 || ways().count(argv[2]) == 0) {
+        std::cerr << "face_mover <host> <way of moving>" << std::endl;
+        return 2;
+    }
+    const Way& way = ways().at(argv[2]);
+    Control control(argv[1]);
+    (void)lowered(control, 0);
+    way.begin(control);
+    std::cout << "moving" << std::endl;
+    std::atomic<bool> over{false};
+    std::thread cycles([&] {
+        const auto begin = std::chrono::steady_clock::now();
+        for (auto now = begin; !over; now += std::chrono::milliseconds(4)) {
+            way.cycle(control, std::chrono::duration<double>(now - begin).count());
+            std::this_thread::sleep_until(now + std::chrono::milliseconds(4));
+        }
+    });
+    for (std::string line; std::getline(std::cin, line);) {
+        if (line == "release") {
+            over = true;
+            cycles.join();
+            way.release(control);
+        } else if (line == "disconnect") {
+            control.disconnect();
+        }
+        std::cout << "done" << std::endl;
+    }
+    over = true;
+    if (cycles.joinable()) {
+        cycles.join();
+    }
+    return 0;
+}
