@@ -27,7 +27,7 @@ int main(int argc, char* argv[]) {
     parser.addOptions(
         {{"seconds", "How long the longer of the two circles takes (30 000 cycles: 60).", "s", "60"},
          {"round-trips", "How often the slider is set.", "n", "1000"},
-         {"only", "Only one part: loops, costs or patience.", "part"},
+         {"only", "Only one part: loops, costs, patience or face.", "part"},
          {"decode-only", "Decodes so often and ends: for callgrind.", "n"},
          {"json", "One JSON object instead of a table."}});
     parser.process(application);
@@ -47,6 +47,9 @@ int main(int argc, char* argv[]) {
     }
     if (isWanted("patience")) {
         measurePatience(report);
+    }
+    if (isWanted("face")) {
+        measureFace(report, wishes);
     }
     if (isWanted("loops")) {
         measureLoops(report, wishes);

@@ -88,6 +88,7 @@ struct Wishes {
 void measureLoops(Report& report, const Wishes& wishes);  ///< circles, round trips, allocations
 void measureCosts(Report& report);                        ///< decoding, control tick, receiving
 void measurePatience(Report& report);                     ///< deadlines, cancels, ends
+void measureFace(Report& report, const Wishes& wishes);   ///< servo loop and reactions of the ur_rtde face
 bool decodeOnly(int times);                               ///< for callgrind
 
 }  // namespace tiller::benchmark
