@@ -104,7 +104,10 @@ void measureFace(Report& report, const Wishes& wishes) {
     receive::ReceiverOptions following;
     following.host = options.listenAddress;
     receive::Receiver receiver(following);
-    receiver.start();
+    if (const auto begun = receiver.start(); !begun) {
+        report.cannot(QStringLiteral("the receiver"), begun.error().toString());
+        return;
+    }
     {
         Face face(options.listenAddress.toStdString());
         std::this_thread::sleep_for(500ms);
