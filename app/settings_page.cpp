@@ -41,7 +41,7 @@ SettingsPage::SettingsPage(const Preferences& preferences, const QString& theme,
     : QDialog(parent), preferences_(preferences), actions_(actions) {
     setObjectName("settingsPage");
     setWindowTitle(tr("Settings"));
-    resize(680, 560);
+    resize(760, 640);
     auto* pages = new QTabWidget;
     pages->setObjectName("settingsPages");
     pages->setAccessibleName(tr("Settings"));

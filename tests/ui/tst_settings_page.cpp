@@ -195,7 +195,7 @@ private Q_SLOTS:
         QCOMPARE(app::Settings(bench.file).preferences().longestHold, 6);
         QVERIFY(bench.window.findChild<QWidget*>("lastStopChip")->toolTip().contains("witness"));
         auto* key = bench.window.findChild<HoldButton*>("jog.Z+");
-        bench.window.jogColumn().setSpeedClass(0);
+        bench.window.jogColumn().setSpeedClass(1);
         press(*key);
         bench.cell.advanceMs(5900);
         QVERIFY(!standsStill(bench.cell));
