@@ -196,6 +196,11 @@ private Q_SLOTS:
         QVERIFY(bench.window.findChild<QWidget*>("lastStopChip")->toolTip().contains("witness"));
         auto* key = bench.window.findChild<HoldButton*>("jog.Z+");
         bench.window.jogColumn().setSpeedClass(1);
+        // The closed page's last events are over before the key is pressed.
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QTest::qWait(50);
+        bench.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&bench.window));
         press(*key);
         bench.cell.advanceMs(5900);
         QVERIFY(!standsStill(bench.cell));

@@ -108,7 +108,7 @@ public:
         process_.kill();
         process_.waitForFinished(20'000);
     }
-    bool isRunning() const { return process_.state() == QProcess::Running; }
+    bool isRunning() const { return process_.state() != QProcess::NotRunning; }  // or just starting
 
 private:
     QProcess process_;
