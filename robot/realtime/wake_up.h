@@ -18,8 +18,9 @@ namespace tiller::realtime {
 class WakeUp {
 public:
     void wake() {
-        std::atomic_thread_fence(std::memory_order_seq_cst);
-        if (sleepers_.load(std::memory_order_relaxed) == 0) {
+        // Writes as well as reads, so that one of the two comes first: this, and who lies down afterwards sees
+        // what has happened; or that, and it is seen here.
+        if (sleepers_.fetch_add(0, std::memory_order_acq_rel) == 0) {
             return;
         }
         for (Bed& bed : beds_) {
@@ -37,9 +38,8 @@ public:
             std::this_thread::sleep_for(std::min(atMost, std::chrono::milliseconds(1)));
             return;
         }
-        sleepers_.fetch_add(1, std::memory_order_relaxed);
         bed->asleep.store(true, std::memory_order_release);
-        std::atomic_thread_fence(std::memory_order_seq_cst);
+        sleepers_.fetch_add(1, std::memory_order_acq_rel);
         const bool woken = !happened() && bed->bell.try_acquire_for(atMost);
         if (!woken && !bed->asleep.exchange(false, std::memory_order_acq_rel)) {
             bed->bell.acquire();  // it was rung meanwhile
