@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A simulated robot for the Python tests, with "real" as its argument in real time. Says its address on the
 // first line, obeys the words that come in on standard input (freeze, thaw, hand, free, cut, join, still),
-// and ends with it. "still" answers when the arm stands: with the milliseconds, by the robot's time, since it
-// was last told anything.
+// and ends with it. "still" answers when the arm stands: with how long it was seen moving after it was last
+// told anything, in milliseconds of the robot's time.
 #include <QCoreApplication>
+#include <algorithm>
 #include <iostream>
 #include <string>
 
@@ -14,15 +15,18 @@ namespace {
 double untilStill(tiller::test::FaceCell& cell) {
     double told = cell.robot.truth().timestamp;
     std::uint64_t packages = cell.robot.inputPackages();
+    double moved = told;
     const auto stands = [&](const tiller::simulator::Truth& truth) {
         if (cell.robot.inputPackages() != packages) {
             packages = cell.robot.inputPackages();
             told = truth.timestamp;
         }
-        return truth.qd.values.cwiseAbs().maxCoeff() < 2e-3;
+        const bool still = truth.qd.values.cwiseAbs().maxCoeff() < 2e-3;
+        moved = still ? moved : truth.timestamp;
+        return still;
     };
     constexpr double kNever = 1e6;
-    return cell.until(stands) ? (cell.robot.truth().timestamp - told) * 1000 : kNever;
+    return cell.until(stands) ? std::max(moved - told, 0.0) * 1000 : kNever;
 }
 
 }  // namespace

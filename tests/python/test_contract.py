@@ -52,12 +52,6 @@ while True:
 
 
 class TestContract(unittest.TestCase):
-    def setUp(self):
-        self.robot = Robot("real")
-
-    def tearDown(self):
-        self.robot.close()
-
     def check(self, name, end, again):
         receive = RTDEReceiveInterface(self.robot.host)
         program = PROGRAM.format(start=START, motion=PROGRAMS[name])
@@ -84,9 +78,11 @@ class TestContract(unittest.TestCase):
     def every(self, end, again=lambda process: None):
         for name in PROGRAMS:
             with self.subTest(name):
-                self.check(name, end, again)
-                self.robot.close()
                 self.robot = Robot("real")
+                try:
+                    self.check(name, end, again)
+                finally:
+                    self.robot.close()
 
     def test_kill(self):
         self.every(lambda process: process.kill())

@@ -51,10 +51,15 @@ public:
     /// Lets so much of the robot's time pass, at once where no client answers.
     bool pass(double seconds) {
         const double end = robot.truth().timestamp + seconds;
+        return hurried(
+            [&] { return until([end](const simulator::Truth& truth) { return truth.timestamp >= end; }); });
+    }
+    /// Waits for a call that takes some of the robot's time, which passes at once where no client answers.
+    bool hurried(const std::function<bool()>& call) {
         hurry_ = true;
-        const bool passed = until([end](const simulator::Truth& truth) { return truth.timestamp >= end; });
+        const bool done = call();
         hurry_ = false;
-        return passed;
+        return done;
     }
 
     simulator::Controller robot;
@@ -73,8 +78,8 @@ private:
         return options;
     }
 
-    // A client that answers every package (the control interface does) is waited for; others get a little
-    // time.
+    // A client that answers every package (the control interface does) is waited for, in periods in which
+    // there was one; others get a little time.
     void pump() {
         bool answered = false;
         while (!quit_.isCancelled()) {
@@ -83,9 +88,12 @@ private:
                 continue;
             }
             const std::uint64_t inputs = robot.inputPackages();
+            const std::uint64_t outputs = robot.outputPackages();
             robot.step();
-            const auto patience = std::chrono::milliseconds(answered ? 1000 : hurry_ ? 0 : 1);
-            answered = robot.waitForInputPackages(inputs + 1, Deadline::after(patience, quit_));
+            const bool asked = robot.outputPackages() != outputs;
+            const auto patience = std::chrono::milliseconds(answered && asked ? 1000 : hurry_ ? 0 : 1);
+            const bool came = robot.waitForInputPackages(inputs + 1, Deadline::after(patience, quit_));
+            answered = asked ? came : answered;
         }
     }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A program for ur_rtde that moves the arm in one way until somebody ends it:
 //     face_mover <host> <way of moving>
-// It does not look at what the calls return, as many programs do not. On each line of standard input it does
-// what the line says: "release" what ends this way of moving, "disconnect"; and says so when done.
+// It does not look at what the calls return, as many programs do not. When it is "ready" it does what the
+// lines of its standard input say, and answers each with "<line> done": "begin", "again" (from where it began
+// first), "release" (what ends this way of moving), "disconnect".
 #include <ur_rtde/rtde_control_interface.h>
 
 #include <atomic>
@@ -121,29 +122,42 @@ int main(int argc, char** argv) {
     const Way& way = ways().at(argv[2]);
     Control control(argv[1]);
     (void)lowered(control, 0);
-    way.begin(control);
-    std::cout << "moving" << std::endl;
     std::atomic<bool> over{false};
-    std::thread cycles([&] {
-        const auto begin = std::chrono::steady_clock::now();
-        for (auto now = begin; !over; now += std::chrono::milliseconds(4)) {
-            way.cycle(control, std::chrono::duration<double>(now - begin).count());
-            std::this_thread::sleep_until(now + std::chrono::milliseconds(4));
-        }
-    });
-    for (std::string line; std::getline(std::cin, line);) {
-        if (line == "release") {
-            over = true;
+    std::thread cycles;
+    const auto begin = [&] {
+        over = false;
+        way.begin(control);
+        cycles = std::thread([&] {
+            const auto first = std::chrono::steady_clock::now();
+            for (auto now = first; !over; now += std::chrono::milliseconds(4)) {
+                way.cycle(control, std::chrono::duration<double>(now - first).count());
+                std::this_thread::sleep_until(now + std::chrono::milliseconds(4));
+            }
+        });
+    };
+    const auto end = [&] {
+        over = true;
+        if (cycles.joinable()) {
             cycles.join();
+        }
+    };
+    std::cout << "ready" << std::endl;
+    for (std::string line; std::getline(std::cin, line);) {
+        if (line == "begin") {
+            begin();
+        } else if (line == "release") {
+            end();
             way.release(control);
+        } else if (line == "again") {
+            end();
+            way.release(control);
+            control.moveJ(kBegin);
+            begin();
         } else if (line == "disconnect") {
             control.disconnect();
         }
-        std::cout << "done" << std::endl;
+        std::cout << line << " done" << std::endl;
     }
-    over = true;
-    if (cycles.joinable()) {
-        cycles.join();
-    }
+    end();
     return 0;
 }

@@ -8,12 +8,11 @@
 //     tst_face_contract --all                  with each of them, one after the other
 #include <ur_rtde/dashboard_client.h>
 
-#include <QProcess>
 #include <QTest>
 #include <csignal>
 
-#include "robot/rtde/connection.h"
 #include "tests/integration/ur_rtde/face_cell.h"
+#include "tests/support/moving_process.h"
 
 using namespace tiller;
 
@@ -21,98 +20,8 @@ namespace {
 
 constexpr double kContractMs = 250;
 constexpr double kLooksOnFor = 0.6;  // [s] of the robot, in which nothing may move again
-
-/// What the robot tells everybody, package by package.
-class Watcher {
-public:
-    explicit Watcher(const simulator::Controller& robot) {
-        rtde::ConnectionOptions options;
-        options.host = robot.listenAddress();
-        options.request.outputs = {"timestamp", "actual_TCP_speed", "actual_qd", "output_int_register_0"};
-        auto opened = rtde::Connection::open(options, Deadline::after(std::chrono::seconds(20)));
-        if (!opened) {
-            qFatal("%s", qPrintable(opened.error().toString()));
-        }
-        connection_ = std::move(*opened);
-        values_.resize(connection_->outputs().size());
-    }
-
-    bool look() {
-        if (connection_->readPackage(values_, std::chrono::seconds(20)) != rtde::Connection::Read::Package) {
-            return false;
-        }
-        time = values_[0];
-        speed = Eigen::Vector3d(values_[1], values_[2], values_[3]).norm();
-        const auto turning = std::minmax_element(values_.begin() + 7, values_.begin() + 13);
-        stands = speed < 0.001 && std::max(-*turning.first, *turning.second) < 0.002;
-        lastMoved = stands ? lastMoved : time;
-        if (values_[13] != heard_) {
-            heard_ = values_[13];
-            heardAt = time;
-        }
-        return true;
-    }
-    /// Looks on until then [s].
-    bool lookUntil(double end) {
-        while (time < end) {
-            if (!look()) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    double time = 0;   ///< of the robot [s]
-    double speed = 0;  ///< of the TCP [m/s]
-    bool stands = true;
-    double lastMoved = 0;  ///< [s]
-    double heardAt = 0;    ///< when the control program last heard of its client [s]
-
-private:
-    std::unique_ptr<rtde::Connection> connection_;
-    std::vector<double> values_;
-    double heard_ = 0;
-};
-
-/// The process that moves the arm.
-class Mover {
-public:
-    Mover(const std::string& host, const QString& way) {
-        process_.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-        process_.start(QStringLiteral(FACE_MOVER), {QString::fromStdString(host), way});
-    }
-    ~Mover() {
-        if (process_.state() != QProcess::NotRunning) {
-            signal(SIGCONT);
-            process_.closeWriteChannel();
-            if (!process_.waitForFinished(20'000)) {
-                process_.kill();
-                process_.waitForFinished(20'000);
-            }
-        }
-    }
-    bool hasBegun() {
-        process_.waitForReadyRead(1);
-        return process_.readAll().contains("moving");
-    }
-    /// Tells it what to do. Time may have to go on until it is done.
-    void tell(const char* line) {
-        process_.write(QByteArray(line) + "\n"), process_.waitForBytesWritten(20'000);
-    }
-    bool isDone() {
-        process_.waitForReadyRead(1);
-        return process_.readAll().contains("done");
-    }
-    void signal(int number) const { ::kill(static_cast<pid_t>(process_.processId()), number); }
-    void kill() {
-        process_.kill();
-        process_.waitForFinished(20'000);
-    }
-    bool isRunning() const { return process_.state() != QProcess::NotRunning; }  // or just starting
-
-private:
-    QProcess process_;
-};
+constexpr double kPatience = 20;     // [s] of the robot, in which it begins to move
+constexpr int kAttempts = 3;
 
 struct Way {
     const char* name;
@@ -142,13 +51,13 @@ constexpr Way kWays[] = {
     {"teach mode", 0.03, true, false},
 };
 
-constexpr const char* kEnds[] = {"release",        "disconnect",  "kill -9",        "SIGSTOP",
-                                 "cut cable",      "silent link", "debugger pause", "protective stop",
-                                 "safeguard stop", "pause"};
+constexpr const char* kEnds[] = {
+    "release",     "disconnect",     "kill -9",         "kill -9 after a silence", "SIGSTOP", "cut cable",
+    "silent link", "debugger pause", "protective stop", "safeguard stop",          "pause"};
 
 // Servo targets of the mover follow its own clock.
 bool isInRealTime(const QByteArray& end, const QByteArray& way) {
-    return end == "kill -9" || end == "SIGSTOP" || end == "cut cable" || end == "debugger pause" ||
+    return end.startsWith("kill -9") || end == "SIGSTOP" || end == "cut cable" || end == "debugger pause" ||
            way == "servoJ" || way == "servoL";
 }
 
@@ -205,18 +114,34 @@ private Q_SLOTS:
             options.assumptions = assumptionsOf(assumption);
             options.startJoints = JointPositions(-1.57, -1.2, -2.3, -1.2, 1.57, 0);
         });
-        Watcher watcher(cell.robot);
-        QVERIFY(watcher.look());
-        Mover mover(cell.host(), QString::fromLatin1(moving.name));
-        while (!mover.hasBegun()) {
-            QVERIFY(mover.isRunning());
-            QVERIFY(watcher.look());
+        test::ArmWatcher watcher(cell.robot, control::RegisterRange::Lower);
+        test::MovingProcess mover(QStringLiteral(FACE_MOVER),
+                                  {QString::fromStdString(cell.host()), QString::fromLatin1(moving.name)});
+        const auto during = [&](auto isOver) {
+            while (!isOver()) {
+                if (!mover.isRunning() || !watcher.look()) {
+                    return false;
+                }
+            }
+            return true;
+        };
+        QVERIFY(during([&] { return mover.hasSaid("ready"); }));
+        if (end == "kill -9 after a silence") {
+            mover.signal(SIGSTOP);
+            QVERIFY(watcher.lookUntil(cell.robot.truth().timestamp + 0.4));
+            mover.signal(SIGCONT);
         }
-        const double begin = watcher.time;
-        constexpr double kPatience = 60;  // [s] of robot time
+        mover.tell("begin");
+        double begin = watcher.time;
+        int attempts = 1;
         while (watcher.speed < moving.fast) {
             QVERIFY(watcher.look());
-            QVERIFY2(watcher.time - begin < kPatience, "the arm never moved");
+            if (watcher.time - begin > kPatience) {
+                // On a busy machine it may have fallen silent, and been stopped, by itself.
+                QVERIFY2(++attempts <= kAttempts, "the arm never moved");
+                mover.tell("again");
+                begin = watcher.time;
+            }
             // Not before: who is pushed when freedrive begins gets a protective stop.
             if (moving.hand && watcher.time > begin + 0.2) {
                 cell.robot.pressHand({{0, 0, 12}, {0, 0, 0}});
@@ -226,15 +151,12 @@ private Q_SLOTS:
         pendant.connect();
 
         const double endedAt = cell.robot.truth().timestamp;
-        const auto during = [&](const std::function<bool()>& isOver) {
-            while (!isOver()) {
-                QVERIFY(watcher.look());
-            }
-        };
+        double obeyedAt = endedAt + 0.5;  // at the latest
         if (end == "release" || end == "disconnect") {
             mover.tell(end.constData());
-            during([&] { return mover.isDone(); });
-        } else if (end == "kill -9") {
+            QVERIFY(during([&] { return mover.hasSaid(end + " done"); }));
+            obeyedAt = cell.robot.truth().timestamp;
+        } else if (end.startsWith("kill -9")) {
             mover.kill();
         } else if (end == "SIGSTOP" || end == "debugger pause") {
             mover.signal(SIGSTOP);
@@ -257,16 +179,9 @@ private Q_SLOTS:
         }
         if (end == "cut cable" || end == "silent link") {
             // Nobody hears the robot either: it is asked how it went.
-            const bool stood = cell.until([&](const simulator::Truth& truth) {
-                return truth.qd.values.cwiseAbs().maxCoeff() < 2e-3 || truth.timestamp > endedAt + 2;
-            });
-            const double stoodAt = cell.robot.truth().timestamp;
-            const double ms = (stoodAt - endedAt) * 1000;
+            const double ms = (test::lastMotion(cell.robot, endedAt, endedAt + 0.7) - endedAt) * 1000;
             qInfo("%s: %.0f ms", QTest::currentDataTag(), ms);
-            QVERIFY(stood);
-            // Looked at from outside the robot's thread, a period or so late.
             QVERIFY2(ms <= kContractMs, qPrintable(QString::number(ms)));
-            QVERIFY(cell.pass(0.3));
             if (end == "cut cable") {
                 QVERIFY(cell.robot.inject("link back").ok());
             } else {
@@ -278,10 +193,11 @@ private Q_SLOTS:
             cell.robot.pressHand({});
             return;
         }
-        QVERIFY(watcher.lookUntil(endedAt + 0.7));
+        QVERIFY(watcher.lookUntil(obeyedAt + 0.3));
         // On a busy machine a signal may take its time: what counts then is the last the robot heard.
-        const bool isSilent = end == "kill -9" || end == "SIGSTOP" || end == "debugger pause";
-        const double from = isSilent ? std::max(endedAt, std::min(watcher.heardAt, endedAt + 0.5)) : endedAt;
+        const bool isSilent =
+            end.startsWith("kill -9") || end == "disconnect" || end == "SIGSTOP" || end == "debugger pause";
+        const double from = isSilent ? std::clamp(watcher.heardAt, endedAt, obeyedAt) : endedAt;
         const double ms = (watcher.lastMoved - from) * 1000;
         qInfo("%s: %.0f ms", QTest::currentDataTag(), ms);
         QVERIFY(watcher.stands);
@@ -293,7 +209,8 @@ private Q_SLOTS:
         if (end == "debugger pause") {
             mover.signal(SIGCONT);
         } else if (end == "protective stop") {
-            QVERIFY(cell.pass(6));
+            const double over = endedAt + 6;  // what a protective stop lasts at least
+            QVERIFY(cell.hurried([&] { return watcher.lookUntil(over); }));
             pendant.unlockProtectiveStop();
         } else if (end == "safeguard stop") {
             cell.robot.safeguardStop(false);

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// For tests that take away the process that moves the arm: that process, and the arm as others see it. All
+// times are the robot's own, so that a slow machine does not look like a slow stop.
+
+#include <QProcess>
+#include <QTest>
+#include <algorithm>
+#include <csignal>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "robot/control/registers.h"
+#include "robot/rtde/connection.h"
+#include "robot/simulator/controller.h"
+
+namespace tiller::test {
+
+/// What the robot tells everybody, package by package.
+class ArmWatcher {
+public:
+    /// registers  which of them the moving process commands the arm with
+    ArmWatcher(const simulator::Controller& robot, control::RegisterRange registers) {
+        rtde::ConnectionOptions options;
+        options.host = robot.listenAddress();
+        options.port = robot.ports().rtde;
+        const int first = control::firstRegister(registers);
+        const auto echo = [first](int at) { return "output_int_register_" + std::to_string(first + at); };
+        options.request.outputs = {"timestamp", "actual_TCP_speed", "actual_qd", echo(0), echo(2)};
+        auto opened = rtde::Connection::open(options, Deadline::after(kPatience));
+        if (!opened) {
+            qFatal("%s", qPrintable(opened.error().toString()));
+        }
+        connection_ = std::move(*opened);
+        values_.resize(connection_->outputs().size());
+    }
+
+    /// The next package. False: none came.
+    bool look() {
+        if (connection_->readPackage(values_, kPatience) != rtde::Connection::Read::Package) {
+            return false;
+        }
+        time = values_[0];
+        speed = Eigen::Vector3d(values_[1], values_[2], values_[3]).norm();
+        const auto turning = std::minmax_element(values_.begin() + 7, values_.begin() + 13);
+        stands = speed < 0.001 && std::max(-*turning.first, *turning.second) < 0.002;
+        lastMoved = stands ? lastMoved : time;
+        state = static_cast<control::ScriptState>(static_cast<std::int32_t>(values_[14]));
+        if (values_[13] != heard_) {
+            heard_ = values_[13];
+            heardAt = time;
+            heardIn = state;
+        }
+        return true;
+    }
+    /// Looks on until then [s].
+    bool lookUntil(double end) {
+        while (time < end) {
+            if (!look()) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    double time = 0;   ///< of the robot [s]
+    double speed = 0;  ///< of the TCP [m/s]
+    bool stands = true;
+    double lastMoved = 0;  ///< [s]
+    double heardAt = 0;    ///< when the control program last heard of its client [s]
+    control::ScriptState state = control::ScriptState::Ready;
+    control::ScriptState heardIn = control::ScriptState::Ready;  ///< the state at that time
+
+private:
+    static constexpr std::chrono::seconds kPatience{20};
+    std::unique_ptr<rtde::Connection> connection_;
+    std::vector<double> values_;
+    double heard_ = 0;
+};
+
+/// Where nobody hears anything any more the robot itself is asked, until then [s]: when it was last seen
+/// moving, or `since`.
+inline double lastMotion(const simulator::Controller& robot, double since, double until) {
+    double moved = since;
+    for (simulator::Truth now = robot.truth(); now.timestamp < until; now = robot.truth()) {
+        const bool stands = now.tcpSpeed.linear.norm() < 0.001 && now.qd.values.cwiseAbs().maxCoeff() < 0.002;
+        moved = stands ? moved : now.timestamp;
+        QTest::qSleep(1);
+    }
+    return moved;
+}
+
+/// A program that moves the arm. It is killed at the latest when this goes.
+class MovingProcess {
+public:
+    MovingProcess(const QString& program, const QStringList& arguments) {
+        process_.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+        process_.start(program, arguments);
+        if (!process_.waitForStarted(kPatienceMs)) {
+            qFatal("%s: %s", qPrintable(program), qPrintable(process_.errorString()));
+        }
+    }
+    ~MovingProcess() { kill(); }
+
+    /// One line to its standard input. Time may have to go on until it is obeyed.
+    void tell(const char* line) {
+        process_.write(QByteArray(line) + "\n");
+        process_.waitForBytesWritten(kPatienceMs);
+    }
+    /// Whether it has said this since it was last asked.
+    bool hasSaid(const QByteArray& words) {
+        process_.waitForReadyRead(1);
+        return process_.readAll().contains(words);
+    }
+    void signal(int number) const { ::kill(static_cast<pid_t>(process_.processId()), number); }
+    /// SIGKILL, also where it was held by SIGSTOP.
+    void kill() {
+        process_.kill();
+        process_.waitForFinished(kPatienceMs);
+    }
+    bool isRunning() const { return process_.state() == QProcess::Running; }
+
+private:
+    static constexpr int kPatienceMs = 20'000;
+    QProcess process_;
+};
+
+}  // namespace tiller::test
