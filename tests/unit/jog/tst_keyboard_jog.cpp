@@ -329,6 +329,17 @@ private Q_SLOTS:
         QCOMPARE(b.next, 1U);
     }
 
+    void anArrowAndAHoldKeyStop() {
+        Bench b;
+        b.down(scan::kRight, Qt::Key_Right);
+        QVERIFY(b.moves());
+        b.down(scan::kHome, Qt::Key_Home);
+        QCOMPARE(b.ends, QList<StopCause>{StopCause::SecondButton});
+        b.up(scan::kRight, Qt::Key_Right);
+        b.up(scan::kHome, Qt::Key_Home);
+        QCOMPARE(b.next, 1U);
+    }
+
     void keysBelongToAnOpenMenu() {
         Bench b;
         QMenu menu(&b.window);
