@@ -23,6 +23,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Where rules are, and which test is to notice; functions that only read the list of rules do not count.
 PLACES = [
     ("widgets/common/hold_rules.cpp", "tst_hold_rules"),
+    ("widgets/common/hold_guard.cpp", "tst_hold_rules"),
     ("widgets/common/physical_keys.cpp", "tst_keyboard_jog"),
     ("widgets/jog/keyboard_jog.cpp", "tst_keyboard_jog"),
     ("widgets/jog/axis_jog.cpp", "tst_hold_rules"),

@@ -55,6 +55,7 @@ bool HoldGuard::press(const Grip& grip) {
         return false;
     }
     if (const QString why = rules_.obstacle(&key_, grip); !why.isEmpty()) {
+        rules_.endOther();  // rule: a key of the screen while another hand holds
         Q_EMIT refused({ErrorCode::Cancelled, why, {}});
         return false;
     }

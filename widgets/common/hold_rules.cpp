@@ -328,6 +328,12 @@ QString HoldRules::obstacle(const QWidget* key, const Grip& grip) const {
     return {};
 }
 
+void HoldRules::endOther() {
+    if (terms_->holding != nullptr && terms_->holding != this) {
+        terms_->holding->happen(Kind::PressedAgain);
+    }
+}
+
 void HoldRules::begin(QWidget* key, const Grip& grip, const HoldBounds& bounds) {
     key_ = key;
     window_ = key != nullptr ? key->window() : QApplication::activeWindow();

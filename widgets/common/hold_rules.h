@@ -64,7 +64,7 @@ struct HoldTerms {
     /// Of motions without an end of their own [ns].
     std::int64_t longestNs = kUsualLongestNs;
     /// The hold under way: there is one hand at a time.
-    const HoldRules* holding = nullptr;
+    HoldRules* holding = nullptr;
 
     static constexpr std::int64_t kUsualLongestNs = 20 * kNsPerSecond;
 };
@@ -76,7 +76,7 @@ struct HoldNews {
         Application,   ///< the application's state changed
         LetGo,         ///< the key, button or finger was let go
         PointerAt,     ///< the pointer or finger is here, in the key's coordinates
-        PressedAgain,  ///< the same key once more, or with a second finger
+        PressedAgain,  ///< the same key once more, with a second finger, or another key by another hand
         OtherKey,      ///< another key of the keyboard went down
         Modifier,      ///< a modifier of the keyboard went down or up
         Unmatched,     ///< a press or a release of the keyboard that fits nothing
@@ -107,6 +107,9 @@ public:
     /// Why no motion may begin now, as a sentence; empty when one may.
     /// key  that is held; null where it is none of the screen
     QString obstacle(const QWidget* key, const Grip& grip) const;
+
+    /// This hand asked for a motion. If another one holds one, it ends: two hands at once are no plain holding.
+    void endOther();
 
     /// A motion was begun: from now on the rules hold.
     void begin(QWidget* key, const Grip& grip, const HoldBounds& bounds);

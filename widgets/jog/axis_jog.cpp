@@ -106,6 +106,8 @@ void AxisJog::begin() {
     QString why = rules_.obstacle(nullptr, input_.grip);
     if (why.isEmpty()) {
         why = obstacle_();
+    } else {
+        rules_.endOther();  // rule: keyboard or stick while a key is held
     }
     if (!why.isEmpty()) {
         Q_EMIT refused(why);
@@ -125,6 +127,8 @@ void AxisJog::begin() {
 void AxisJog::tell(HoldNews::Kind kind) {
     if (input_.grip.by == Grip::By::Keys) {
         rules_.happen(kind);
+    } else if (kind == HoldNews::Kind::OtherKey) {
+        rules_.happen(HoldNews::Kind::PressedAgain);  // rule: a key that would move the arm beside a stick
     }
 }
 

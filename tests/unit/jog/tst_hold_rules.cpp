@@ -114,13 +114,15 @@ public:
     Holder(Hands& hands, const Way& way) : h(hands), way_(way) {}
 
     void prepare() {
-        h.keyboard.setArmed(isByKeys(way_.by) && way_.meaning != Qt::Key_G);
+        h.keyboard.setArmed(needsArming());
         h.window.setFocus();
         if (way_.by == By::Stick) {
             h.devices.use(h.device(QLatin1String(way_.key)));
             h.advance(20);  // it lies still
         }
     }
+    /// "Go to" has its key always; the other keys count only while they are armed.
+    bool needsArming() const { return isByKeys(way_.by) && way_.meaning != Qt::Key_G; }
     void press() {
         switch (way_.by) {
             case By::Mouse:
@@ -435,20 +437,65 @@ private Q_SLOTS:
             dialog.show();
             hands.activate();  // not modal: the window may be the active one
         }
-        hands.keyboard.setArmed(isByKeys(kWays[way].by) && kWays[way].meaning != Qt::Key_G);
+        hands.keyboard.setArmed(holder.needsArming());
         holder.press();
         hands.advance(100);
         QCOMPARE(hands.arm.next, 0U);
         popup.close();
         dialog.close();
         hands.activate();
-        hands.keyboard.setArmed(isByKeys(kWays[way].by) && kWays[way].meaning != Qt::Key_G);
+        hands.keyboard.setArmed(holder.needsArming());
         hands.window.setFocus();
         hands.advance(100);
         QCOMPARE(hands.arm.next, 0U);
         holder.letGo();
         hands.advance(40);
         holder.press();
+        QVERIFY2(hands.arm.moves(), "a new press moves again");
+    }
+
+    void twoHandsAtOnceEndWhatIsHeld_data() {
+        QTest::addColumn<int>("first");
+        QTest::addColumn<int>("second");
+        const auto code = [](const Way& way) { return isByKeys(way.by) ? way.code : 0; };
+        for (int first = 0; first < kWayCount; ++first) {
+            for (int second = 0; second < kWayCount; ++second) {
+                const Way& a = kWays[first];
+                const Way& b = kWays[second];
+                // One mouse, one stick at a time; a key of the screen held twice is another rule.
+                const bool same = (a.by == b.by && (a.by == By::Mouse || a.by == By::Stick)) ||
+                                  (a.key != nullptr && b.key != nullptr && qstrcmp(a.key, b.key) == 0) ||
+                                  (code(a) != 0 && code(a) == code(b));
+                if (!same) {
+                    QTest::addRow("%s, then %s", a.name, b.name) << first << second;
+                }
+            }
+        }
+    }
+    void twoHandsAtOnceEndWhatIsHeld() {
+        QFETCH(int, first);
+        QFETCH(int, second);
+        Hands hands;
+        Holder one(hands, kWays[first]);
+        Holder other(hands, kWays[second]);
+        one.prepare();
+        other.prepare();
+        hands.keyboard.setArmed(one.needsArming() || other.needsArming());
+        one.press();
+        one.hold(100);
+        QVERIFY(hands.arm.moves());
+        other.press();
+        QVERIFY2(!hands.arm.moves(), "two hands at once are no plain holding");
+        QCOMPARE(hands.arm.ends, QList<StopCause>{StopCause::SecondButton});
+        hands.advance(100);
+        // Neither goes on alone.
+        other.letGo();
+        hands.advance(100);
+        one.letGo();
+        hands.advance(100);
+        QVERIFY(!hands.arm.moves());
+        QCOMPARE(hands.arm.next, 1U);
+        one.press();
         QVERIFY2(hands.arm.moves(), "a new press moves again");
     }
 
