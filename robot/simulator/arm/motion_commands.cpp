@@ -341,7 +341,7 @@ MotionStart MotionGenerator::stopL(double a, std::optional<double> aRot) {
     const MotionStart start = begin();
     geometry_.evaluate(state_.q, posture_);
     const double pace = stopPace(readings_.stopsScaled);
-    const Vector6 qd = pace > 0 ? Vector6(state_.qd / pace) : Vector6::Zero();
+    const Vector6 qd = state_.qd / pace;
     const Vector6 twist = posture_.jacobian * qd;
     const Eigen::Vector3d v = twist.head<3>();
     const Eigen::Vector3d w = twist.tail<3>();

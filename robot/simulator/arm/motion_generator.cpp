@@ -143,14 +143,16 @@ void MotionGenerator::rebase(const JointTarget& state) {
 
 void MotionGenerator::abort(double deceleration) {
     supersede();
-    held_ = false;
-    if (mode_ == Mode::Path && path_.current().kind == Segment::Kind::Stop && !path_.nextWaiting()) {
-        return;
+    const bool brakes =
+        mode_ == Mode::Path && path_.current().kind == Segment::Kind::Stop && !path_.nextWaiting();
+    // What a pause has slowed down must not get faster again because the program ends.
+    if (!brakes || (held_ && !path_.current().realTime)) {
+        path_.drop();
+        velocity_.drop();
+        mode_ = Mode::Rest;
+        startStop(deceleration, 0, readings_.programStopsScaled);
     }
-    path_.drop();
-    velocity_.drop();
-    mode_ = Mode::Rest;
-    startStop(deceleration, 0, readings_.programStopsScaled);
+    held_ = false;
 }
 
 void MotionGenerator::raise(StopReason reason, int joint) {
@@ -174,9 +176,6 @@ void MotionGenerator::raiseFrom(const JointTarget& state, StopReason reason) {
 
 // What is left of the present velocity, braked in joint space: all joints together.
 bool MotionGenerator::jointRunOut(double deceleration, Segment& segment, double pace) const {
-    if (pace <= 0) {
-        return false;
-    }
     const Vector6 qd = state_.qd / pace;  // by the time the stop is measured in, as all below
     const double hardest = limits_.acceleration / (pace * pace);
     const double fastest = qd.cwiseAbs().maxCoeff();
@@ -204,11 +203,9 @@ bool MotionGenerator::jointRunOut(double deceleration, Segment& segment, double 
 
 double MotionGenerator::stopPace(bool scaled) const {
     constexpr double kStandingTime = 1e-3;  // program time slower than this stands still
-    // A pause that has begun freezes program time, and no stop with it.
-    if (!scaled || held_) {
-        return 1;
-    }
-    return programScale_ < kStandingTime ? 0 : programScale_;
+    // A pause that has begun freezes program time, and no stop with it. Nor can program time that stands still
+    // brake what moves all the same.
+    return !scaled || held_ || programScale_ < kStandingTime ? 1 : programScale_;
 }
 
 void MotionGenerator::startStop(double deceleration, MotionId id, bool scaled) {

@@ -105,7 +105,7 @@ private:
     /// pace  of program time by which the stop is measured; 1: real time
     bool jointRunOut(double deceleration, Segment& segment, double pace = 1) const;
     void startStop(double deceleration, MotionId id, bool scaled = false);
-    /// For a stop that begins now; 0: nothing moves that it could brake.
+    /// For a stop that begins now.
     double stopPace(bool scaled) const;
     /// Of speed and servo commands.
     double velocityScale() const { return readings_.speedCommandsScaled ? programScale_ : pauseScale_; }

@@ -171,6 +171,49 @@ private Q_SLOTS:
         QVERIFY2(periods[true] >= 10 * periods[false], qPrintable(QString::number(periods[true])));
     }
 
+    // However far a pause has come, and in whatever time the arm moved before.
+    void whatAPauseSlowsDownGetsNoFasterWhenTheProgramEnds_data() {
+        QTest::addColumn<QString>("words");
+        QTest::newRow("as by default") << QString();
+        QTest::newRow("scaled ends") << "program-stops=scaled";
+        QTest::newRow("scaled ends, real speeds") << "program-stops=scaled speed-commands=real";
+        QTest::newRow("real speeds") << "speed-commands=real";
+    }
+    void whatAPauseSlowsDownGetsNoFasterWhenTheProgramEnds() {
+        QFETCH(QString, words);
+        ControllerOptions options = with();
+        for (const QString& word : words.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
+            QVERIFY(assume(options.assumptions, word).ok());
+        }
+        for (const char* motion :
+             {"speedj([0.3,0,0,0,0,0], 4, 5)", "movej([0.5,-1.7271,-2.2030,-0.8080,1.5951,0],a=1,v=0.4)",
+              "speedj([0.4,0,0,0,0,0], 4, 0.6)\n  stopj(0.4)"}) {
+            for (int periods = 0; periods < 48; periods += 4) {
+                Plant plant(options);
+                plant.setSpeedSlider(0.5);
+                submit(plant, ("def p():\n  " + std::string(motion) + "\nend\n").c_str());
+                steps(plant, 700);
+                QVERIFY(speed(plant) > 0.05);
+                plant.programs().pause();
+                steps(plant, periods);
+                const double before = speed(plant);
+                plant.programs().requestStop();
+                double after = 0;
+                for (int i = 0; i < 600; ++i) {
+                    plant.step();
+                    after = std::max(after, speed(plant));
+                }
+                QVERIFY2(after <= before + 1e-9,
+                         qPrintable(QStringLiteral("%1, %2 periods: %3 rad/s, then %4")
+                                        .arg(QLatin1String(motion))
+                                        .arg(periods)
+                                        .arg(before)
+                                        .arg(after)));
+                QCOMPARE(speed(plant), 0.0);
+            }
+        }
+    }
+
     void registersMayNotOutliveTheirClient() {
         for (const bool zeroed : {false, true}) {
             Writer writer(with(zeroed ? "registers=zeroed" : ""));
