@@ -42,6 +42,7 @@ void ControlLoop::begin(std::int32_t session, double period, const ArmLimits& ar
     paused_ = false;
     followed_ = kNoMotion;
     sentMotion_ = kNoMotion;
+    sentForce_ = false;
     status_.inControl = false;
     status_.loss = ControlLoss::Taking;
     status_.roundTripMs = 0;
@@ -143,7 +144,7 @@ bool ControlLoop::fallback(std::int64_t nowNs, Command& out) {
     publish();
     // A package a little late is nothing; the next tick carries the stop.
     constexpr std::int64_t kPatienceNs = 10 * kNsPerMs;
-    if (age < kPatienceNs || sentMotion_ == kNoMotion || mailbox_.epoch().isActive(sentMotion_)) {
+    if (age < kPatienceNs || !owesStop()) {
         return false;
     }
     out = {};
@@ -174,8 +175,13 @@ bool ControlLoop::cycleWithoutPackage(std::int64_t nowNs, Command& out) {
     return true;
 }
 
+bool ControlLoop::owesStop() const {
+    return sentMotion_ != kNoMotion ? !mailbox_.epoch().isActive(sentMotion_)
+                                    : sentForce_ && !forcePermitted_.load(std::memory_order_acquire);
+}
+
 bool ControlLoop::early(std::int64_t nowNs, Command& out) {
-    if (sentEarly_ || !hasData_ || !isInControl() || endRequested_.load(std::memory_order_acquire)) {
+    if (!hasData_ || !isInControl() || endRequested_.load(std::memory_order_acquire)) {
         return false;
     }
     hookInUse_.store(true);
@@ -185,12 +191,13 @@ bool ControlLoop::early(std::int64_t nowNs, Command& out) {
     if (motion != nullptr && (motion->id != followed_ || motion->kind != MotionCommand::Kind::Program)) {
         return false;  // how it begins depends on where the arm is then
     }
-    if (motion == nullptr && (sentMotion_ == kNoMotion || mailbox_.epoch().isActive(sentMotion_))) {
+    // Set points wait for their turn, a stop for none.
+    if (motion != nullptr ? sentEarly_ : !owesStop()) {
         return false;
     }
-    sentEarly_ = true;
     out = {};
     if (motion != nullptr) {
+        sentEarly_ = true;
         composeProgram(*motion, data_, {period_, false, nowNs}, out);
     }
     noteEnded(nowNs);
@@ -515,7 +522,7 @@ void ControlLoop::seal(Command& command, std::int64_t nowNs) {
         sentMotion_ = kNoMotion;
     }
     command.request = request_.newest();
-    command.forcePermitted = forcePermitted_.load(std::memory_order_acquire);
+    command.forcePermitted = sentForce_ = forcePermitted_.load(std::memory_order_acquire);
     command.speedFraction = data_.speedFraction;
     constexpr std::int32_t kWrap = 0x3fffffff;
     sequence_ = sequence_ >= kWrap ? kBeforeFirstSequence + 1 : sequence_ + 1;

@@ -76,7 +76,7 @@ public:
     /// Returns  true when `out` shall be sent without waiting any longer
     bool fallback(std::int64_t nowNs, Command& out);
     /// For when somebody has just changed what is to be done and no package is due: sends it at once, but
-    /// only once between two packages. Returns  true when `out` shall be sent
+    /// set points only once between two packages. Returns  true when `out` shall be sent
     bool early(std::int64_t nowNs, Command& out);
     /// The connection is gone.
     void lost(std::int64_t nowNs, ControlLoss loss);
@@ -138,6 +138,8 @@ private:
     void composeProgram(const MotionCommand& motion, const Feedback& data, const Occasion& occasion,
                         Command& command);
     bool cycleWithoutPackage(std::int64_t nowNs, Command& out);
+    /// Something is over that the robot was last told to go on with, force mode included.
+    bool owesStop() const;
     void composeJog(const MotionCommand& motion, const Feedback& data, Command& command);
     bool feelsContact(const JogTarget& target, const Feedback& data);
     void noteEnded(std::int64_t nowNs);
@@ -161,7 +163,7 @@ private:
     std::atomic<bool> finishHeard_{false};
     std::int32_t finishSequence_ = 0;  ///< of the first package that permits it; 0: none
     std::int64_t patienceNs_ = kMaxDataAgeNs;
-    bool sentEarly_ = false;  ///< since the newest package
+    bool sentEarly_ = false;  ///< set points, since the newest package
     std::atomic<std::uint64_t> playing_{0};
     std::atomic<CycleHook*> hook_{nullptr};
     std::atomic<bool> hookInUse_{false};
@@ -183,6 +185,7 @@ private:
         0;  ///< when the first package after the last new echo was sent; 0: none
 
     MotionId sentMotion_ = kNoMotion;                          ///< what the robot was last told to do
+    bool sentForce_ = false;                                   ///< whether force mode may go on, by the same
     MotionId followed_ = kNoMotion;                            ///< the motion the last command was for
     bool followedByHand_ = false;                              ///< a jog or a move of the interface
     Pose followedTcp_;                                         ///< TCP offset when it began

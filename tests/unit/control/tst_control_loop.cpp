@@ -238,6 +238,38 @@ private Q_SLOTS:
         QCOMPARE(out.kind, ScriptCommand::Idle);
     }
 
+    // Of a jog, of force mode alone, and of a stream that has just had its turn.
+    void aStopGoesOutBetweenTwoPackages() {
+        LoopBench bench;
+        bench.takeControl();
+        Command command;
+        bench.startJog(0.1);
+        bench.tick();
+        QVERIFY(!bench.loop.early(bench.now(), command));
+        bench.mailbox.stop(StopCause::Released, bench.now());
+        QVERIFY(bench.loop.early(bench.now(), command));
+        QVERIFY(command.kind == ScriptCommand::Idle);
+        QVERIFY(!bench.loop.early(bench.now(), command));
+
+        bench.loop.permitForce(true);
+        QVERIFY(bench.tick().forcePermitted);
+        QVERIFY(!bench.loop.early(bench.now(), command));
+        bench.mailbox.stop(StopCause::Released, bench.now());
+        bench.loop.permitForce(false);
+        QVERIFY(bench.loop.early(bench.now(), command));
+        QVERIFY(!command.forcePermitted);
+        QVERIFY(!bench.loop.early(bench.now(), command));
+
+        bench.startStream();
+        bench.tick();
+        QVERIFY(bench.loop.early(bench.now(), command));
+        QVERIFY(command.kind == ScriptCommand::SpeedL);
+        QVERIFY(!bench.loop.early(bench.now(), command));
+        bench.mailbox.stop(StopCause::Released, bench.now());
+        QVERIFY(bench.loop.early(bench.now(), command));
+        QVERIFY(command.kind == ScriptCommand::Idle);
+    }
+
     void aHungHolderIsFoundOutEvenWhenTheStreamStalls() {
         Bench bench;
         bench.takeControl();
