@@ -155,6 +155,27 @@ private Q_SLOTS:
         }
     }
 
+    // It stands then, but program time may begin again at the speed from before.
+    void theArmIsStoppedHardBehindAPause() {
+        for (const bool moves : {false, true}) {
+            for (const auto kind : {ScriptCommand::JogJoints, ScriptCommand::JogCartesian}) {
+                Bench bench;
+                bench.hold(ScriptCommand::Idle, 1, 2);
+                bench.hold(kind, 2, 10, {0.1, 0, 0, 0, 0, 0});
+                bench.host.timeNs += 200'000'000;
+                bench.host.qd[0] = moves ? 0.3 : 0.0;
+                bench.frame();
+                QCOMPARE(bench.state(), ScriptState::Braking);
+                if (kind == ScriptCommand::JogJoints) {
+                    QCOMPARE(bench.last<urscript::StopJ>()->deceleration, moves ? 4.0 : 80.0);
+                } else {
+                    QCOMPARE(bench.last<urscript::StopL>()->deceleration, moves ? 2.0 : 40.0);
+                    QCOMPARE(bench.last<urscript::StopL>()->rotationDeceleration, moves ? 4.0 : 80.0);
+                }
+            }
+        }
+    }
+
     void nothingIsLeftUnfilled() {
         const ControlScript script = controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {}, kJointSpeeds);
         QVERIFY(!script.text.contains(QLatin1String("{{")));

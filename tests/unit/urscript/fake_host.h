@@ -40,6 +40,9 @@ public:
     int contact = 0;
     bool reachable = true;
     JointPositions q{0.1, -1.2, 1.3, -1.4, -1.5, 0.6};
+    JointVelocities qd;
+    bool steady = true;
+    std::function<JointPositions(int)> history;  ///< of so many steps ago
     Pose tcp;
     Payload load;
     std::array<bool, 128> boolIn{}, boolOut{};
@@ -99,9 +102,12 @@ public:
 
     // ---- state
     JointPositions jointPositions(Source) const override { return q; }
-    JointVelocities jointVelocities(Source) const override { return {}; }
+    JointVelocities jointVelocities(Source) const override { return qd; }
     JointAccelerations jointAccelerations(Source) const override { return {}; }
     Result<JointPositions> jointPositionsHistory(int steps) const override {
+        if (history) {
+            return history(steps);
+        }
         if (steps > 100) {
             return scriptError("history is too short");
         }
@@ -113,7 +119,7 @@ public:
     Pose flangePose() const override { return {0.1, 0.2, 0.4, 0, 3.14, 0}; }
     Pose targetWaypoint() const override { return tcpPose(Source::Target); }
     Wrench tcpForce() const override { return {{3, 4, 0}, {0, 0, 1}}; }
-    bool isSteady() const override { return true; }
+    bool isSteady() const override { return steady; }
     int toolContact(const Eigen::Vector3d&) const override { return contact; }
     double jointTemperature(int joint) const override { return 30 + joint; }
     double controllerTemperature() const override { return 40; }
