@@ -48,20 +48,20 @@ bool isCalled(const SoftwareVersion& version, const QString& mark, const QString
 QString linesFor(const SoftwareVersion& version, const QString& source, const QString& section,
                  const QStringList& refused) {
     QStringList lines = source.split(QLatin1Char('\n'));
-    bool wanted = true;
+    QList<bool> wanted;  // by each mark that this line stands between
     for (QString& line : lines) {
         const QString mark = line.trimmed();
         if (mark.startsWith(QLatin1String("#{{SINCE "))) {
-            wanted = isSince(version, mark.mid(9).chopped(2));
+            wanted << isSince(version, mark.mid(9).chopped(2));
         } else if (mark.startsWith(QLatin1String("#{{USES "))) {
-            wanted = section.contains(mark.mid(8).chopped(2));
+            wanted << section.contains(mark.mid(8).chopped(2));
         } else if (mark.startsWith(QLatin1String("#{{CALLS "))) {
-            wanted = isCalled(version, mark.mid(9).chopped(2), refused);
+            wanted << isCalled(version, mark.mid(9).chopped(2), refused);
         } else if (mark == QLatin1String("#{{ELSE}}")) {
-            wanted = !wanted;
+            wanted.last() = !wanted.last();
         } else if (mark == QLatin1String("#{{END}}")) {
-            wanted = true;
-        } else if (wanted) {
+            wanted.removeLast();
+        } else if (!wanted.contains(false)) {
             continue;
         }
         line.clear();

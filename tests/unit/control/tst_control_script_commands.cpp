@@ -405,6 +405,25 @@ private Q_SLOTS:
         QVERIFY(called(bench, "end_force_mode"));
     }
 
+    // On software that has neither a clock nor a record of where the arm was.
+    void forceModeDoesNotOutliveAPauseOfOldSoftware() {
+        for (const bool moves : {false, true}) {
+            Bench bench(RegisterRange::Upper, {3, 15, 0, 0});
+            bench.forcePermitted = true;
+            bench.host.steady = false;
+            bench.hold(ScriptCommand::Idle, 1, 2);
+            QCOMPARE(bench.ask(RequestKind::ForceMode, 4 + 2 * 64, {0, 0, 10, 0, 0, 0}).outcome,
+                     Outcome::Done);
+            bench.host.calls.clear();
+            bench.host.qd[1] = moves ? 0.1 : 0.01;
+            bench.hold(ScriptCommand::Idle, 1, 3);
+            QVERIFY(!called(bench, "end_force_mode"));
+            bench.host.qd[1] = 0;
+            bench.hold(ScriptCommand::Idle, 1, 1);
+            QCOMPARE(called(bench, "end_force_mode"), moves);
+        }
+    }
+
     void forceModeDoesNotBeginWithoutItsPermit() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
