@@ -145,7 +145,7 @@ const std::vector<ContractMotion>& contractMotions() {
              }));
          },
          nothing},
-        {"move until contact", nullptr, false, false, kSpeed,
+        {"move until contact", "tool_contact", false, false, kSpeed,
          [](ContractCell& c) {
              return take(c, c.during([&] {
                  return Motions(*c.controller).moveUntilContact(up().twist, {}, kAcceleration, patience());
@@ -154,15 +154,17 @@ const std::vector<ContractMotion>& contractMotions() {
          nothing},
         {"servoJ", nullptr, false, false, 0.07,
          [](ContractCell& c) {
-             return stream(c, Motions(*c.controller).startServoJ(),
-                           [q = turned(c, 0)]() mutable { return q[0] += kTurn * 0.002, q; });
+             return stream(
+                 c, Motions(*c.controller).startServoJ(),
+                 [q = turned(c, 0), by = kTurn * c.robot.stepTime()]() mutable { return q[0] += by, q; });
          },
          feed},
         {"servoL", nullptr, false, false, 0.08,
          [](ContractCell& c) {
-             return stream(c, Motions(*c.controller).startServoL(), [pose = raised(c, 0)]() mutable {
-                 return pose.position.z() += kSpeed * 0.002, pose;
-             });
+             return stream(c, Motions(*c.controller).startServoL(),
+                           [pose = raised(c, 0), by = kSpeed * c.robot.stepTime()]() mutable {
+                               return pose.position.z() += by, pose;
+                           });
          },
          feed},
         {"servoC", "servoc", false, false, 0.08,
@@ -216,17 +218,48 @@ const std::vector<ContractMotion>& contractMotions() {
     return kMotions;
 }
 
+namespace {
+
+constexpr double kReleaseMs = 100;
+constexpr double kLostMs = 250;
+constexpr double kLongPause = 0.4;  // [s]
+
+void play(ContractCell& cell) {
+    cell.say("run program");
+}
+
+/// A pause that the process does not live to see the end of.
+ContractEvent lostInPause(const char* name, double seconds) {
+    return {name,
+            kLostMs,
+            [](ContractCell& c) {
+                c.say("pause program");
+                c.holding = c.reachable = false;
+                c.clock.freeze(true);
+            },
+            {play},
+            false,
+            true,
+            seconds};
+}
+
+}  // namespace
+
 const std::vector<ContractEvent>& contractEvents() {
-    using Step = std::function<void(ContractCell&)>;
-    const Step play = [](ContractCell& c) { c.say("run program"); };
-    constexpr double kReleaseMs = 100;
-    constexpr double kLostMs = 250;
     static const std::vector<ContractEvent> kEvents{
         {"release",
          kReleaseMs,
          [](ContractCell& c) {
              c.holding = false;
+             // A stop waits for no data, or bunched ones would make it late here and nowhere else.
+             const std::uint64_t packages = c.robot.inputPackages();
+             c.clock.pretendToRun(true);
              c.controller->stop(StopCause::Released);
+             const bool sent = c.robot.waitForInputPackages(packages + 1, patience());
+             c.clock.pretendToRun(false);
+             if (!sent) {
+                 qFatal("no stop was sent");
+             }
          },
          {[](ContractCell& c) { c.holding = true; }}},
         {"kill -9",
@@ -290,24 +323,26 @@ const std::vector<ContractEvent>& contractEvents() {
          {[](ContractCell& c) { c.inject("emergency-stop off"); }, [](ContractCell& c) { c.say("power on"); },
           [](ContractCell& c) { c.say("set robotmode run"); }, play},
          true},
-        // A pause that the process does not live to see the end of.
-        {"pause, kill -9, play",
-         kLostMs,
-         [](ContractCell& c) {
-             c.say("pause program");
-             c.holding = c.reachable = false;
-             c.clock.freeze(true);
-         },
-         {play},
-         false,
-         true},
+        lostInPause("pause, kill -9, play", kLongPause),
     };
     return kEvents;
 }
 
-ContractCell::ContractCell(const simulator::Assumptions& assumptions, double slider)
+const std::vector<ContractEvent>& shortPauses() {
+    static const std::vector<ContractEvent> kEvents{
+        lostInPause("0.12 s of pause, kill -9", 0.12), lostInPause("0.2 s of pause, kill -9", 0.2),
+        lostInPause("0.45 s of pause, kill -9", 0.45), lostInPause("0.6 s of pause, kill -9", 0.6)};
+    return kEvents;
+}
+
+ContractCell::ContractCell(const simulator::Assumptions& assumptions, double slider,
+                           const SoftwareVersion& software)
     : robot([&] {
         simulator::ControllerOptions options;
+        options.software = software;
+        if (software.isCb3()) {
+            options.model = RobotModelId::UR5;
+        }
         options.anyFreePorts = true;
         options.time = simulator::Time::Virtual;
         options.poweredOn = true;
@@ -341,7 +376,7 @@ void ContractCell::step() {
 }
 
 void ContractCell::step(int patienceMs) {
-    clock.advanceNs(2 * kNsPerMs);
+    clock.advanceNs(static_cast<std::int64_t>(robot.stepTime() * 1e9 + 0.5));
     if (held_ != nullptr && holding && !clock.isFrozen()) {
         held_->hold(*this);
     }
@@ -388,14 +423,14 @@ ContractOutcome ContractCell::run(const ContractMotion& what, const ContractEven
     held_ = &what;
     const double fast = 0.9 * what.fast * slider_;
     const int atMost = static_cast<int>(3000 / slider_);
-    int waited = 0;
+    double waited = 0;
     while (robot.truth().tcpSpeed.linear.norm() < fast && waited < atMost) {
         step();
-        waited += 2;
         // Not before: who is pushed when freedrive begins gets a protective stop.
-        if (what.byHand && waited == 60) {
+        if (what.byHand && waited <= 60 && waited + stepTimeMs() > 60) {
             robot.pressHand({{0, 0, 12}, {0, 0, 0}});
         }
+        waited += stepTimeMs();
     }
     if (waited >= atMost) {
         outcome.problem = QStringLiteral("it moves at %1 m/s only, ended by %2")
@@ -408,8 +443,7 @@ ContractOutcome ContractCell::run(const ContractMotion& what, const ContractEven
     const simulator::Truth before = robot.truth();
     event.happen(*this);
     simulator::Truth last = before;
-    constexpr double kWatched = 0.4;
-    while (robot.truth().timestamp < before.timestamp + kWatched) {
+    while (robot.truth().timestamp < before.timestamp + event.watched) {
         step();
         if (!isStanding()) {
             last = robot.truth();
@@ -424,7 +458,7 @@ ContractOutcome ContractCell::run(const ContractMotion& what, const ContractEven
     }
     for (const auto& next : event.after) {
         next(*this);
-        for (int t = 0; t < 200; t += 2) {
+        for (double t = 0; t < 200; t += stepTimeMs()) {
             step();
             const simulator::Truth now = robot.truth();
             outcome.resumedMm =

@@ -36,9 +36,11 @@ public:
         }
         return clock_.nowNs();
     }
-    bool runsByItself() const override { return false; }
+    bool runsByItself() const override { return pretending_; }
     void waitUntil(std::int64_t, std::int64_t) const override {}
     void advanceNs(std::int64_t ns) { clock_.advanceNs(ns); }
+    /// What is sent at once where time goes on, and otherwise with the next data, is sent at once.
+    void pretendToRun(bool pretending) { pretending_ = pretending; }
     void freeze(bool frozen) {
         {
             const std::lock_guard lock(mutex_);
@@ -57,6 +59,7 @@ private:
     mutable std::mutex mutex_;
     mutable std::condition_variable thawed_;
     bool frozen_ = false;
+    std::atomic<bool> pretending_ = false;
 };
 
 class ContractCell;
@@ -84,9 +87,12 @@ struct ContractEvent {
     std::vector<std::function<void(ContractCell&)>> after;
     bool robotBrakes = false;  ///< how long that takes is the robot's own affair
     bool losesBoth = false;    ///< the process dies and the program is paused
+    double watched = 0.4;      ///< from it to what is done after it [s]
 };
 
 const std::vector<ContractEvent>& contractEvents();
+/// Pauses that the process does not live to see the end of, and that are over soon.
+const std::vector<ContractEvent>& shortPauses();
 
 struct ContractOutcome {
     bool applies = true;  ///< false: the controller has no such motion, and the library said so
@@ -98,7 +104,8 @@ struct ContractOutcome {
 
 class ContractCell {
 public:
-    ContractCell(const simulator::Assumptions& assumptions, double slider);
+    ContractCell(const simulator::Assumptions& assumptions, double slider,
+                 const SoftwareVersion& software = simulator::ControllerOptions().software);
     ~ContractCell();
 
     ContractOutcome run(const ContractMotion& motion, const ContractEvent& event);
@@ -106,7 +113,7 @@ public:
     // for motions and events
     void step();
     void stepMs(int ms) {
-        for (int t = 0; t < ms; t += 2) {
+        for (double t = 0; t < ms; t += stepTimeMs()) {
             step();
         }
     }
@@ -149,6 +156,7 @@ public:
     bool holding = true;
 
 private:
+    double stepTimeMs() const { return 1000 * robot.stepTime(); }
     void step(int patienceMs);
     bool takeControl(QString& why);
 

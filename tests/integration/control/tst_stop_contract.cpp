@@ -5,14 +5,21 @@
 // behaves in another way than ours does by default.
 //
 // Runs a part of the table, drawn anew for each reading but the same each time. All of it, and 200 random
-// combinations of readings:
+// combinations of readings; a part of that in each of several processes, rows as Qt Test names them:
 //
 //     tst_stop_contract --all
+//     tst_stop_contract --all everyMotionEndsInTime:data=late everyMotionEndsInTime:data=doubled
+//     tst_stop_contract --all --combinations 100 200 randomCombinationsToo
+//
+// One cell, as a failure names it:
+//
+//     tst_stop_contract --cell "jog a joint" safeguard 0.5 "data=late stops=scaled"
 
 #include <QElapsedTimer>
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <string>
 
 #include "tests/integration/control/contract_cell.h"
 
@@ -22,6 +29,10 @@ using namespace tiller::test;
 namespace {
 
 bool runsAll = false;
+int firstCombination = 0;
+int endCombination = 200;
+QStringList onlyCell;                 ///< motion, event, slider, words
+constexpr double kLostLimitMs = 250;  ///< of all events but a release
 constexpr quint32 kSeed = 20261123;
 
 simulator::Assumptions assumed(const QString& words) {
@@ -34,30 +45,54 @@ simulator::Assumptions assumed(const QString& words) {
     return assumptions;
 }
 
-/// Worst of what was seen, by motion and event.
+/// Worst of what was seen.
 struct Worst {
     double standstillMs = 0;
     double driftMm = 0;
     double resumedMm = 0;
     int cells = 0;
+
+    void add(const ContractOutcome& outcome) {
+        standstillMs = std::max(standstillMs, outcome.standstillMs);
+        driftMm = std::max(driftMm, outcome.driftMm);
+        resumedMm = std::max(resumedMm, outcome.resumedMm);
+        ++cells;
+    }
+    void print(const char* what, const char* andWhat) const {
+        std::printf("%-44s%-26s%6d%12.0f%10.1f%12.2f\n", what, andWhat, cells, standstillMs, driftMm,
+                    resumedMm);
+    }
 };
-std::map<std::pair<std::size_t, std::size_t>, Worst> worst;
+std::map<std::pair<std::string, std::string>, Worst> worst;  ///< by motion and event
+Worst released;                                              ///< of this row
+Worst others;                                                ///< the same, of all other events
+
+template <class Named>
+const Named& named(const std::vector<Named>& all, const char* name) {
+    const auto it =
+        std::find_if(all.begin(), all.end(), [&](const Named& n) { return qstrcmp(n.name, name) == 0; });
+    if (it == all.end()) {
+        qFatal("%s", name);
+    }
+    return *it;
+}
 
 }  // namespace
+
+Q_DECLARE_METATYPE(tiller::SoftwareVersion)
 
 class TestStopContract : public QObject {
     Q_OBJECT
 
-    static void check(std::size_t m, std::size_t e, const QString& words, double slider,
-                      QStringList& problems) {
-        const ContractMotion& motion = contractMotions()[m];
-        const ContractEvent& event = contractEvents()[e];
+    static void check(const ContractMotion& motion, const ContractEvent& event, const QString& words,
+                      double slider, QStringList& problems,
+                      const SoftwareVersion& software = simulator::ControllerOptions().software) {
         // Where forces go on in a pause, and the process dies in it, nobody is left who could end them: the
         // program stands still and the PC is gone.
         if (motion.yields && event.losesBoth && words.contains(QLatin1String("pause=frees"))) {
             return;
         }
-        const ContractOutcome outcome = ContractCell(assumed(words), slider).run(motion, event);
+        const ContractOutcome outcome = ContractCell(assumed(words), slider, software).run(motion, event);
         if (!outcome.applies) {
             return;
         }
@@ -68,14 +103,21 @@ class TestStopContract : public QObject {
                             .arg(words.isEmpty() ? QStringLiteral("as by default") : words, outcome.problem);
             std::fprintf(stderr, "%s\n", qPrintable(problems.last()));
         }
-        Worst& w = worst[{m, e}];
-        w.standstillMs = std::max(w.standstillMs, outcome.standstillMs);
-        w.driftMm = std::max(w.driftMm, outcome.driftMm);
-        w.resumedMm = std::max(w.resumedMm, outcome.resumedMm);
-        ++w.cells;
+        worst[{motion.name, event.name}].add(outcome);
+        (event.limitMs < kLostLimitMs ? released : others).add(outcome);
+    }
+    static void check(std::size_t m, std::size_t e, const QString& words, double slider,
+                      QStringList& problems) {
+        check(contractMotions()[m], contractEvents()[e], words, slider, problems);
     }
 
     static void report(const QStringList& problems) {
+        if (runsAll) {
+            released.print(QTest::currentDataTag() ? QTest::currentDataTag() : "combinations", "release");
+            others.print("", "all others");
+            std::fflush(stdout);
+        }
+        released = others = {};
         QVERIFY2(problems.isEmpty(), qPrintable(QString::number(problems.size()) + " cells"));
     }
 
@@ -123,10 +165,10 @@ private Q_SLOTS:
     }
 
     void randomCombinationsToo() {
-        const int combinations = runsAll ? 200 : 3;
+        const int end = runsAll ? endCombination : 3;
         const int cells = runsAll ? 20 : 2;
         QStringList problems;
-        for (int i = 0; i < combinations; ++i) {
+        for (int i = firstCombination; i < end; ++i) {
             QRandomGenerator random(kSeed + static_cast<quint32>(i));
             QStringList words;
             for (const simulator::AssumptionInfo& info : simulator::assumptionTable()) {
@@ -148,12 +190,75 @@ private Q_SLOTS:
         report(problems);
     }
 
+    // Each moved on, or too long, with the readings beside it.
+    void whatOnceWentWrong_data() {
+        QTest::addColumn<QString>("motion");
+        QTest::addColumn<QString>("event");
+        QTest::addColumn<double>("slider");
+        QTest::addColumn<QString>("words");
+        if (!onlyCell.isEmpty()) {
+            QTest::newRow("one cell") << onlyCell[0] << onlyCell[1] << onlyCell[2].toDouble() << onlyCell[3];
+            return;
+        }
+        // A pause slows real time and program time down, but not alike: what was to end the program took its
+        // speed by the one and braked it in the other.
+        QTest::newRow("braked in another time")
+            << "jog a joint"
+            << "safeguard" << 0.5 << "program-stops=scaled speed-commands=real outputs=next-period data=late";
+        // The speed from before the pause, and what it took to brake it.
+        QTest::newRow("stopped behind a pause")
+            << "jog a joint"
+            << "pause, kill -9, play" << 1.0 << "stops=scaled thread-start=next-period";
+        QTest::newRow("servo stopped behind a pause")
+            << "servoJ"
+            << "pause, kill -9, play" << 1.0 << "stops=scaled speed-commands=real thread-start=next-period";
+        QTest::newRow("bunched data") << "jog in force mode"
+                                      << "release" << 1.0 << "data=bunched";
+    }
+    void whatOnceWentWrong() {
+        QFETCH(QString, motion);
+        QFETCH(QString, event);
+        QFETCH(double, slider);
+        QFETCH(QString, words);
+        QStringList problems;
+        check(named(contractMotions(), qPrintable(motion)), named(contractEvents(), qPrintable(event)), words,
+              slider, problems);
+        report(problems);
+    }
+
+    // Before 5.17 a program has no clock that would show a pause.
+    void aShortPauseShowsWithoutAClock_data() {
+        QTest::addColumn<SoftwareVersion>("software");
+        QTest::newRow("5.16") << SoftwareVersion{5, 16, 0, 0};
+        QTest::newRow("5.3") << SoftwareVersion{5, 3, 0, 0};
+        QTest::newRow("CB3 3.15") << SoftwareVersion{3, 15, 8, 106339};
+    }
+    void aShortPauseShowsWithoutAClock() {
+        QFETCH(SoftwareVersion, software);
+        QStringList problems;
+        if (runsAll) {
+            for (const ContractMotion& motion : contractMotions()) {
+                // Of what a section does the control program knows nothing.
+                if (software.isCb3() && qstrcmp(motion.name, "function in force mode") == 0) {
+                    continue;
+                }
+                for (const ContractEvent& pause : shortPauses()) {
+                    check(motion, pause, {}, 1, problems, software);
+                }
+            }
+        } else {
+            for (const char* motion : {"jog", "force mode"}) {
+                check(named(contractMotions(), motion), shortPauses()[1], {}, 1, problems, software);
+            }
+        }
+        report(problems);
+    }
+
     void cleanupTestCase() {
-        std::printf("%-24s%-22s%8s%12s%10s%12s\n", "motion", "event", "cells", "stands ms", "way mm",
+        std::printf("%-44s%-26s%6s%12s%10s%12s\n", "motion", "event", "cells", "stands ms", "way mm",
                     "resumed mm");
         for (const auto& [cell, w] : worst) {
-            std::printf("%-24s%-22s%8d%12.0f%10.1f%12.2f\n", contractMotions()[cell.first].name,
-                        contractEvents()[cell.second].name, w.cells, w.standstillMs, w.driftMm, w.resumedMm);
+            w.print(cell.first.c_str(), cell.second.c_str());
         }
         std::fflush(stdout);
     }
@@ -161,9 +266,18 @@ private Q_SLOTS:
 
 int main(int argc, char** argv) {
     std::vector<char*> rest;
+    char oneCell[] = "whatOnceWentWrong";
     for (int i = 0; i < argc; ++i) {
         if (qstrcmp(argv[i], "--all") == 0) {
             runsAll = true;
+        } else if (qstrcmp(argv[i], "--combinations") == 0 && i + 2 < argc) {
+            firstCombination = QByteArray(argv[++i]).toInt();
+            endCombination = QByteArray(argv[++i]).toInt();
+        } else if (qstrcmp(argv[i], "--cell") == 0 && i + 4 < argc) {
+            for (int n = 0; n < 4; ++n) {
+                onlyCell << QString::fromLocal8Bit(argv[++i]);
+            }
+            rest.push_back(oneCell);
         } else {
             rest.push_back(argv[i]);
         }
