@@ -40,6 +40,8 @@ void ControlLoop::begin(std::int32_t session, double period, const ArmLimits& ar
     pace_ = realtime::ArrivalPace(period);
     unansweredSinceNs_ = 0;
     paused_ = false;
+    yieldedWhenPaused_ = false;
+    yieldedNs_.reset();
     followed_ = kNoMotion;
     sentMotion_ = kNoMotion;
     sentForce_ = false;
@@ -284,6 +286,9 @@ void ControlLoop::watch(const Feedback& data) {
     if (data.runtimeState != RuntimeState::Playing) {
         const bool asked = endRequested_.load(std::memory_order_acquire);
         paused_ = data.runtimeState == RuntimeState::Pausing || data.runtimeState == RuntimeState::Paused;
+        // A safeguard ends what was asked for some packages before the program is paused.
+        constexpr std::int64_t kUntilPausedNs = 500 * kNsPerMs;
+        yieldedWhenPaused_ = yieldedNs_ && data.hostNs - *yieldedNs_ < kUntilPausedNs;
         leave(asked ? endLoss_.load(std::memory_order_relaxed) : ControlLoss::ScriptStopped,
               StopCause::ControlLost, data.hostNs);
         return;
@@ -532,6 +537,10 @@ void ControlLoop::seal(Command& command, std::int64_t nowNs) {
     }
     command.sequence = sequence_;
     command.session = session_;
+    if (command.forcePermitted || command.kind == ScriptCommand::Freedrive ||
+        command.kind == ScriptCommand::Teach) {
+        yieldedNs_ = nowNs;
+    }
     sentNs_[static_cast<std::size_t>(sequence_) % kSentMemory] = nowNs;
     if (unansweredSinceNs_ == 0) {
         unansweredSinceNs_ = nowNs;

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "robot/control/control_status.h"
@@ -124,6 +125,9 @@ public:
     /// True once after our program was paused: it is of no more use, and what it has begun, force mode for
     /// one, might go on all the same. Threads  the control thread
     bool takePaused() { return std::exchange(paused_, false); }
+    /// Whether the arm yielded to forces or hands when it was paused: what ends that is a line of the program,
+    /// which does not run then. Threads  the control thread
+    bool yieldedWhenPaused() const { return yieldedWhenPaused_; }
     /// How many packages said that a program plays.
     std::uint64_t playing() const { return playing_.load(std::memory_order_acquire); }
     /// For the time in which no control thread runs.
@@ -168,7 +172,9 @@ private:
     std::atomic<CycleHook*> hook_{nullptr};
     std::atomic<bool> hookInUse_{false};
     bool paused_ = false;
-    std::int32_t asked_ = 0;  ///< under the caller's lock: number of the last request
+    bool yieldedWhenPaused_ = false;
+    std::optional<std::int64_t> yieldedNs_;  ///< when force mode, freedrive or teach mode were last asked for
+    std::int32_t asked_ = 0;                 ///< under the caller's lock: number of the last request
     realtime::TripleBuffer<Request> request_;
     realtime::Seqlock<Answer> answer_;
 

@@ -171,7 +171,7 @@ void Controller::Private::run() {
                 Feedback data = layout.decode(values, now());
                 data.awaited = data.hostNs - doneNs > kBusyNs;
                 alive = answer(loop.tick(data));
-                if (loop.takePaused() && !options.keepPaused) {
+                if (loop.takePaused() && (!options.keepPaused || loop.yieldedWhenPaused())) {
                     primary->requestProgramStop();  // set before this thread began, and until it has ended
                 }
                 break;

@@ -59,8 +59,8 @@ struct ControllerOptions {
     std::chrono::milliseconds patience{100};
     /// Without data for so long the connection counts as lost; 0: only when it ends.
     std::chrono::milliseconds silence{0};
-    /// True: a control program that was paused may be played again (joinProgram()); what it was told before the
-    /// pause is over all the same. False: it is stopped.
+    /// True: a control program that was paused may be played again (joinProgram()), without what it was told
+    /// before. False, and where force mode, freedrive or teach mode might go on in the pause: it is stopped.
     bool keepPaused = false;
     /// How the control program gets to the robot. Empty: sent to the primary interface.
     std::function<Result<void>(const QString& program, const Deadline& deadline)> deliver;

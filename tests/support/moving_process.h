@@ -28,7 +28,8 @@ public:
         options.port = robot.ports().rtde;
         const int first = control::firstRegister(registers);
         const auto echo = [first](int at) { return "output_int_register_" + std::to_string(first + at); };
-        options.request.outputs = {"timestamp", "actual_TCP_speed", "actual_qd", echo(0), echo(2)};
+        options.request.outputs = {"timestamp", "actual_TCP_speed", "actual_qd", echo(0),
+                                   echo(2),     "actual_TCP_pose"};
         auto opened = rtde::Connection::open(options, Deadline::after(kPatience));
         if (!opened) {
             qFatal("%s", qPrintable(opened.error().toString()));
@@ -47,6 +48,7 @@ public:
         const auto turning = std::minmax_element(values_.begin() + 7, values_.begin() + 13);
         stands = speed < 0.001 && std::max(-*turning.first, *turning.second) < 0.002;
         lastMoved = stands ? lastMoved : time;
+        position = {values_[15], values_[16], values_[17]};
         state = static_cast<control::ScriptState>(static_cast<std::int32_t>(values_[14]));
         if (values_[13] != heard_) {
             heard_ = values_[13];
@@ -65,8 +67,9 @@ public:
         return true;
     }
 
-    double time = 0;   ///< of the robot [s]
-    double speed = 0;  ///< of the TCP [m/s]
+    double time = 0;                                     ///< of the robot [s]
+    double speed = 0;                                    ///< of the TCP [m/s]
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the TCP [m]
     bool stands = true;
     double lastMoved = 0;  ///< [s]
     double heardAt = 0;    ///< when the control program last heard of its client [s]

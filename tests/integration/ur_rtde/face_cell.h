@@ -90,6 +90,10 @@ private:
             const std::uint64_t inputs = robot.inputPackages();
             const std::uint64_t outputs = robot.outputPackages();
             robot.step();
+            if (robot.truth().runtimeState == RuntimeState::Paused) {
+                // The client may have the program stopped on another connection, in its own time.
+                std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            }
             const bool asked = robot.outputPackages() != outputs;
             const auto patience = std::chrono::milliseconds(answered && asked ? 1000 : hurry_ ? 0 : 1);
             const bool came = robot.waitForInputPackages(inputs + 1, Deadline::after(patience, quit_));
