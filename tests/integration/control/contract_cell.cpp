@@ -328,6 +328,18 @@ const std::vector<ContractEvent>& contractEvents() {
     return kEvents;
 }
 
+const ContractEvent& lostInLocal() {
+    static const ContractEvent kEvent{"to local, kill -9, to remote",
+                                      kLostMs,
+                                      [](ContractCell& c) {
+                                          c.robot.setRemoteControl(false);
+                                          c.holding = c.reachable = false;
+                                          c.clock.freeze(true);
+                                      },
+                                      {[](ContractCell& c) { c.robot.setRemoteControl(true); }, play}};
+    return kEvent;
+}
+
 const std::vector<ContractEvent>& shortPauses() {
     static const std::vector<ContractEvent> kEvents{
         lostInPause("0.12 s of pause, kill -9", 0.12), lostInPause("0.2 s of pause, kill -9", 0.2),

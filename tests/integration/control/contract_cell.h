@@ -91,6 +91,8 @@ struct ContractEvent {
 };
 
 const std::vector<ContractEvent>& contractEvents();
+/// The robot leaves remote control, and nobody is there any more who might do something about it.
+const ContractEvent& lostInLocal();
 /// Pauses that the process does not live to see the end of, and that are over soon.
 const std::vector<ContractEvent>& shortPauses();
 

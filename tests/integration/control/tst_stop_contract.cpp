@@ -226,6 +226,24 @@ private Q_SLOTS:
         report(problems);
     }
 
+    void aRobotThatWentLocalStopsToo_data() {
+        QTest::addColumn<QString>("words");
+        QTest::newRow("its program goes on") << QString();
+        QTest::newRow("its program ends") << "remote-to-local=ends";
+    }
+    void aRobotThatWentLocalStopsToo() {
+        QFETCH(QString, words);
+        QStringList problems;
+        if (runsAll) {
+            for (const ContractMotion& motion : contractMotions()) {
+                check(motion, lostInLocal(), words, 1, problems);
+            }
+        } else {
+            check(contractMotions().front(), lostInLocal(), words, 1, problems);
+        }
+        report(problems);
+    }
+
     // Before 5.17 a program has no clock that would show a pause.
     void aShortPauseShowsWithoutAClock_data() {
         QTest::addColumn<SoftwareVersion>("software");

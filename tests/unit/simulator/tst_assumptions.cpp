@@ -125,6 +125,12 @@ private Q_SLOTS:
             const QString row =
                 QStringLiteral("| `%1` | `%2` |").arg(info.name, info.readings.join(QStringLiteral("`, `")));
             QVERIFY2(text.contains(row), qPrintable(row));
+            // What depends on it, what the control program does about it, and where the question comes from.
+            const QStringList rest = text.section(row, 1, 1).section(QLatin1Char('\n'), 0, 0).split('|');
+            QCOMPARE(rest.size(), 4);
+            for (const QString& told : rest.first(3)) {
+                QVERIFY2(!told.trimmed().isEmpty(), qPrintable(row));
+            }
         }
     }
 
