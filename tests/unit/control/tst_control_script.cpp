@@ -167,10 +167,10 @@ private Q_SLOTS:
                 bench.frame();
                 QCOMPARE(bench.state(), ScriptState::Braking);
                 if (kind == ScriptCommand::JogJoints) {
-                    QCOMPARE(bench.last<urscript::StopJ>()->deceleration, moves ? 4.0 : 80.0);
+                    QCOMPARE(bench.last<urscript::StopJ>()->deceleration, moves ? 4.0 : 400.0);
                 } else {
-                    QCOMPARE(bench.last<urscript::StopL>()->deceleration, moves ? 2.0 : 40.0);
-                    QCOMPARE(bench.last<urscript::StopL>()->rotationDeceleration, moves ? 4.0 : 80.0);
+                    QCOMPARE(bench.last<urscript::StopL>()->deceleration, moves ? 2.0 : 200.0);
+                    QCOMPARE(bench.last<urscript::StopL>()->rotationDeceleration, moves ? 4.0 : 400.0);
                 }
             }
         }
