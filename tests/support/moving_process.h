@@ -83,16 +83,21 @@ private:
     double heard_ = 0;
 };
 
-/// Where nobody hears anything any more the robot itself is asked, until then [s]: when it was last seen
-/// moving, or `since`.
-inline double lastMotion(const simulator::Controller& robot, double since, double until) {
+/// Where nobody hears anything any more the robot itself is asked, until then [s]: for how long it was seen
+/// moving after `since`, or after it last heard of anybody [s].
+inline double movesOn(const simulator::Controller& robot, double since, double until) {
     double moved = since;
+    std::uint64_t heard = robot.inputPackages();
     for (simulator::Truth now = robot.truth(); now.timestamp < until; now = robot.truth()) {
+        if (robot.inputPackages() != heard) {
+            heard = robot.inputPackages();
+            since = now.timestamp;
+        }
         const bool stands = now.tcpSpeed.linear.norm() < 0.001 && now.qd.values.cwiseAbs().maxCoeff() < 0.002;
         moved = stands ? moved : now.timestamp;
         QTest::qSleep(1);
     }
-    return moved;
+    return std::max(moved - since, 0.0);
 }
 
 /// A program that moves the arm. It is killed at the latest when this goes.
@@ -114,7 +119,7 @@ public:
     }
     /// Whether it has said this since it was last asked.
     bool hasSaid(const QByteArray& words) {
-        process_.waitForReadyRead(1);
+        process_.waitForReadyRead(0);  // who asks goes on watching, or the robot would drop the watcher
         return process_.readAll().contains(words);
     }
     void signal(int number) const { ::kill(static_cast<pid_t>(process_.processId()), number); }

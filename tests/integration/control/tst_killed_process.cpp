@@ -113,8 +113,7 @@ private Q_SLOTS:
                 break;
         }
         if (static_cast<Loss>(loss) == Loss::Cut) {
-            const double moved = test::lastMotion(robot, killedAt, killedAt + 1.0);
-            const double ms = (moved - killedAt) * 1000;
+            const double ms = test::movesOn(robot, killedAt, killedAt + 1.0) * 1000;
             qInfo("%s: to standstill: %.0f ms", QTest::currentDataTag(), ms);
             QVERIFY2(ms <= 250, qPrintable(QString::number(ms)));
             return;

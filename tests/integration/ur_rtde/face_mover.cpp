@@ -151,6 +151,9 @@ int main(int argc, char** argv) {
         } else if (line == "again") {
             end();
             way.release(control);
+            if (!control.isProgramRunning()) {
+                control.reuploadScript();
+            }
             control.moveJ(kBegin);
             begin();
         } else if (line == "disconnect") {
