@@ -146,6 +146,23 @@ private Q_SLOTS:
         QVERIFY2(arm().stays(0.5), "it moved again when the server answered again");
     }
 
+    // A program tells the window of a press that no hand made: of its release it would never be told.
+    void aKeyIsSentThatNobodyPressed() {
+        const Vector6 from = arm().joints();
+        hand().sendKey(cell().place("mainWindow").window, kRight, true);
+        QVERIFY2(cell().until([&] { return (arm().joints() - from).cwiseAbs().maxCoeff() > 1e-4; }, 5000),
+                 "nothing began: this proves nothing");
+        verifyStands();
+    }
+
+    void aButtonIsSentThatNobodyPressed() {
+        const Place key = cell().place("jog.X+");
+        hand().moveTo(key.middle());
+        hand().sendButton(key.window, key.middle(), true);
+        arm().untilMoving(kContract);  // it may have begun, or the window is told of buttons in another way
+        verifyStands();
+    }
+
     void theDisplayServerIsKilled() {
         hold();
         useUp();

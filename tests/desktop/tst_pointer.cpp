@@ -189,6 +189,23 @@ private Q_SLOTS:
         verifyEndedForGood();
     }
 
+    void theDisplayServerIsFrozen() {
+        hold();
+        cell().display().signal(SIGSTOP);
+        verifyStands();
+        cell().display().signal(SIGCONT);
+        verifyEndedForGood();
+    }
+
+    void anotherProgramTakesTheServerForItself() {
+        XHand other(cell().displayName());
+        hold();
+        other.grabServer();
+        verifyStands();
+        other.ungrabServer();
+        verifyEndedForGood();
+    }
+
     void theProgramIsFrozen() {
         hold();
         cell().program().signal(SIGSTOP);

@@ -296,6 +296,40 @@ void XHand::ungrab() {
     }
 }
 
+void XHand::sendKey(WindowId window, int code, bool down) {
+    if (d_->usable()) {
+        XEvent event{};
+        event.xkey.type = down ? KeyPress : KeyRelease;
+        event.xkey.display = d_->display;
+        event.xkey.window = window;
+        event.xkey.root = d_->root();
+        event.xkey.same_screen = True;
+        event.xkey.keycode = unsigned(code);
+        XSendEvent(d_->display, window, False, NoEventMask, &event);
+        d_->sync();
+    }
+}
+
+void XHand::sendButton(WindowId window, const QPoint& place, bool down) {
+    if (d_->usable()) {
+        XEvent event{};
+        event.xbutton.type = down ? ButtonPress : ButtonRelease;
+        event.xbutton.display = d_->display;
+        event.xbutton.window = window;
+        event.xbutton.root = d_->root();
+        event.xbutton.same_screen = True;
+        event.xbutton.button = Button1;
+        event.xbutton.state = down ? 0 : Button1Mask;
+        event.xbutton.x_root = place.x();
+        event.xbutton.y_root = place.y();
+        Window child = 0;
+        XTranslateCoordinates(d_->display, d_->root(), window, place.x(), place.y(), &event.xbutton.x,
+                              &event.xbutton.y, &child);
+        XSendEvent(d_->display, window, False, NoEventMask, &event);
+        d_->sync();
+    }
+}
+
 void XHand::grabServer() {
     if (d_->usable()) {
         XGrabServer(d_->display);

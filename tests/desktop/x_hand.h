@@ -111,6 +111,9 @@ public:
     bool grabKeyboard();
     bool grabPointer();
     void ungrab();
+    /// Tells a window of a press, or a release, that no hand made: the server does not count it as down.
+    void sendKey(WindowId window, int code, bool down);
+    void sendButton(WindowId window, const QPoint& place, bool down);
     /// No other client is served until it is undone.
     void grabServer();
     void ungrabServer();
