@@ -2,20 +2,21 @@
 #include "tests/desktop/key_matrix.h"
 
 #include <Eigen/Geometry>
-#include <QMap>
-#include <QSet>
 #include <QTest>
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace tiller::test {
 namespace {
 
-constexpr double kContract = 0.25;     // [s], of the robot's time
-constexpr double kGetsGoing = 1.5;     // a motion that is to come has begun by then
-constexpr double kStaysPut = 0.15;     // and one that is not to come has not
-constexpr double kFarEnough = 0.35;    // [rad] to go back or to level out, for many short holds
-constexpr double kNearlyThere = 0.12;  // [rad]
+constexpr double kContract = 0.25;       // [s], of the robot's time
+constexpr double kGetsGoing = 1.5;       // a motion that is to come has begun by then
+constexpr double kStaysPut = 0.15;       // and one that is not to come has not
+constexpr double kStandsAlready = 0.02;  // the cell before has waited longer
+constexpr double kFarEnough = 0.35;      // [rad] to go back or to level out, for many short holds
+constexpr double kNearlyThere = 0.12;    // [rad]
 constexpr int kAttempts = 10;
 constexpr int kLongWayMs = 20'000;  // no preparation takes longer
 
@@ -65,9 +66,9 @@ QStringList symbolsOf(int code, bool numLock) {
         case kKeypad3:
             return {"KP_Next"};
         case kLetterF:
-            return {"f", "F"};
+            return {"f", "F", "Cyrillic_a", "Cyrillic_A"};  // by its place where there are no Latin letters
         case kLetterG:
-            return {"g", "G"};
+            return {"g", "G", "Cyrillic_pe", "Cyrillic_PE"};
         default:
             return {};
     }
@@ -85,33 +86,33 @@ QList<HeldKey> makeKeys() {
                                                       {"up", kUp},          {"down", kDown},
                                                       {"page up", kPageUp}, {"page down", kPageDown}};
     for (const auto& [name, code] : directions) {
-        keys.append({QLatin1String(name), {code}, {}, "arrow"});
+        keys.append({QLatin1String(name), {code}, {}});
     }
     for (const auto& [name, code] : directions) {
-        keys.append({QStringLiteral("Alt %1").arg(QLatin1String(name)), {kAlt, code}, {}, "Alt arrow"});
+        keys.append({QStringLiteral("Alt %1").arg(QLatin1String(name)), {kAlt, code}, {}});
     }
     for (int joint = 1; joint <= 6; ++joint) {
-        keys.append({QStringLiteral("%1 +").arg(joint), {}, QStringLiteral("%1+").arg(joint), "joint"});
-        keys.append({QStringLiteral("%1 -").arg(joint), {}, QStringLiteral("%1-").arg(joint), "joint"});
+        keys.append({QStringLiteral("%1 +").arg(joint), {}, QStringLiteral("%1+").arg(joint)});
+        keys.append({QStringLiteral("%1 -").arg(joint), {}, QStringLiteral("%1-").arg(joint)});
     }
     const std::pair<const char*, int> keypad[] = {
         {"keypad left", kKeypad4}, {"keypad right", kKeypad6},   {"keypad up", kKeypad8},
         {"keypad down", kKeypad2}, {"keypad page up", kKeypad9}, {"keypad page down", kKeypad3}};
     for (const auto& [name, code] : keypad) {
-        keys.append({QLatin1String(name), {code}, {}, "keypad arrow"});
+        keys.append({QLatin1String(name), {code}, {}});
     }
     // The sign first: there may be no key for the digit without Shift.
-    keys.append({"keypad + 1", {kKeypadPlus}, "1", "keypad sign"});
-    keys.append({"keypad - 1", {kKeypadMinus}, "1", "keypad sign"});
-    keys.append({"keypad + 6", {kKeypadPlus}, "6", "keypad sign"});
-    keys.append({"keypad - 6", {kKeypadMinus}, "6", "keypad sign"});
-    keys.append({"keypad 4 +", {kKeypad4, kKeypadPlus}, {}, "keypad", true});
-    keys.append({"keypad 4 -", {kKeypad4, kKeypadMinus}, {}, "keypad", true});
-    keys.append({"Home", {kHome}, {}, "Home"});
-    keys.append({"Backspace", {kBackspace}, {}, "Back", false, "back"});
-    keys.append({"End", {kEnd}, {}, "Align", false, "tilt"});
-    keys.append({"F", {kLetterF}, {}, "Freedrive", false, "hand"});
-    keys.append({"G", {kLetterG}, {}, "Go to", false, "waypoint"});
+    keys.append({"keypad + 1", {kKeypadPlus}, "1"});
+    keys.append({"keypad - 1", {kKeypadMinus}, "1"});
+    keys.append({"keypad + 6", {kKeypadPlus}, "6"});
+    keys.append({"keypad - 6", {kKeypadMinus}, "6"});
+    keys.append({"keypad 4 +", {kKeypad4, kKeypadPlus}, {}, true});
+    keys.append({"keypad 4 -", {kKeypad4, kKeypadMinus}, {}, true});
+    keys.append({"Home", {kHome}, {}});
+    keys.append({"Backspace", {kBackspace}, {}, false, "back"});
+    keys.append({"End", {kEnd}, {}, false, "tilt"});
+    keys.append({"F", {kLetterF}, {}, false, "hand"});
+    keys.append({"G", {kLetterG}, {}, false, "waypoint"});
     return keys;
 }
 
@@ -166,62 +167,48 @@ QList<MatrixCell> wholeMatrix() {
 }
 
 QList<MatrixCell> everyPair() {
-    // By kind, as the first key of it; then the keys of the kind take turns.
-    QMap<QString, QList<int>> kinds;
-    for (int key = 0; key < heldKeys().size(); ++key) {
-        kinds[heldKeys()[key].kind].append(key);
-    }
-    QList<MatrixCell> candidates;
-    for (const MatrixCell& cell : wholeMatrix()) {
-        if (kinds[heldKeys()[cell.key].kind].first() == cell.key) {
-            candidates.append(cell);
-        }
-    }
-    // One number for each pair of values.
-    const auto pairsOf = [](const MatrixCell& c) {
-        const int values[] = {c.key, 100 + int(c.modifier), 200 + int(c.order), 300 + c.layout};
-        QList<int> pairs;
-        for (int a = 0; a < 4; ++a) {
-            for (int b = a + 1; b < 4; ++b) {
-                // With no modifier the order says nothing.
-                if (c.modifier != Modifier::None || (a != 2 && b != 2)) {
-                    pairs.append(values[a] * 1000 + values[b]);
-                }
-            }
+    // A number for each value, of the key, the modifier, the order and the layout.
+    const int keys = int(heldKeys().size());
+    constexpr int kModifiers = 7;
+    constexpr int kOrders = 4;
+    const int values = keys + kModifiers + kOrders + int(layouts().size());
+    const auto pairsOf = [&](const MatrixCell& cell) {
+        const bool ordered = cell.modifier != Modifier::None;  // with no modifier the order says nothing
+        const int modifier = keys + int(cell.modifier);
+        const int order = keys + kModifiers + int(cell.order);
+        const int layout = keys + kModifiers + kOrders + cell.layout;
+        const auto pair = [values](int one, int other) { return std::size_t(one * values + other); };
+        std::vector<std::size_t> pairs{pair(cell.key, modifier), pair(cell.key, layout),
+                                       pair(modifier, layout)};
+        if (ordered) {
+            pairs.insert(pairs.end(), {pair(cell.key, order), pair(modifier, order), pair(order, layout)});
         }
         return pairs;
     };
-    QSet<int> open;
-    for (const MatrixCell& cell : std::as_const(candidates)) {
-        const QList<int> pairs = pairsOf(cell);
-        open.unite(QSet<int>(pairs.begin(), pairs.end()));
-    }
-    QList<MatrixCell> chosen;
-    const auto choose = [&](MatrixCell cell) {
-        const QList<int> pairs = pairsOf(cell);
-        open.subtract(QSet<int>(pairs.begin(), pairs.end()));
-        QList<int>& turns = kinds[heldKeys()[cell.key].kind];
-        cell.key = turns.takeFirst();
-        turns.append(cell.key);
-        chosen.append(cell);
+    struct Candidate {
+        MatrixCell cell;
+        std::vector<std::size_t> pairs;
     };
-    const QMap<QString, QList<int>> firsts = kinds;
-    while (!open.isEmpty()) {
-        // Greedy: always the one that has most pairs not met yet.
-        choose(*std::ranges::max_element(candidates, {}, [&](const MatrixCell& cell) {
-            return std::ranges::count_if(pairsOf(cell), [&](int pair) { return open.contains(pair); });
-        }));
-    }
-    for (const QList<int>& keys : firsts) {
-        // A kind with more keys than it has had turns.
-        for (qsizetype extra = 0; extra < keys.size(); ++extra) {
-            if (std::ranges::none_of(chosen, [&](const MatrixCell& c) { return c.key == keys[extra]; })) {
-                chosen.append(
-                    {keys[extra], Modifier(1 + extra % 6), Order::After, int(extra % layouts().size())});
-            }
+    std::vector<Candidate> candidates;
+    std::vector<bool> open(std::size_t(values * values), false);
+    for (const MatrixCell& cell : wholeMatrix()) {
+        candidates.push_back({cell, pairsOf(cell)});
+        for (const std::size_t pair : candidates.back().pairs) {
+            open[pair] = true;
         }
     }
-    // A layout is set once, not for every cell.
+    QList<MatrixCell> chosen;
+    while (std::ranges::find(open, true) != open.end()) {
+        // Greedy: always the one that has most pairs not met yet.
+        const Candidate& best = *std::ranges::max_element(candidates, {}, [&](const Candidate& candidate) {
+            return std::ranges::count_if(candidate.pairs, [&](std::size_t pair) { return bool(open[pair]); });
+        });
+        for (const std::size_t pair : best.pairs) {
+            open[pair] = false;
+        }
+        chosen.append(best.cell);
+    }
+    // A layout is set once, not for every cell; and what needs the arm elsewhere comes in a row.
     std::ranges::stable_sort(chosen, {}, [](const MatrixCell& c) { return std::pair(c.layout, c.key); });
     return chosen;
 }
@@ -245,21 +232,17 @@ bool MatrixTrial::makeReady(int layout) {
         }
         waypoint_ = cell_->arm().joints();
     }
-    if (!cell_->place("armedFrame").visible) {
-        // By its shortcut, which a layout without Latin letters cannot write.
-        layout_ = -1;
-        if (!cell_->setLayout("us") || !cell_->armKeyboard()) {
-            what_ = "keyboard jogging could not be armed";
-            cell_.reset();
-            return false;
-        }
-    }
     if (layout_ != layout) {
         if (!cell_->setLayout(layouts()[layout])) {
             what_ = "the layout could not be set";
             return false;
         }
         layout_ = layout;
+    }
+    if (!cell_->armKeyboard()) {
+        what_ = "keyboard jogging could not be armed";
+        cell_.reset();
+        return false;
     }
     return true;
 }
@@ -360,7 +343,7 @@ CellOutcome MatrixTrial::run(const MatrixCell& cell) {
     if (keys.isEmpty()) {
         return {CellOutcome::Kind::NoSuchKeys, 0, {}};
     }
-    if (!prepare(key.preparation) || !arm.untilStanding(2)) {
+    if (!prepare(key.preparation) || !arm.untilStanding(2, kStandsAlready)) {
         cell_.reset();
         return {CellOutcome::Kind::Broken, 0, "the arm could not be prepared"};
     }

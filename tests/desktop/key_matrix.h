@@ -16,7 +16,6 @@ struct HeldKey {
     QString name;
     QList<int> codes;       ///< pressed in this order
     QString characters;     ///< pressed after them
-    QString kind;           ///< keys of one kind are treated alike by the program
     bool numLock = false;   ///< only with NumLock lit does it mean this
     QString preparation{};  ///< what has to be done before, so that there is a way to go
 };
@@ -47,8 +46,7 @@ QString nameOf(const MatrixCell& cell);
 
 /// All of it. With no modifier there is no order.
 QList<MatrixCell> wholeMatrix();
-/// Few of them, in which each two values of kind of key, layout, modifier and order meet, and every key
-/// comes. Always the same.
+/// Few of them, in which each two values of key, layout, modifier and order meet. Always the same.
 QList<MatrixCell> everyPair();
 
 struct CellOutcome {
