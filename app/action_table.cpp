@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/action_table.h"
 
-#include <QCoreApplication>
+#include <QApplication>
+#include <QKeyEvent>
 #include <QWidget>
+#include <algorithm>
+
+#include "widgets/common/physical_keys.h"
 
 namespace tiller::app {
 namespace {
@@ -38,7 +42,9 @@ QList<QPair<QString, QString>> actionMenus() {
             {"app", MenuText::tr("Program Tiller")}};
 }
 
-ActionTable::ActionTable(QWidget& owner) : QObject(&owner), owner_(owner) {}
+ActionTable::ActionTable(QWidget& owner) : QObject(&owner), owner_(owner) {
+    qApp->installEventFilter(this);
+}
 
 QAction* ActionTable::add(ActionSpec spec) {
     auto* action = new QAction(spec.text, this);
@@ -110,6 +116,56 @@ void ActionTable::setShortcuts(const QMap<QString, QKeySequence>& chosen) {
         const auto own = chosen.constFind(action->objectName());
         action->setShortcut(own == chosen.constEnd() ? builtInShortcut(*action) : *own);
     }
+}
+
+QAction* ActionTable::heardAt(const QWidget& focus, const QKeySequence& keys) const {
+    const auto hears = [&](const QAction& action) {
+        const QObjectList owners = action.associatedObjects();
+        return std::any_of(owners.begin(), owners.end(), [&](const QObject* owner) {
+            const auto* widget = qobject_cast<const QWidget*>(owner);
+            return widget != nullptr && widget->isVisible() && widget->isEnabled() &&
+                   (action.shortcutContext() == Qt::WindowShortcut || widget == &focus ||
+                    (action.shortcutContext() == Qt::WidgetWithChildrenShortcut &&
+                     widget->isAncestorOf(&focus)));
+        });
+    };
+    const auto found = std::find_if(actions_.begin(), actions_.end(), [&](const QAction* action) {
+        return action->isEnabled() && action->shortcuts().contains(keys) && hears(*action);
+    });
+    return found != actions_.end() ? *found : nullptr;
+}
+
+bool ActionTable::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() != QEvent::KeyPress || !watched->isWidgetType()) {
+        return false;
+    }
+    const auto& press = *static_cast<QKeyEvent*>(event);
+    const int letter = PhysicalKeys::keyOf(press);
+    if (letter == press.key() || press.isAutoRepeat() || QApplication::activeModalWidget() != nullptr ||
+        QApplication::activePopupWidget() != nullptr) {
+        return false;
+    }
+    auto* focus = static_cast<QWidget*>(watched);
+    QWidget* window = focus->window();
+    if (window->windowType() == Qt::Tool && window->parentWidget() != nullptr) {
+        window = window->parentWidget()->window();  // a floating dock
+    }
+    QAction* action = window == &owner_
+                          ? heardAt(*focus, QKeySequence(QKeyCombination(press.modifiers(), Qt::Key(letter))))
+                          : nullptr;
+    if (action == nullptr) {
+        return false;
+    }
+    // As with every shortcut, who has the focus goes first: a field wants the letter for itself.
+    QKeyEvent question(QEvent::ShortcutOverride, letter, press.modifiers(), press.nativeScanCode(),
+                       press.nativeVirtualKey(), press.nativeModifiers(), press.text());
+    question.ignore();
+    QApplication::sendEvent(focus, &question);
+    if (question.isAccepted()) {
+        return false;
+    }
+    action->trigger();
+    return true;
 }
 
 QString ActionTable::helpText() const {

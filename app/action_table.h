@@ -60,7 +60,13 @@ public:
 public Q_SLOTS:
     void applyState(const tiller::SessionState& state);
 
+protected:
+    /// Where the keyboard writes no Latin letters, a shortcut with a letter is meant by the place of its key.
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
+    QAction* heardAt(const QWidget& focus, const QKeySequence& keys) const;
+
     struct Rule {
         QAction* action;
         std::function<QString(const SessionState&)> obstacle;

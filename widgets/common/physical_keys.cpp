@@ -5,6 +5,47 @@
 
 namespace tiller {
 
+namespace {
+
+#ifdef Q_OS_WIN
+constexpr quint32 kFirstCode = 0;
+#else
+constexpr quint32 kFirstCode = 8;  // X11 and Wayland count the same keys from here
+#endif
+
+/// Cyrillic, Greek, Hebrew and so on; signs and digits belong to no script.
+bool writesLetterOfAnotherScript(const QKeyEvent& event) {
+#ifdef Q_OS_MACOS
+    return event.key() < 0;  // Qt gives shortcuts their Latin letters there by itself
+#else
+    const int key = event.key();
+    if (key < 0x100 || key > static_cast<int>(QChar::LastValidCodePoint)) {
+        return false;
+    }
+    const QChar::Script script = QChar::script(static_cast<char32_t>(key));
+    return script != QChar::Script_Latin && script != QChar::Script_Common;
+#endif
+}
+
+/// The letter that a US keyboard has at this place; 0 where it has none.
+int letterAt(quint32 scanCode) {
+    struct Row {
+        quint32 first;
+        QLatin1String letters;
+    };
+    static const Row rows[] = {{kFirstCode + 16, QLatin1String("QWERTYUIOP")},
+                               {kFirstCode + 30, QLatin1String("ASDFGHJKL")},
+                               {kFirstCode + 44, QLatin1String("ZXCVBNM")}};
+    for (const Row& row : rows) {
+        if (scanCode >= row.first && scanCode - row.first < static_cast<quint32>(row.letters.size())) {
+            return row.letters.at(static_cast<qsizetype>(scanCode - row.first)).unicode();
+        }
+    }
+    return 0;
+}
+
+}  // namespace
+
 KeyCode PhysicalKeys::codeOf(const QKeyEvent& event) {
     KeyCode code = event.nativeScanCode();
 #ifdef Q_OS_MACOS
@@ -12,6 +53,11 @@ KeyCode PhysicalKeys::codeOf(const QKeyEvent& event) {
     code = event.nativeVirtualKey() + 1;
 #endif
     return code != 0 && hasNumber(code) ? code : kNoNumber | static_cast<KeyCode>(event.key());
+}
+
+int PhysicalKeys::keyOf(const QKeyEvent& event) {
+    const int letter = writesLetterOfAnotherScript(event) ? letterAt(event.nativeScanCode()) : 0;
+    return letter != 0 ? letter : event.key();
 }
 
 PhysicalKeys::Change PhysicalKeys::take(const QKeyEvent& event, int meaning) {

@@ -34,6 +34,10 @@ public:
     static KeyCode codeOf(const QKeyEvent& event);
     static bool hasNumber(KeyCode code) { return (code & kNoNumber) == 0; }
 
+    /// The Qt::Key to look a command up by: what the key writes or, where that is a letter of a script without
+    /// the letters of shortcuts, the letter that a US keyboard has at its place.
+    static int keyOf(const QKeyEvent& event);
+
     /// Takes a press or a release in.
     /// meaning  remembered when the key goes down; any number
     Change take(const QKeyEvent& event, int meaning);

@@ -63,7 +63,8 @@ int meaningOf(const QKeyEvent& event) {
     if (event.key() == Qt::Key_Equal && !shift) {
         return Qt::Key_Plus;
     }
-    return event.key() == Qt::Key_Underscore && shift ? static_cast<int>(Qt::Key_Minus) : event.key();
+    return event.key() == Qt::Key_Underscore && shift ? static_cast<int>(Qt::Key_Minus)
+                                                      : PhysicalKeys::keyOf(event);
 }
 
 }  // namespace

@@ -339,7 +339,7 @@ bool WaypointsTab::goToKey(const QKeyEvent& key) {
         }
         return true;
     }
-    if (!press || key.key() != Qt::Key_G || key.modifiers() != Qt::NoModifier ||
+    if (!press || PhysicalKeys::keyOf(key) != Qt::Key_G || key.modifiers() != Qt::NoModifier ||
         !window()->isActiveWindow() || QApplication::activeModalWidget() != nullptr ||
         QApplication::activePopupWidget() != nullptr || typingSomewhere()) {
         return false;

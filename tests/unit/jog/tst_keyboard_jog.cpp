@@ -28,6 +28,7 @@ struct Bench {
     VirtualClock clock;
     QWidget window;
     HoldButton home{QStringLiteral("Home"), &window};
+    HoldButton freedrive{QStringLiteral("Freedrive"), &window};
     QLineEdit text{&window};
     AxisJog jog{port, selection, [] { return QString(); }, &window};
     KeyboardJog keyboard{jog, window};
@@ -47,16 +48,19 @@ struct Bench {
             ends << cause;
         };
         port.limits = [] { return control::MotionLimits(); };
-        home.setMotion({.begin = [this]() -> Result<HoldMotion::Id> { return running = ++next; },
-                        .hold = port.hold,
-                        .end = port.endMotion,
-                        .runsToEnd = {}});
         auto* layout = new QVBoxLayout(&window);
-        layout->addWidget(&home);
+        for (HoldButton* key : {&home, &freedrive}) {
+            key->setMotion({.begin = [this]() -> Result<HoldMotion::Id> { return running = ++next; },
+                            .hold = port.hold,
+                            .end = port.endMotion,
+                            .runsToEnd = {}});
+            key->guard().setClock(clock);
+            layout->addWidget(key);
+        }
         layout->addWidget(&text);
         jog.setClock(clock);
-        home.guard().setClock(clock);
         keyboard.addHoldKey(Qt::Key_Home, home.guard());
+        keyboard.addHoldKey(Qt::Key_F, freedrive.guard());
         window.show();
         window.activateWindow();
         if (!QTest::qWaitForWindowActive(&window)) {
@@ -338,6 +342,36 @@ private Q_SLOTS:
         b.up(scan::kRight, Qt::Key_Right);
         b.up(scan::kHome, Qt::Key_Home);
         QCOMPARE(b.next, 1U);
+    }
+
+    void aLetterIsMeantByItsPlaceWhereTheLayoutHasNone_data() {
+        QTest::addColumn<quint32>("code");
+        QTest::addColumn<int>("written");
+        QTest::addColumn<int>("meant");
+        QTest::newRow("us") << quint32(41) << int(Qt::Key_F) << int(Qt::Key_F);
+        QTest::newRow("ru, F") << quint32(41) << 0x0410 << int(Qt::Key_F);
+        QTest::newRow("ru, J") << quint32(44) << 0x041e << int(Qt::Key_J);
+        QTest::newRow("gr, Q writes a sign")
+            << quint32(24) << int(Qt::Key_Semicolon) << int(Qt::Key_Semicolon);
+        QTest::newRow("gr, M") << quint32(58) << 0x039c << int(Qt::Key_M);
+        QTest::newRow("he, P") << quint32(33) << 0x05e4 << int(Qt::Key_P);
+        QTest::newRow("dvorak, F writes U") << quint32(41) << int(Qt::Key_U) << int(Qt::Key_U);
+        QTest::newRow("turkish, I without its dot") << quint32(31) << 0x0131 << 0x0131;
+        QTest::newRow("ru, a letter where us has a sign") << quint32(47) << 0x0416 << 0x0416;
+        QTest::newRow("no letter") << quint32(110) << int(Qt::Key_Home) << int(Qt::Key_Home);
+        QTest::newRow("no number") << quint32(0) << 0x0410 << 0x0410;
+    }
+    void aLetterIsMeantByItsPlaceWhereTheLayoutHasNone() {
+        QFETCH(quint32, code);
+        QFETCH(int, written);
+        QFETCH(int, meant);
+        const QKeyEvent event(QEvent::KeyPress, written, Qt::NoModifier, code, 0, 0);
+        QCOMPARE(PhysicalKeys::keyOf(event), meant);
+        Bench b;
+        b.down(code, written);
+        QCOMPARE(b.freedrive.isHolding(), meant == Qt::Key_F);
+        b.up(code, written);
+        QVERIFY(!b.moves());
     }
 
     void keysBelongToAnOpenMenu() {
