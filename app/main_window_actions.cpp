@@ -242,6 +242,7 @@ void MainWindow::addControlActions() {
                        return !why.isEmpty()                         ? why
                               : s.robotMode != RobotMode::Running    ? robotModeWords(s.robotMode).advice
                               : s.control == ControlState::InControl ? tr("In control already.")
+                              : s.remoteNeeded                       ? texts::remoteObstacle()
                                                                      : QString();
                    }});
     actions_->add({"control.release",
@@ -432,12 +433,29 @@ void MainWindow::showHelp() {
     text->setAccessibleName(tr("Help"));
     text->setHtml(
         tr("<h2>Moving the arm</h2><p>The arm moves while a key of the pad is held, and stops when it is let "
-           "go: also when the pointer leaves the key, the window loses the focus, anything opens over it, "
-           "a second button is pressed, or data from the robot are late. A stopped motion needs a new "
-           "press. <b>Space</b> and <b>Esc</b> stop from everywhere. This is a software stop, not an "
-           "emergency stop: keep the emergency stop within reach.</p>"
+           "go. It also stops when</p><ul>"
+           "<li>the pointer leaves the key, a second button is pressed, or another hand joins in;</li>"
+           "<li>another key or modifier goes down beside a held key of the keyboard;</li>"
+           "<li>the window loses the focus, anything opens over it, or another frame, speed, step or tab is "
+           "chosen;</li>"
+           "<li>data from the robot are late, this program hangs, the robot leaves Running, or its safety "
+           "mode "
+           "or Remote control;</li>"
+           "<li>the screen is locked, the PC goes to sleep, or the device is unplugged or falls silent;</li>"
+           "<li>nobody can prove that the key is still held: on X11 the display server is asked a hundred "
+           "times a second whether the button or key is down, and a “no”, or no answer for 100 ms, ends the "
+           "motion. Where nobody can be asked, header and Settings say so;</li>"
+           "<li>it has been held for long: a jog for %1 s (Settings), Freedrive for five minutes, a move to "
+           "a "
+           "place for 5 s more than it takes. The last 3 s are counted down.</li></ul>"
+           "<p>A stopped motion needs a new press. <b>Space</b> and <b>Esc</b> stop from everywhere, "
+           "programs "
+           "of others too. This is a software stop, not an emergency stop: keep the emergency stop within "
+           "reach.</p>"
            "<p><b>Ctrl</b> makes a press ten times finer, <b>Shift</b> three times faster, never above "
-           "the cap.</p><h2>Commands</h2>") +
+           "the cap. On a keyboard without Latin letters a letter below means its place on a US keyboard.</p>"
+           "<h2>Commands</h2>")
+            .arg(preferences_.longestHold) +
         actions_->helpText());
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
     connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::close);

@@ -95,6 +95,16 @@ private Q_SLOTS:
         robot_.reset();
     }
 
+    void controlIsNotOfferedInLocal() {
+        QTRY_VERIFY(action("control.take")->isEnabled());
+        robot_->setRemoteControl(false);
+        QTRY_VERIFY_WITH_TIMEOUT(!action("control.take")->isEnabled(), 20'000);
+        QVERIFY2(action("control.take")->toolTip().contains("Switch the robot to Remote"),
+                 qPrintable(action("control.take")->toolTip()));
+        robot_->setRemoteControl(true);
+        QTRY_VERIFY_WITH_TIMEOUT(action("control.take")->isEnabled(), 20'000);
+    }
+
     void aProgramIsLoadedPlayedPausedResumedAndStopped() {
         QVERIFY(load("wait.urp"));
         QTRY_VERIFY_WITH_TIMEOUT(state().loadedProgram.contains("wait.urp"), 20'000);

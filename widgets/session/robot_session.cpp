@@ -152,6 +152,7 @@ void RobotSession::disconnectFromRobot() {
     d_->report = {};
     d_->reportAsked = false;
     d_->remoteSeen = false;
+    d_->localRefuses = false;
     d_->primarySeen = false;
     d_->history.clear();
     d_->sampleConnection = 0;
@@ -206,6 +207,8 @@ void RobotSession::takeControl() {
                 Q_EMIT message(Severity::Info, tr("Taking control was ended by a stop"));
             } else {
                 d_->refusal = texts::errorText(result.error());
+                d_->localRefuses =
+                    d_->localRefuses || result.error().code == ErrorCode::RemoteControlRequired;
                 Q_EMIT message(Severity::Error, d_->refusal);
             }
             refresh();

@@ -161,6 +161,10 @@ void RobotSession::followService(const dashboard::ServiceReport& report) {
     if (was && !d_->remoteSeen) {
         leaveForLocal();
     } else if (!was && d_->remoteSeen) {
+        d_->localRefuses = true;
+        if (d_->state.control == ControlState::Refused) {
+            d_->refusal.clear();  // what it was refused for is over, or shows again at the next attempt
+        }
         d_->link->foreignStop->reconnect();
     }
 }

@@ -109,6 +109,8 @@ void RobotSession::Backend::readSample() {
     state.remoteControl = state.version.isCb3() || report.remoteControl.value_or(false);
     state.controlPlaceKnown = state.version.isCb3() || report.remoteControl.has_value() ||
                               report.kind == dashboard::ServiceKind::Unknown;
+    // Remote control may be switched off altogether; such a robot says "Local" and takes everything.
+    state.remoteNeeded = localRefuses && report.remoteControl == false;
     state.operationalMode = report.operationalMode;
     state.loadedProgram = report.program;
 }
@@ -184,7 +186,10 @@ QString RobotSession::Backend::obstacle() const {
     if (state.control == ControlState::InControl) {
         return {};
     }
-    return refusal.isEmpty() ? texts::controlLossText(lossSeen) : refusal;
+    if (!refusal.isEmpty()) {
+        return refusal;
+    }
+    return state.remoteNeeded ? texts::remoteObstacle() : texts::controlLossText(lossSeen);
 }
 
 }  // namespace tiller

@@ -51,8 +51,9 @@ struct RobotSession::Backend {
     dashboard::ServiceReport report;     ///< asked for about once a second; Unknown until it was answered
     std::int64_t reportAskedNs = 0;
     bool reportAsked = false;
-    bool remoteSeen = false;   ///< the robot was in Remote control when it was asked last
-    bool primarySeen = false;  ///< its primary interface was connected in the last frame
+    bool remoteSeen = false;    ///< the robot was in Remote control when it was asked last
+    bool localRefuses = false;  ///< it was in Remote once, or has refused something for being in Local
+    bool primarySeen = false;   ///< its primary interface was connected in the last frame
     bool takingControl = false;
     CancelToken taking;  ///< ends the taking under way
     control::MotionLimits limits;

@@ -77,6 +77,7 @@ struct SessionState {
     RuntimeState runtimeState = RuntimeState::Stopped;
     bool remoteControl = false;
     bool controlPlaceKnown = true;  ///< false where the software tells neither Local nor Remote
+    bool remoteNeeded = false;      ///< in Local, and known to take no commands there
     dashboard::ServiceKind service = dashboard::ServiceKind::Unknown;  ///< what power and programs go through
     QString operationalMode;  ///< "MANUAL", "AUTOMATIC"; empty: none set, or not known
     QString loadedProgram;    ///< on the robot; empty: none

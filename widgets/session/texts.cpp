@@ -253,6 +253,10 @@ QString serviceObstacle(const SessionState& state, dashboard::RobotCommand comma
                      "PolyScope X has no command for closing popups over the network: use the tablet.");
 }
 
+QString remoteObstacle() {
+    return errorText({ErrorCode::RemoteControlRequired, {}, {}});
+}
+
 QString controlLossText(control::ControlLoss loss) {
     using control::ControlLoss;
     switch (loss) {

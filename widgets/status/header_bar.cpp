@@ -223,10 +223,11 @@ void HeaderBar::showStep() {
     }
     step_ = nextStep(state_);
     stepButton_->setVisible(step_ != NextStep::None);
-    stepButton_->setEnabled(true);
+    const QString obstacle = nextStepObstacle(state_);
+    stepButton_->setEnabled(obstacle.isEmpty());
     stepButton_->setText(nextStepText(step_));
     stepButton_->setAccessibleName(step_ == NextStep::None ? tr("Next step") : nextStepText(step_));
-    stepButton_->setToolTip(nextStepAdvice(step_));
+    stepButton_->setToolTip(obstacle.isEmpty() ? nextStepAdvice(step_) : obstacle);
 }
 
 void HeaderBar::keepPlaces() {

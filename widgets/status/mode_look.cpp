@@ -280,6 +280,11 @@ NextStep nextStep(const SessionState& state) {
     }
 }
 
+QString nextStepObstacle(const SessionState& state) {
+    return nextStep(state) == NextStep::TakeControl && state.remoteNeeded ? texts::remoteObstacle()
+                                                                          : QString();
+}
+
 QString nextStepText(NextStep step) {
     switch (step) {
         case NextStep::None:

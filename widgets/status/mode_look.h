@@ -39,5 +39,7 @@ NextStep nextStep(const SessionState& state);
 /// "Power on"; empty for None.
 QString nextStepText(NextStep step);
 QString nextStepAdvice(NextStep step);
+/// Why it cannot be taken now, with what to do first; empty when it can.
+QString nextStepObstacle(const SessionState& state);
 
 }  // namespace tiller

@@ -106,6 +106,43 @@ private Q_SLOTS:
         QVERIFY(bench.beginJog());
     }
 
+    // What takes no commands is known as soon as it has been in Remote once.
+    void inLocalTheNextStepIsAtTheTeachPendant() {
+        Bench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.knowsRemote());
+        QVERIFY(!bench.session.state().remoteNeeded);
+        bench.cell.robot.setRemoteControl(false);
+        QVERIFY(bench.within([&] { return bench.session.state().remoteNeeded; }));
+        QVERIFY2(bench.session.state().controlReason.contains(QStringLiteral("Switch the robot to Remote")),
+                 qPrintable(bench.session.state().controlReason));
+        bench.cell.robot.setRemoteControl(true);
+        QVERIFY(bench.within([&] { return !bench.session.state().remoteNeeded; }));
+        QVERIFY(!bench.session.state().controlReason.contains(QStringLiteral("Remote")));
+    }
+
+    // Or when it has refused; and a refusal is forgotten when the robot is in Remote.
+    void aRefusalInLocalIsRememberedUntilItIsInRemote() {
+        simulator::ControllerOptions options = VirtualCell::options();
+        options.remoteControl = false;
+        options.gateLocalControl = true;
+        options.gateLoopbackClients = true;
+        Bench bench(options);
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(
+            bench.within([&] { return bench.session.state().service == dashboard::ServiceKind::Dashboard; }));
+        QVERIFY(!bench.session.state().remoteNeeded);
+        bench.session.takeControl();
+        QVERIFY(bench.within([&] { return bench.session.state().control == ControlState::Refused; }));
+        QVERIFY2(bench.session.state().remoteNeeded, qPrintable(bench.said()));
+        bench.cell.robot.setRemoteControl(true);
+        QVERIFY(bench.knowsRemote());
+        QVERIFY(!bench.session.state().remoteNeeded);
+        QCOMPARE(bench.session.state().control, ControlState::None);
+        bench.session.takeControl();
+        QVERIFY2(bench.within([&] { return bench.isInControl(); }), qPrintable(bench.said()));
+    }
+
     // Remote control switched off in the settings of the robot: it answers "false" from the beginning.
     void aRobotThatNeverWasInRemoteIsNoTransition() {
         simulator::ControllerOptions options = VirtualCell::options();
@@ -115,6 +152,7 @@ private Q_SLOTS:
         QVERIFY(
             bench.within([&] { return bench.session.state().service == dashboard::ServiceKind::Dashboard; }));
         QVERIFY(bench.beginJog());
+        QVERIFY(!bench.session.state().remoteNeeded);
         bench.cell.advanceMs(3000);
         QVERIFY(bench.isInControl());
         QVERIFY(bench.cell.truth().tcpSpeed.linear.norm() > 0.01);

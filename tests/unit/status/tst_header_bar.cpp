@@ -202,6 +202,30 @@ private Q_SLOTS:
         QVERIFY(session.asked.isEmpty());
     }
 
+    void controlIsNotOfferedInALocalThatRefuses() {
+        FakeSession session;
+        HeaderBar header(session.port());
+        header.show();
+        SessionState state = movingState();
+        state.control = ControlState::None;
+        state.remoteControl = false;
+        header.applyState(state);
+        auto* button = header.findChild<QPushButton*>(QStringLiteral("nextStepButton"));
+        QVERIFY2(button->isEnabled(),
+                 "remote control may be switched off altogether: Local takes commands then");
+        state.remoteNeeded = true;
+        header.applyState(state);
+        QVERIFY(button->isVisible() && !button->isEnabled());
+        QVERIFY2(button->toolTip().contains(QStringLiteral("Switch the robot to Remote")),
+                 qPrintable(button->toolTip()));
+        QTest::mouseClick(button, Qt::LeftButton);
+        QVERIFY(session.asked.isEmpty());
+        state.remoteNeeded = false;
+        state.remoteControl = true;
+        header.applyState(state);
+        QTRY_VERIFY(button->isVisible() && button->isEnabled());
+    }
+
     void inControlThereIsNoButton() {
         FakeSession session;
         HeaderBar header(session.port());
