@@ -47,7 +47,7 @@
 namespace tiller::app {
 namespace {
 
-constexpr QSize kSmallest{1280, 720};
+constexpr QSize kSmallest{1264, 672};  // a screen of 1280 x 720 less title bar and borders
 constexpr QSize kStart{1600, 900};
 /// Between panels [px].
 constexpr int kGap = 10;

@@ -4,8 +4,11 @@
 // losing a robot.
 
 #include <QAbstractButton>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QTabBar>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -13,6 +16,8 @@
 #include "resources/resources.h"
 #include "robot/simulator/controller.h"
 #include "tests/ui/jog_fixture.h"
+#include "widgets/common/segmented_control.h"
+#include "widgets/jog/limiter_line.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
 using namespace tiller;
@@ -44,6 +49,7 @@ private Q_SLOTS:
     void nothingIsCutOffAtTheSmallestSize_data() {
         QTest::addColumn<QSize>("size");
         QTest::newRow("1280x720") << QSize(1280, 720);
+        QTest::newRow("1280x720 less a title bar") << QSize(1264, 672);
         QTest::newRow("1920x1080") << QSize(1920, 1080);
     }
     void nothingIsCutOffAtTheSmallestSize() {
@@ -79,6 +85,19 @@ private Q_SLOTS:
                                     .arg(widget->objectName(), widget->accessibleName())));
         }
         QVERIFY2(looked > 30, "the window has more controls than this");
+        // The line of the limiter has its room as well: what is squeezed would be drawn over the keys.
+        auto* limiter = window.findChild<LimiterLine*>();
+        const QList<HoldButton*> keys = window.findChildren<HoldButton*>();
+        for (const int tab : {1, 0}) {
+            window.findChild<SegmentedControl*>("jogDetail")->setCurrentIndex(tab);
+            cell.advanceMs(20);
+            const QRect line(limiter->mapTo(&window, QPoint(0, 0)), limiter->size());
+            QVERIFY(limiter->height() >= limiter->minimumSizeHint().height());
+            for (const HoldButton* key : keys) {
+                const QRect place(key->mapTo(&window, QPoint(0, 0)), key->size());
+                QVERIFY2(!key->isVisible() || !place.intersects(line), qPrintable(key->objectName()));
+            }
+        }
         saveScreenshots(window, QStringLiteral("%1x%2").arg(size.width()).arg(size.height()));
     }
 
@@ -98,6 +117,50 @@ private Q_SLOTS:
             }
         }
         QVERIFY2(nameless.isEmpty(), qPrintable(nameless.join(", ")));
+    }
+
+    // A Russian keyboard alone: no layout beside it has the letters.
+    void shortcutsAreMeantByThePlaceOfTheirKey() {
+        VirtualClock clock;
+        app::MainWindow window(settings(), clock);
+        VirtualCell cell(clock, window.session());
+        window.show();
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        QVERIFY2(cell.bringUp(), qPrintable(cell.what()));
+        struct Letter {
+            quint32 code;
+            int key;
+        };
+        constexpr Letter kJ{44, 0x041e};
+        constexpr Letter kT{28, 0x0415};
+        const auto type = [](QWidget& to, const Letter& letter, Qt::KeyboardModifiers modifiers = {},
+                             bool repeat = false) {
+            const QString text = modifiers == Qt::NoModifier ? QString(QChar(letter.key)) : QString();
+            QKeyEvent press(QEvent::KeyPress, letter.key, modifiers, letter.code, 0, 0, text, repeat);
+            QApplication::sendEvent(&to, &press);
+        };
+        window.setFocus();
+        type(window, kJ, Qt::ControlModifier);
+        QVERIFY2(window.findChild<QWidget*>("armedFrame") != nullptr, "Ctrl+J arms");
+        type(window, kJ, Qt::ControlModifier, true);
+        QVERIFY2(window.findChild<QWidget*>("armedFrame") != nullptr, "a repeated key is no press");
+        type(window, kJ, Qt::ControlModifier | Qt::AltModifier);
+        QVERIFY2(window.findChild<QWidget*>("armedFrame") != nullptr, "another shortcut");
+        type(window, kJ, Qt::ControlModifier);
+        QVERIFY2(window.findChild<QWidget*>("armedFrame") == nullptr, "and disarms");
+
+        auto* table = window.waypoints().findChild<QTableView*>();
+        QVERIFY(table != nullptr);
+        const int taught = table->model()->rowCount();
+        type(window, kT);
+        QCOMPARE(table->model()->rowCount(), taught + 1);
+        QLineEdit field(&window);
+        field.show();
+        field.setFocus();
+        type(field, kT);
+        QCOMPARE(table->model()->rowCount(), taught + 1);
+        QCOMPARE(field.text(), QString(QChar(kT.key)));
     }
 
     void stopIsAlwaysThereAndLargeEnough() {

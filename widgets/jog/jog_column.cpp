@@ -62,10 +62,10 @@ JogColumn::JogColumn(JogPort port, QWidget* parent) : Panel(tr("Jog"), parent), 
     detailTab_->setNames(QStringLiteral("jogDetail"), tr("Shown below the pad"));
     joints_ = new JointRows(body);
     layout->addLayout(inset(pad_, 2, 0), 10);
-    layout->addLayout(inset(limiter_, 8, 4));
+    layout->addLayout(inset(limiter_, 4, 4));
     layout->addLayout(inset(detailTab_, 0, 2));
     layout->addLayout(inset(pose_, 0, 0));
-    layout->addSpacing(8);
+    layout->addSpacing(2);
     layout->addWidget(joints_);
     layout->addStretch(3);
     buildBottom(layout);
@@ -353,14 +353,15 @@ void JogColumn::arrange() {
     const bool jointsChosen = detailTab_->currentIndex() == 1;
     joints_->setCompact(compact_);
     detailTab_->setVisible(compact_);
-    detailTab_->setFixedHeight(30);
+    detailTab_->setFixedHeight(28);
     pose_->setVisible(!compact_ || !jointsChosen);
     joints_->setVisible(!compact_ || jointsChosen);
     for (SegmentedControl* control : {frame_, motion_, speed_}) {
-        control->setFixedHeight(compact_ ? 32 : 38);
+        control->setFixedHeight(compact_ ? 30 : 38);
     }
     pad_->setMaximumHeight(compact_ ? QWIDGETSIZE_MAX : 3 * 72 + 2 * 8);
-    pad_->setMinimumHeight(compact_ ? 3 * 56 + 2 * 8 : 3 * 72 + 2 * 8);
+    // On a screen of 1280 x 720, under a title bar; with more room the keys take it.
+    pad_->setMinimumHeight(compact_ ? 3 * 46 + 2 * 8 : 3 * 72 + 2 * 8);
 }
 
 }  // namespace tiller

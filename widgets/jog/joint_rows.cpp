@@ -80,7 +80,7 @@ JointRow::JointRow(int joint, QWidget* parent)
 }
 
 QSize JointRow::sizeHint() const {
-    return compact_ ? QSize(170, 31) : QSize(330, 40);
+    return compact_ ? QSize(170, 29) : QSize(330, 40);
 }
 
 QString JointRow::shortName() const {
