@@ -107,6 +107,22 @@ private Q_SLOTS:
         verifyEndedForGood();
     }
 
+    // Two hands at once: the mouse on the pad, the other on the armed keyboard.
+    void aKeyOfTheKeyboardJoinsIn_data() {
+        QTest::addColumn<int>("code");
+        QTest::newRow("arrow") << int(kUp);
+        QTest::newRow("Home") << int(kHome);
+        QTest::newRow("F") << int(kLetterF);
+    }
+    void aKeyOfTheKeyboardJoinsIn() {
+        QFETCH(int, code);
+        hold();
+        hand().press(code);
+        verifyStands();
+        hand().release(code);
+        verifyEndedForGood();
+    }
+
     void theWheelMovesNothing() {
         const Place key = cell().place("jog.X+");
         hand().moveTo(key.middle());
