@@ -258,7 +258,7 @@ const std::vector<ContractEvent>& contractEvents() {
              const bool sent = c.robot.waitForInputPackages(packages + 1, patience());
              c.clock.pretendToRun(false);
              if (!sent) {
-                 qFatal("no stop was sent");
+                 c.fault = QStringLiteral("no stop was sent");
              }
          },
          {[](ContractCell& c) { c.holding = true; }}},
@@ -464,8 +464,9 @@ ContractOutcome ContractCell::run(const ContractMotion& what, const ContractEven
     const simulator::Truth rest = robot.truth();
     outcome.standstillMs = (last.timestamp - before.timestamp) * 1000;
     outcome.driftMm = (rest.tcpPose.position - before.tcpPose.position).norm() * 1000;
+    outcome.problem = fault;
     const bool scaled = robot.options().assumptions.programStops == simulator::Assumptions::Time::Scaled;
-    if (outcome.standstillMs > event.limitMs && !(event.robotBrakes && scaled)) {
+    if (outcome.problem.isEmpty() && outcome.standstillMs > event.limitMs && !(event.robotBrakes && scaled)) {
         outcome.problem = QStringLiteral("%1 ms to standstill").arg(outcome.standstillMs, 0, 'f', 0);
     }
     for (const auto& next : event.after) {

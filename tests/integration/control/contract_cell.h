@@ -156,6 +156,7 @@ public:
     std::function<void()> send;
     bool reachable = true;  ///< packages get from one to the other
     bool holding = true;
+    QString fault;  ///< of the event itself
 
 private:
     double stepTimeMs() const { return 1000 * robot.stepTime(); }
