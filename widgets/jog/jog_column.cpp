@@ -34,6 +34,8 @@ constexpr int kRefusalShownMs = 6000;
 constexpr int kLookMs = 40;
 /// Below this height of the column the joints move into a tab.
 constexpr int kCompactBelow = 800;
+/// Below this one, on a screen of 1280 x 720 under a title bar, the keys of the pad give way a little.
+constexpr int kTightBelow = 570;
 
 }  // namespace
 
@@ -347,6 +349,8 @@ void JogColumn::resizeEvent(QResizeEvent* event) {
         compact_ = compact;
         arrange();
     }
+    const int key = !compact_ ? 72 : height() < kTightBelow ? 46 : 56;
+    pad_->setMinimumHeight(3 * key + 2 * 8);
 }
 
 void JogColumn::arrange() {
@@ -360,8 +364,6 @@ void JogColumn::arrange() {
         control->setFixedHeight(compact_ ? 30 : 38);
     }
     pad_->setMaximumHeight(compact_ ? QWIDGETSIZE_MAX : 3 * 72 + 2 * 8);
-    // On a screen of 1280 x 720, under a title bar; with more room the keys take it.
-    pad_->setMinimumHeight(compact_ ? 3 * 46 + 2 * 8 : 3 * 72 + 2 * 8);
 }
 
 }  // namespace tiller
