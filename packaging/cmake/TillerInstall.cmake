@@ -32,7 +32,7 @@ install(TARGETS tiller_robot ${tiller_room_libraries} tiller_simulator tiller_ur
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/tiller
     INCLUDES DESTINATION include/tiller)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/robot/ DESTINATION include/tiller/robot COMPONENT development
-    FILES_MATCHING PATTERN "*.h" PATTERN "python" EXCLUDE)
+    FILES_MATCHING PATTERN "*.h" PATTERN "python" EXCLUDE PATTERN "detail" EXCLUDE PATTERN "examples" EXCLUDE)
 install(EXPORT tillerTargets NAMESPACE tiller:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/tiller
     COMPONENT development)
 configure_package_config_file(${CMAKE_SOURCE_DIR}/packaging/cmake/tillerConfig.cmake.in

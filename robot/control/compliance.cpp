@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "robot/control/argument_check.h"
-#include "robot/control/controller_private.h"
+#include "robot/control/detail/argument_check.h"
+#include "robot/control/detail/controller_private.h"
 
 namespace tiller::control {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <span>
 
-#include "robot/control/argument_check.h"
-#include "robot/control/controller_private.h"
+#include "robot/control/detail/argument_check.h"
+#include "robot/control/detail/controller_private.h"
 #include "robot/kinematics/speed_bounds.h"
 #include "robot/realtime/realtime_report.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <thread>
 
-#include "robot/control/controller_private.h"
+#include "robot/control/detail/controller_private.h"
 
 namespace tiller::control {
 

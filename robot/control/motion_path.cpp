@@ -3,7 +3,7 @@
 
 #include <QStringList>
 
-#include "robot/control/argument_check.h"
+#include "robot/control/detail/argument_check.h"
 
 namespace tiller::control {
 

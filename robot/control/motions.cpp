@@ -4,8 +4,8 @@
 #include <QStringList>
 #include <algorithm>
 
-#include "robot/control/argument_check.h"
-#include "robot/control/controller_private.h"
+#include "robot/control/detail/argument_check.h"
+#include "robot/control/detail/controller_private.h"
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/kinematics/speed_bounds.h"
 

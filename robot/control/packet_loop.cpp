@@ -8,8 +8,8 @@
 #include <exception>
 #include <thread>
 
-#include "robot/control/controller_private.h"
-#include "robot/control/setpoint_command.h"
+#include "robot/control/detail/controller_private.h"
+#include "robot/control/detail/setpoint_command.h"
 
 namespace tiller::control {
 

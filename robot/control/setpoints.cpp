@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "robot/control/argument_check.h"
-#include "robot/control/controller_private.h"
+#include "robot/control/detail/argument_check.h"
+#include "robot/control/detail/controller_private.h"
+#include "robot/control/detail/setpoint_command.h"
 #include "robot/control/motions.h"
-#include "robot/control/setpoint_command.h"
 
 namespace tiller::control {
 

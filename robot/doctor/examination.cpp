@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "robot/doctor/examiner.h"
+#include "robot/doctor/detail/examiner.h"
 
 namespace tiller::doctor {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "robot/doctor/examiner.h"
+#include "robot/doctor/detail/examiner.h"
 #include "robot/receive/receiver.h"
 #include "robot/receive/robot_state.h"
 #include "robot/rtde/connection.h"

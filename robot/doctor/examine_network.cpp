@@ -8,7 +8,7 @@
 #include <array>
 #include <thread>
 
-#include "robot/doctor/examiner.h"
+#include "robot/doctor/detail/examiner.h"
 #include "robot/script/tcp_socket.h"
 
 namespace tiller::doctor {

@@ -6,7 +6,7 @@
 #include "robot/core/robot_model.h"
 #include "robot/dashboard/dashboard_client.h"
 #include "robot/dashboard/robot_api_client.h"
-#include "robot/doctor/examiner.h"
+#include "robot/doctor/detail/examiner.h"
 #include "robot/script/primary_client.h"
 
 namespace tiller::doctor {

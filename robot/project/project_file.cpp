@@ -7,7 +7,7 @@
 #include <QJsonDocument>
 #include <QSaveFile>
 
-#include "robot/project/project_reader.h"
+#include "robot/project/detail/project_reader.h"
 
 namespace tiller::project {
 namespace {

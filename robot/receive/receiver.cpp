@@ -12,7 +12,7 @@
 #include "robot/realtime/realtime_report.h"
 #include "robot/realtime/seqlock.h"
 #include "robot/realtime/wake_up.h"
-#include "robot/receive/stream_watch.h"
+#include "robot/receive/detail/stream_watch.h"
 #include "robot/rtde/connection.h"
 #include "robot/rtde/fields.h"
 

@@ -11,8 +11,8 @@
 
 #include "robot/realtime/thread_priority.h"
 #include "robot/receive/default_fields.h"
-#include "robot/recording/csv_writer.h"
-#include "robot/recording/recording_file.h"
+#include "robot/recording/detail/csv_writer.h"
+#include "robot/recording/detail/recording_file.h"
 
 namespace tiller::recording {
 

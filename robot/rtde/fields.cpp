@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "robot/rtde/field_tables.h"
+#include "robot/rtde/detail/field_tables.h"
 
 namespace tiller::rtde {
 

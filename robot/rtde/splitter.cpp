@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "robot/rtde/big_endian.h"
 #include "robot/rtde/codec.h"
+#include "robot/rtde/detail/big_endian.h"
 
 namespace tiller::rtde {
 

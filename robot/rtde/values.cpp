@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "robot/rtde/big_endian.h"
 #include "robot/rtde/codec.h"
+#include "robot/rtde/detail/big_endian.h"
 
 namespace tiller::rtde {
 

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "robot/core/native_socket.h"
-#include "robot/script/primary_parser.h"
+#include "robot/script/detail/primary_parser.h"
 #include "robot/script/tcp_socket.h"
 
 namespace tiller::script {

@@ -11,7 +11,7 @@
 
 #include "robot/core/native_socket.h"
 #include "robot/core/tcp_connect.h"
-#include "robot/script/primary_parser.h"
+#include "robot/script/detail/primary_parser.h"
 
 namespace tiller::script {
 

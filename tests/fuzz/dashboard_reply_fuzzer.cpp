@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <mutex>
 
-#include "robot/dashboard/dashboard_commands.h"
+#include "robot/dashboard/detail/dashboard_commands.h"
 #include "tests/support/raw_peer.h"
 
 using namespace tiller;

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "robot/script/primary_parser.h"
+#include "robot/script/detail/primary_parser.h"
 
 using namespace tiller::script;
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "robot/control/registers.h"
+#include "robot/control/detail/registers.h"
 #include "robot/rtde/connection.h"
 #include "robot/simulator/controller.h"
 

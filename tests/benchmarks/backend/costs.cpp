@@ -18,7 +18,7 @@
 #include <unistd.h>
 #endif
 
-#include "robot/control/control_loop.h"
+#include "robot/control/detail/control_loop.h"
 #include "robot/receive/receiver.h"
 #include "robot/rtde/codec.h"
 #include "robot/rtde/fields.h"

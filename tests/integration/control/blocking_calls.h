@@ -13,7 +13,7 @@
 #include "robot/control/programs.h"
 #include "robot/control/tool_setup.h"
 #include "robot/dashboard/dashboard_client.h"
-#include "robot/dashboard/dashboard_commands.h"
+#include "robot/dashboard/detail/dashboard_commands.h"
 #include "robot/io/input_registers.h"
 #include "robot/io/outputs.h"
 #include "robot/receive/receiver.h"

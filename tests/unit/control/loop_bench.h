@@ -5,7 +5,7 @@
 
 #include <QTest>
 
-#include "robot/control/control_loop.h"
+#include "robot/control/detail/control_loop.h"
 #include "robot/core/clock.h"
 #include "robot/kinematics/arm_kinematics.h"
 

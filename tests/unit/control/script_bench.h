@@ -8,8 +8,8 @@
 #include <functional>
 #include <map>
 
-#include "robot/control/control_script.h"
-#include "robot/control/registers.h"
+#include "robot/control/detail/control_script.h"
+#include "robot/control/detail/registers.h"
 #include "robot/simulator/urscript/interpreter.h"
 #include "tests/unit/urscript/fake_host.h"
 

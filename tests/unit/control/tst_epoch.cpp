@@ -4,7 +4,7 @@
 #include <thread>
 #include <vector>
 
-#include "robot/control/epoch.h"
+#include "robot/control/detail/epoch.h"
 
 using namespace tiller::control;
 

@@ -4,7 +4,7 @@
 #include <thread>
 #include <vector>
 
-#include "robot/control/mailbox.h"
+#include "robot/control/detail/mailbox.h"
 #include "robot/core/clock.h"
 
 using namespace tiller;

@@ -2,7 +2,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "robot/control/velocity_limiter.h"
+#include "robot/control/detail/velocity_limiter.h"
 #include "robot/kinematics/arm_kinematics.h"
 
 using namespace tiller;

@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "robot/dashboard/dashboard_commands.h"
+#include "robot/dashboard/detail/dashboard_commands.h"
 #include "tests/support/raw_peer.h"
 
 using namespace tiller;

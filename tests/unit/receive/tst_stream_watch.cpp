@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "robot/core/clock.h"
-#include "robot/receive/stream_watch.h"
+#include "robot/receive/detail/stream_watch.h"
 
 using namespace tiller;
 using tiller::receive::StreamWatch;

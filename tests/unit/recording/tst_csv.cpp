@@ -8,7 +8,7 @@
 
 #include "robot/receive/sample.h"
 #include "robot/recording/csv_reader.h"
-#include "robot/recording/csv_writer.h"
+#include "robot/recording/detail/csv_writer.h"
 #include "robot/recording/recorder.h"
 
 using namespace tiller;

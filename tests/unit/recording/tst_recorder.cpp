@@ -15,8 +15,8 @@
 #endif
 
 #include "robot/recording/csv_reader.h"
+#include "robot/recording/detail/recording_file.h"
 #include "robot/recording/recorder.h"
-#include "robot/recording/recording_file.h"
 #include "tests/support/rtde_peer.h"
 
 using namespace tiller;

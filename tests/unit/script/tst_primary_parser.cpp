@@ -2,7 +2,7 @@
 #include <QTest>
 #include <random>
 
-#include "robot/script/primary_parser.h"
+#include "robot/script/detail/primary_parser.h"
 #include "tests/unit/script/primary_bytes.h"
 
 using namespace tiller;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/control/argument_check.h"
+#include "robot/control/detail/argument_check.h"
 
 #include <algorithm>
 #include <array>

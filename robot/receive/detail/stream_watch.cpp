@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/receive/stream_watch.h"
+#include "robot/receive/detail/stream_watch.h"
 
 #include <algorithm>
 #include <cmath>

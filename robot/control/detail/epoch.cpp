@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/control/epoch.h"
+#include "robot/control/detail/epoch.h"
 
 namespace tiller::control {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "robot/control/mailbox.h"
+#include "robot/control/detail/mailbox.h"
 
-#include "robot/control/registers.h"
+#include "robot/control/detail/registers.h"
 
 namespace tiller::control {
 

@@ -12,12 +12,12 @@
 #include <thread>
 #include <vector>
 
-#include "robot/control/control_loop.h"
-#include "robot/control/control_script.h"
 #include "robot/control/controller.h"
-#include "robot/control/mailbox.h"
+#include "robot/control/detail/control_loop.h"
+#include "robot/control/detail/control_script.h"
+#include "robot/control/detail/mailbox.h"
+#include "robot/control/detail/registers.h"
 #include "robot/control/motion.h"
-#include "robot/control/registers.h"
 #include "robot/core/turn.h"
 #include "robot/rtde/connection.h"
 #include "robot/script/primary_client.h"

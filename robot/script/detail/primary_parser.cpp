@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "robot/script/primary_parser.h"
+#include "robot/script/detail/primary_parser.h"
 
 #include <utility>
 
-#include "robot/script/byte_reader.h"
+#include "robot/script/detail/byte_reader.h"
 
 namespace tiller::script {
 

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <mutex>
 
-#include "robot/control/epoch.h"
+#include "robot/control/detail/epoch.h"
 #include "robot/control/motion_types.h"
 #include "robot/realtime/triple_buffer.h"
 

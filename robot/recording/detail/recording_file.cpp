@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/recording/recording_file.h"
+#include "robot/recording/detail/recording_file.h"
 
 #include <QDir>
 #include <QFile>

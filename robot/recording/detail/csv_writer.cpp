@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/recording/csv_writer.h"
+#include "robot/recording/detail/csv_writer.h"
 
 #include <algorithm>
 #include <charconv>

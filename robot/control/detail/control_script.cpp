@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "robot/control/control_script.h"
+#include "robot/control/detail/control_script.h"
 
 #include <QRegularExpression>
 #include <QSet>
 #include <QStringList>
 #include <algorithm>
 
-#include "robot/control/registers.h"
+#include "robot/control/detail/registers.h"
 
 namespace tiller::control {
 

@@ -3,9 +3,9 @@
 
 // How targets and parameters of a stream are looked at and put into a command. Inside this folder only.
 
-#include "robot/control/mailbox.h"
+#include "robot/control/detail/mailbox.h"
+#include "robot/control/detail/velocity_limiter.h"
 #include "robot/control/setpoints.h"
-#include "robot/control/velocity_limiter.h"
 #include "robot/core/error.h"
 
 namespace tiller::control {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/control/velocity_limiter.h"
+#include "robot/control/detail/velocity_limiter.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

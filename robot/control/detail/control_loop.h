@@ -13,10 +13,10 @@
 #include <utility>
 
 #include "robot/control/control_status.h"
-#include "robot/control/mailbox.h"
-#include "robot/control/registers.h"
+#include "robot/control/detail/mailbox.h"
+#include "robot/control/detail/registers.h"
+#include "robot/control/detail/velocity_limiter.h"
 #include "robot/control/stop_meter.h"
-#include "robot/control/velocity_limiter.h"
 #include "robot/realtime/arrival_pace.h"
 #include "robot/realtime/seqlock.h"
 #include "robot/realtime/triple_buffer.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/control/registers.h"
+#include "robot/control/detail/registers.h"
 
 #include <QStringList>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/control/control_loop.h"
+#include "robot/control/detail/control_loop.h"
 
 #include <algorithm>
 #include <chrono>

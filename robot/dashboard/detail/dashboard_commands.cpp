@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/dashboard/dashboard_commands.h"
+#include "robot/dashboard/detail/dashboard_commands.h"
 
 #include <array>
 #include <optional>

@@ -4,8 +4,8 @@
 // Looks at arguments before anything is sent, and names the one that is wrong: not a number, out of its
 // range, or so large that it must be degrees or millimetres.
 
+#include "robot/control/detail/velocity_limiter.h"
 #include "robot/control/motion_types.h"
-#include "robot/control/velocity_limiter.h"
 #include "robot/core/error.h"
 
 namespace tiller::control {

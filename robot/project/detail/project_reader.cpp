@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/project/project_reader.h"
+#include "robot/project/detail/project_reader.h"
 
 #include <QJsonDocument>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <QRandomGenerator>
 #include <algorithm>
 
-#include "robot/control/control_script.h"
-#include "robot/control/controller_private.h"
+#include "robot/control/detail/control_script.h"
+#include "robot/control/detail/controller_private.h"
 
 namespace tiller::control {
 
