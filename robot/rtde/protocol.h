@@ -7,13 +7,18 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
+#include <vector>
 
 #include "robot/core/text.h"
 
 namespace tiller::rtde {
 
 using tiller::operator<<;  // for the enumerations below
+
+using Bytes = std::vector<std::uint8_t>;
+using ByteView = std::span<const std::uint8_t>;
 
 inline constexpr std::uint16_t kPort = 30004;
 

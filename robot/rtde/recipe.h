@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "robot/rtde/codec.h"
+#include "robot/rtde/values.h"
 
 namespace tiller::rtde {
 

@@ -15,6 +15,7 @@
 #include "robot/core/version.h"
 #include "robot/rtde/codec.h"
 #include "robot/rtde/recipe.h"
+#include "robot/rtde/splitter.h"
 
 namespace tiller::rtde {
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "robot/rtde/splitter.h"
+
 #include <algorithm>
 #include <cstring>
 
-#include "robot/rtde/codec.h"
 #include "robot/rtde/detail/big_endian.h"
 
 namespace tiller::rtde {

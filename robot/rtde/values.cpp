@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "robot/rtde/values.h"
+
 // The data-package half of the codec: what runs 500 times a second.
 #include <cmath>
 #include <limits>
 
-#include "robot/rtde/codec.h"
 #include "robot/rtde/detail/big_endian.h"
 
 namespace tiller::rtde {

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "robot/rtde/codec.h"
+#include "robot/rtde/splitter.h"
+#include "robot/rtde/values.h"
 #include "robot/rtde/session.h"
 
 using namespace tiller;

@@ -2,6 +2,7 @@
 #include "tests/support/rtde_peer.h"
 
 #include "robot/rtde/fields.h"
+#include "robot/rtde/values.h"
 
 namespace tiller::test {
 

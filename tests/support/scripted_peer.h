@@ -15,6 +15,7 @@
 
 #include "robot/core/native_socket.h"
 #include "robot/rtde/codec.h"
+#include "robot/rtde/splitter.h"
 
 namespace tiller::test {
 

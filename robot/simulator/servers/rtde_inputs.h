@@ -12,6 +12,7 @@
 #include "robot/core/version.h"
 #include "robot/rtde/codec.h"
 #include "robot/rtde/fields.h"
+#include "robot/rtde/values.h"
 
 namespace tiller::simulator {
 

@@ -18,6 +18,7 @@
 #include <deque>
 
 #include "robot/rtde/codec.h"
+#include "robot/rtde/splitter.h"
 #include "robot/simulator/servers/rtde_inputs.h"
 #include "robot/simulator/servers/rtde_values.h"
 #include "robot/simulator/servers/server.h"

@@ -10,6 +10,7 @@
 
 #include "robot/rtde/codec.h"
 #include "robot/rtde/fields.h"
+#include "robot/rtde/values.h"
 #include "robot/simulator/telemetry.h"
 
 namespace tiller::simulator {

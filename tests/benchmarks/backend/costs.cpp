@@ -20,8 +20,8 @@
 
 #include "robot/control/detail/control_loop.h"
 #include "robot/receive/receiver.h"
-#include "robot/rtde/codec.h"
 #include "robot/rtde/fields.h"
+#include "robot/rtde/values.h"
 #include "robot/simulator/controller.h"
 #include "tests/benchmarks/backend/report.h"
 

@@ -7,6 +7,7 @@
 #include "robot/receive/receiver.h"
 #include "robot/rtde/detail/big_endian.h"
 #include "robot/rtde/fields.h"
+#include "robot/rtde/values.h"
 #include "tests/support/hot_threads.h"
 #include "tests/support/scripted_peer.h"
 

@@ -3,6 +3,8 @@
 #include <array>
 
 #include "robot/rtde/codec.h"
+#include "robot/rtde/splitter.h"
+#include "robot/rtde/values.h"
 
 using namespace tiller;
 using namespace tiller::rtde;

@@ -3,6 +3,7 @@
 #include <random>
 
 #include "robot/rtde/codec.h"
+#include "robot/rtde/splitter.h"
 
 using namespace tiller;
 using namespace tiller::rtde;

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "robot/rtde/codec.h"
+#include "robot/rtde/values.h"
 
 using namespace tiller::rtde;
 

@@ -6,7 +6,7 @@
 #include <QFile>
 #include <QTest>
 
-#include "robot/rtde/codec.h"
+#include "robot/rtde/values.h"
 #include "robot/simulator/faults.h"
 #include "robot/simulator/machine.h"
 #include "robot/simulator/program_runner.h"

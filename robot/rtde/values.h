@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The numbers of a data package, to and from the wire, without allocating. Source: RTDE guide; everything is
+// big-endian.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "robot/rtde/protocol.h"
+
+namespace tiller::rtde {
+
+/// The types of one recipe in order, with the sums a codec needs.
+class ValueLayout {
+public:
+    ValueLayout() = default;
+    explicit ValueLayout(std::vector<DataType> types);
+
+    const std::vector<DataType>& types() const { return types_; }
+    std::size_t wireBytes() const { return wireBytes_; }    ///< packed, without recipe id
+    std::size_t components() const { return components_; }  ///< numbers in one set of values
+
+private:
+    std::vector<DataType> types_;
+    std::size_t wireBytes_ = 0;
+    std::size_t components_ = 0;
+};
+
+/// Values travel as doubles: BOOL is 0 or 1, every 32-bit integer is exact, UINT64 is exact up to 2^53 (bit
+/// fields and counters stay far below).
+/// Returns  false, and touches nothing, when the sizes do not fit the layout
+/// Real-time: yes
+bool decodeValues(const ValueLayout& layout, ByteView wire, std::span<double> into);
+/// Integers are rounded and held to their type's range; a NaN becomes 0.
+bool encodeValues(const ValueLayout& layout, std::span<const double> values, std::span<std::uint8_t> wire);
+
+/// Size of a whole data package with header and, if it has one, recipe id.
+constexpr std::size_t dataPackageSize(std::size_t wireBytes, bool withRecipeId) {
+    return kHeaderSize + (withRecipeId ? 1 : 0) + wireBytes;
+}
+/// Writes a whole data package. recipeId: absent only for outputs in protocol version 1.
+/// Returns  bytes written; 0 when it does not fit or the sizes do not match
+/// Real-time: yes
+std::size_t writeDataPackage(std::span<std::uint8_t> into, std::optional<std::uint8_t> recipeId,
+                             const ValueLayout& layout, std::span<const double> values);
+
+/// A data package's payload taken apart.
+struct DataView {
+    std::uint8_t recipeId = 0;  ///< 0 for outputs in protocol version 1, which carry none
+    ByteView values;
+};
+/// Controller to client.
+std::optional<DataView> readOutputData(ByteView payload, ProtocolVersion version);
+/// Client to controller: both versions carry the recipe id.
+std::optional<DataView> readInputData(ByteView payload);
+
+}  // namespace tiller::rtde
