@@ -55,7 +55,7 @@ public:
     Result<void> setForceGainScaling(double scaling, const Deadline& deadline);
 
     /// The arm follows the hand until the motion is cancelled, or, when held, not refreshed for 100 ms
-    /// (Controller::refreshMove).
+    /// (Motion::refresh).
     Result<Motion> startFreedrive(const Freedrive& freedrive = {}, Holding holding = Holding::Free);
     /// Freedrive on all axes, as software of every age knows it. Source: URScript teach_mode
     Result<Motion> startTeachMode(Holding holding = Holding::Free);

@@ -13,8 +13,6 @@ namespace tiller::control {
 
 /// Names one motion from its start to its end. Numbers only ever grow; one that has ended never lives again.
 using MotionId = std::uint64_t;
-using JogId = MotionId;
-using MoveId = MotionId;
 inline constexpr MotionId kNoMotion = 0;
 
 /// Why the arm cannot be moved through this controller.
@@ -41,6 +39,7 @@ enum class LimiterKind : std::uint8_t {
     Singularity,    ///< the arm is near a singularity and would go deeper
 };
 
+/// Of a jog: at this moment, and as the arm moves on. Of a move: for all of its way.
 struct Limiter {
     LimiterKind kind = LimiterKind::None;
     int joint = -1;       ///< 0..5 where a joint is to blame, else -1

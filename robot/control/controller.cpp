@@ -3,12 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <span>
 
 #include "robot/control/detail/argument_check.h"
 #include "robot/control/detail/controller_private.h"
-#include "robot/kinematics/speed_bounds.h"
 #include "robot/realtime/realtime_report.h"
 
 namespace tiller::control {
@@ -20,15 +18,6 @@ namespace {
 constexpr std::int64_t kLookUpNs = 4 * kNsPerMs;
 // What is found so soon after the thread had something to do may have come meanwhile.
 constexpr std::int64_t kBusyNs = kNsPerMs / 20;
-
-bool isFinite(const JogTarget& target) {
-    return target.twist.linear.allFinite() && target.twist.angular.allFinite() && target.qd.allFinite() &&
-           target.T_base_frame.allFinite() && std::isfinite(target.contactForce);
-}
-
-Error invalid(const QString& context, const QString& what) {
-    return {ErrorCode::InvalidArgument, context, what};
-}
 
 }  // namespace
 
@@ -239,95 +228,6 @@ Result<MotionId> Controller::Private::start(const MotionCommand& command, std::u
     return id;
 }
 
-Result<JogId> Controller::startJog(const JogTarget& target) {
-    const std::uint64_t stops = d_->mailbox.epoch().stops();
-    const QString context = QStringLiteral("start a jog");
-    if (!isFinite(target)) {
-        return invalid(context, QStringLiteral("not a number"));
-    }
-    if (const Error error = d_->obstacle(context); error.code != ErrorCode::None) {
-        return error;
-    }
-    if (target.contactForce > 0 && !d_->loop.status().forceKnown) {
-        return Error{ErrorCode::FieldUnknown, context, QStringLiteral("actual_TCP_force")};
-    }
-    MotionCommand command;
-    command.kind = MotionCommand::Kind::Jog;
-    command.jog = target;
-    return d_->start(command, stops, context);
-}
-
-bool Controller::refreshJog(JogId jog) {
-    return d_->mailbox.refresh(jog, d_->now());
-}
-
-bool Controller::refreshJog(JogId jog, const JogTarget& target) {
-    if (!isFinite(target)) {
-        end(jog, StopCause::ApiCall);
-        return false;
-    }
-    return d_->mailbox.refresh(jog, target, d_->now());
-}
-
-Result<MoveId> Controller::moveJ(const JointPositions& target, const MoveParameters& parameters) {
-    const std::uint64_t stops = d_->mailbox.epoch().stops();
-    const ArmLimits arm = d_->armNow();
-    const ArgumentCheck check =
-        ArgumentCheck("start a MoveJ")
-            .joints("target", target, arm)
-            .positive("speed", parameters.speed, highestJointSpeed(arm), "rad/s", "deg/s")
-            .positive("acceleration", parameters.acceleration, kJointAccelerationLimit, "rad/s2", "deg/s2");
-    if (!check.ok()) {
-        return check.error();
-    }
-    if (const Error error = d_->obstacle(QStringLiteral("start a MoveJ")); error.code != ErrorCode::None) {
-        return error;
-    }
-    MotionCommand command;
-    const ControllerStatus status = d_->loop.status();
-    command.kind = MotionCommand::Kind::MoveJ;
-    command.held = parameters.holding == Holding::Held;
-    command.target = target.array();
-    command.speed =
-        std::min(parameters.speed,
-                 kinematics::jointSpeedBound(arm.dh, JointPositions(status.q), target,
-                                             Pose::fromArray(status.tcpOffset), d_->limitsNow().tcpSpeed));
-    command.acceleration = parameters.acceleration;
-    return d_->start(command, stops, QStringLiteral("start a MoveJ"));
-}
-
-Result<MoveId> Controller::moveL(const Pose& target, const MoveParameters& parameters) {
-    const std::uint64_t stops = d_->mailbox.epoch().stops();
-    const MotionLimits limits = d_->limitsNow();
-    const ArgumentCheck check =
-        ArgumentCheck("start a MoveL")
-            .pose("target", target)
-            .positive("speed", parameters.speed, std::min(limits.tcpSpeed, kHighestToolSpeed), "m/s", "mm/s")
-            .positive("acceleration", parameters.acceleration, kHighestToolAcceleration, "m/s2", "mm/s2");
-    if (!check.ok()) {
-        return check.error();
-    }
-    if (const Error error = d_->obstacle(QStringLiteral("start a MoveL")); error.code != ErrorCode::None) {
-        return error;
-    }
-    MotionCommand command;
-    const ArmLimits arm = d_->armNow();
-    const ControllerStatus status = d_->loop.status();
-    command.kind = MotionCommand::Kind::MoveL;
-    command.held = parameters.holding == Holding::Held;
-    command.target = target.array();
-    command.speed =
-        std::min(parameters.speed, kinematics::lineSpeedBound(arm.dh, JointPositions(status.q), target,
-                                                              Pose::fromArray(status.tcpOffset),
-                                                              limits.tcpSpeed, limits.tcpRotationSpeed));
-    command.acceleration = parameters.acceleration;
-    return d_->start(command, stops, QStringLiteral("start a MoveL"));
-}
-
-bool Controller::refreshMove(MoveId move) {
-    return d_->mailbox.refresh(move, d_->now());
-}
-
 void Controller::stop(StopCause cause) {
     d_->mailbox.stop(cause, d_->now());
     d_->loop.permitForce(false);  // afterwards: see setForceMode()
@@ -362,8 +262,10 @@ MotionLimits Controller::limits() const {
 }
 
 Result<void> Controller::setSpeedCap(double metresPerSecond) {
-    if (!std::isfinite(metresPerSecond) || metresPerSecond <= 0) {
-        return invalid(QStringLiteral("set the speed cap"), QStringLiteral("no speed above 0"));
+    const ArgumentCheck check =
+        ArgumentCheck("set the speed cap").positive("cap", metresPerSecond, kHighestToolSpeed, "m/s", "mm/s");
+    if (!check.ok()) {
+        return check.error();
     }
     if (metresPerSecond != d_->loop.speedCap()) {
         // In this order: what is begun in between has the new cap, or is stopped.

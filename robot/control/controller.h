@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Moves the arm. Uploads our control program once, tells it through RTDE registers what to do, and makes sure
-// that whatever goes wrong (a key let go, a hung interface, a dead process, a cut cable) ends in standstill.
+// Takes control of the arm, stops it and gives control back; motions.h moves it. Uploads our control program
+// once, tells it through RTDE registers what to do, and makes sure that whatever goes wrong (a key let go, a
+// hung interface, a dead process, a cut cable) ends in standstill.
 //
 // The rules, in short: one slot, the last command wins, nothing is queued. Every motion has a number that is
 // also its epoch; every stop moves the epoch on, so that nothing commanded before a stop can move the arm
-// after it. A motion whose holder falls silent for 100 ms ends. Nothing resumes by itself.
+// after it. A held motion whose holder falls silent for 100 ms ends. Nothing resumes by itself.
 
 #include <QString>
 #include <chrono>
@@ -53,9 +54,11 @@ struct ControllerOptions {
     MotionLimits limits;
     /// Used for the limiter until, or unless, the controller has told its own dimensions.
     RobotModelId model = RobotModelId::UR5e;
-    /// Data older than this, or a command unanswered for longer, end what is active. The robot ends it after
-    /// 100 ms without a heartbeat in any case, by its own time; a program without a person at a key may leave
-    /// it to the robot, so that a hiccup of this computer that the robot did not notice ends nothing.
+    /// Data older than this, or a command unanswered for longer, end what is active; a move that was given a
+    /// longer silence (MoveParameters::silence) after that. The robot ends it after 100 ms without a
+    /// heartbeat, or after that silence, in any case and by its own time; a program without a person at a key
+    /// may leave it to the robot, so that a hiccup of this computer that the robot did not notice ends
+    /// nothing.
     std::chrono::milliseconds patience{100};
     /// Without data for so long the connection counts as lost; 0: only when it ends.
     std::chrono::milliseconds silence{0};
@@ -68,16 +71,6 @@ struct ControllerOptions {
     bool awaitProgram = true;
     /// What the control program sets when it begins.
     ForceSettings force;
-};
-
-/// A motion without a holder goes on until it is done or stopped; one with a holder also ends when the holder
-/// does not refresh it for 100 ms.
-enum class Holding : std::uint8_t { Held, Free };
-
-struct MoveParameters {
-    double speed = 0;         ///< moveJ [rad/s], moveL [m/s]; 0 < speed
-    double acceleration = 0;  ///< moveJ [rad/s2], moveL [m/s2]; 0 < acceleration
-    Holding holding = Holding::Held;
 };
 
 /// Thread: one, named "control", SCHED_FIFO at ControllerOptions::priority where permitted; started by
@@ -96,7 +89,8 @@ public:
     /// Connects, sets the registers up, uploads the control program and waits until it answers. Does nothing
     /// when it already does. After any loss of control this is the only way back.
     /// Errors   HostUnreachable, ConnectionRefused, Timeout, Cancelled, RegisterInUse, FieldUnknown,
-    ///          UnsafeState, RemoteControlRequired, ScriptError, ProtocolError, LinkLost
+    ///          UnsafeState, RemoteControlRequired, ScriptError, ProtocolError, LinkLost; InvalidArgument and
+    ///          LimitExceeded naming what is wrong in ControllerOptions::limits
     /// Threads  any but the control thread; one at a time. Blocks: until the deadline
     Result<void> takeControl(const Deadline& deadline);
 
@@ -121,31 +115,9 @@ public:
     // All of the following: threads any; never block (callers wait for each other's copy of a command, some
     // 100 ns; stop() not even for that).
 
-    /// Starts a jog, ending whatever was active (StopCause::Superseded). Needs refreshJog() at least every
-    /// 100 ms by the Clock. The target is clamped to the limits, never refused for its size.
-    /// Errors   NotInControl, UnsafeState, LinkLost, InvalidArgument (not a number), FieldUnknown (until
-    ///          contact, on a robot that tells no force)
-    Result<JogId> startJog(const JogTarget& target);
-    /// Returns  false when the jog has ended: it takes a new start
-    bool refreshJog(JogId jog);
-    bool refreshJog(JogId jog, const JogTarget& target);
-
-    /// Moves linearly in joint space, slowed down where TCP or elbow would get above the cap of limits().
-    /// Errors   as startJog, and LimitExceeded (a joint outside its range, a speed above what the arm can)
-    /// Source   URScript movej
-    Result<MoveId> moveJ(const JointPositions& target, const MoveParameters& parameters);
-    /// Moves the TCP on a straight line to a pose in the base frame, slowed down where the elbow or the
-    /// rotation would get above their caps.
-    /// Errors   as startJog, and LimitExceeded (a speed above the cap on the TCP)
-    /// Source   URScript movel
-    Result<MoveId> moveL(const Pose& target, const MoveParameters& parameters);
-    /// Keeps a held move alive.
-    /// Returns  false when the move has ended
-    bool refreshMove(MoveId move);
-
     /// Ends whatever is active, force mode too. When it returns, no command given before can move the arm any
     /// more.
-    void stop(StopCause cause);
+    void stop(StopCause cause = StopCause::ApiCall);
     /// Ends this motion; another one goes on.
     /// Returns  false when it had ended already
     bool end(MotionId motion, StopCause cause);
@@ -159,9 +131,10 @@ public:
     JointLimits jointLimits() const;
     /// Whether there is a connection, in control or not.
     bool isConnected() const;
-    /// From now on TCP and elbow get no faster than this [m/s]. Another cap than before ends whatever is
-    /// active (StopCause::SelectionChanged): nothing goes on under a cap it was not begun with.
-    /// Errors   InvalidArgument (not a number, or none above 0)
+    /// From now on TCP and elbow get no faster than this [m/s]; 0.25 unless ControllerOptions::limits said
+    /// otherwise. Another cap than before ends whatever is active (StopCause::SelectionChanged): nothing goes
+    /// on under a cap it was not begun with.
+    /// Errors   InvalidArgument (not a number, or none above 0), LimitExceeded (above 3 m/s: millimetres?)
     Result<void> setSpeedCap(double metresPerSecond);
     /// From the connection of the last takeControl(); zeros before.
     SoftwareVersion version() const;

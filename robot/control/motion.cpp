@@ -5,7 +5,9 @@
 #include <cmath>
 #include <thread>
 
+#include "robot/control/detail/argument_check.h"
 #include "robot/control/detail/controller_private.h"
+#include "robot/control/jog.h"
 
 namespace tiller::control {
 
@@ -109,6 +111,27 @@ MotionProgress Motion::progress() const {
         }
     }
     return progress;
+}
+
+bool Motion::refresh() const {
+    if (controller_ == nullptr || kind_ == MotionKind::Stop) {
+        return false;
+    }
+    auto& d = ControllerAccess::of(*controller_);
+    return d.mailbox.refresh(id_, d.now());
+}
+
+bool Jog::refresh(const JogTarget& target) const {
+    Controller* const controller = MotionAccess::controller(*this);
+    if (controller == nullptr) {
+        return false;
+    }
+    if (!isFinite(target)) {
+        cancel(StopCause::ApiCall);
+        return false;
+    }
+    auto& d = ControllerAccess::of(*controller);
+    return d.mailbox.refresh(id(), target, d.now());
 }
 
 Result<void> Motion::wait(const Deadline& deadline) const {

@@ -5,7 +5,9 @@
 // for moves, paths, setpoints, freedrive, script functions and stops.
 
 #include <array>
+#include <chrono>
 #include <cstdint>
+#include <optional>
 
 #include "robot/control/control_status.h"
 #include "robot/core/deadline.h"
@@ -46,6 +48,14 @@ struct MotionProgress {
     double speedScaling = 1;   ///< what the controller's own limits leave of it, 0 ... 1
 };
 
+/// What was decided when a move began. The speed slider and the controller's own limits may slow it down
+/// further.
+struct MotionPlan {
+    std::chrono::duration<double> duration{0};  ///< from standstill to standstill, at a slider of 100 %
+    double speed = 0;  ///< moveJ: of the leading joint [rad/s]; moveL: of the TCP [m/s]
+    Limiter limiter;   ///< what keeps it below the speed asked for, and how much
+};
+
 /// Copies refer to the same motion. The controller must outlive them.
 /// Threads  any
 class Motion {
@@ -57,9 +67,17 @@ public:
     bool isActive() const { return state().phase == MotionPhase::Active; }
     MotionState state() const;
     MotionProgress progress() const;
+    /// Of moveJ, moveL and the like; nothing for paths and what has no known end.
+    const std::optional<MotionPlan>& plan() const { return plan_; }
 
-    /// Waits until the motion has come to its end. There is no time-out but the caller's: a move at a slider
-    /// of 2 % takes fifty times as long, and is waited for with Deadline::never() as well as at 100 %.
+    /// Keeps a held motion alive; a free one does not need it.
+    /// Returns  false when it has ended, if only by this call coming too late
+    /// Blocks   never
+    bool refresh() const;
+
+    /// Waits until the motion has come to its end; it does not refresh it. There is no time-out but the
+    /// caller's: a move at a slider of 2 % takes fifty times as long, and is waited for with
+    /// Deadline::never() as well as at 100 %.
     /// Returns  ok when it reached its target (a Stop: when the arm stands)
     /// Errors   Timeout, Cancelled (the motion goes on), Stopped (naming the cause), NoSolution, UnsafeState,
     ///          LinkLost, NotInControl, ScriptError (a path or function; with line and text)
@@ -78,6 +96,7 @@ private:
     int waypoints_ = 0;
     std::array<double, 6> from_{};  ///< where it began and shall end: q, or TCP pose for linear moves
     std::array<double, 6> to_{};
+    std::optional<MotionPlan> plan_;
 };
 
 }  // namespace tiller::control

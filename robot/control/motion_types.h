@@ -5,7 +5,9 @@
 // the session and the widgets.
 
 #include <array>
+#include <chrono>
 #include <cstdint>
+#include <limits>
 
 #include "robot/core/joints.h"
 #include "robot/core/spatial.h"
@@ -14,6 +16,17 @@
 namespace tiller::control {
 
 using tiller::operator<<;  // for the enumerations below
+
+/// How long a held motion lasts without a refresh, and what has no end of its own without a heartbeat of this
+/// computer.
+inline constexpr std::chrono::milliseconds kHoldTime{100};
+/// The longest silence a move may be given (MoveParameters::silence): after 5 s the control program ends.
+inline constexpr std::chrono::milliseconds kLongestSilence{4'000};
+
+/// Held: ends when its holder does not refresh it for 100 ms. Free: needs no holder, and ends when it is done,
+/// when it is stopped, and when the robot has heard nothing of this computer for 100 ms (a move with an end:
+/// for MoveParameters::silence).
+enum class Holding : std::uint8_t { Held, Free };
 
 enum class JogFrame : std::uint8_t {
     Base,    ///< axes of the controller's base frame
@@ -91,9 +104,13 @@ struct JointLimits {
     std::array<double, 6> maxSpeed{};     ///< [rad/s]
 };
 
-/// Jog dynamics and caps. The controller has its own, wider ones.
+/// A cap that is none: the robot's own limits remain.
+inline constexpr double kNoCap = std::numeric_limits<double>::infinity();
+
+/// Jog dynamics and caps. The controller has its own, wider ones. All above 0; takeControl() refuses what can
+/// only be another unit: above 3 m/s, 12 rad/s, 150 m/s2, 40 rad/s2. kNoCap is a speed without a cap.
 struct MotionLimits {
-    double tcpSpeed = 0.250;                       ///< [m/s], the application's own cap
+    double tcpSpeed = 0.250;                       ///< of TCP and elbow [m/s]; also Controller::setSpeedCap
     double tcpRotationSpeed = 0.7853981633974483;  ///< [rad/s] 45 deg/s
     double jointSpeed = 0.5235987755982988;        ///< [rad/s] 30 deg/s
     double jogAcceleration = 0.5;                  ///< [m/s2]

@@ -13,6 +13,8 @@ namespace tiller::control {
 
 namespace {
 
+using std::chrono::milliseconds;
+
 constexpr SoftwareVersion kHasContact{5, 4, 0, 0};
 /// [m/s2] and [rad/s2]: a stop that brakes more softly is none.
 constexpr double kSoftestBrake = 0.1;
@@ -37,16 +39,147 @@ Error outOfReach(const char* context, const char* name) {
             QStringLiteral("%1: the arm cannot reach this pose").arg(QLatin1String(name))};
 }
 
+Error inEntry(std::size_t index, Error error) {
+    error.controllerMessage.prepend(QStringLiteral("entry %1, ").arg(index + 1));
+    return error;
+}
+
+ArgumentCheck& checkSilence(ArgumentCheck& check, milliseconds silence) {
+    using Seconds = std::chrono::duration<double>;
+    return check.range("silence", Seconds(silence).count(), Seconds(kHoldTime).count(),
+                       Seconds(kLongestSilence).count(), "s");
+}
+
+/// What a command needs of a silence that is none of its own.
+milliseconds ownSilence(Holding holding, milliseconds silence) {
+    return holding == Holding::Free && silence > kHoldTime ? silence : milliseconds(0);
+}
+
+/// The defaults of MoveParameters, filled in.
+struct Dynamics {
+    double speed = 0;
+    double acceleration = 0;
+};
+
+Dynamics jointDynamics(const MoveParameters& parameters) {
+    constexpr double kSpeed = 1.05;        // [rad/s]
+    constexpr double kAcceleration = 1.4;  // [rad/s2]
+    return {parameters.speed.value_or(kSpeed), parameters.acceleration.value_or(kAcceleration)};
+}
+
+Dynamics toolDynamics(const MoveParameters& parameters, double cap) {
+    constexpr double kSpeed = 0.25;        // [m/s]
+    constexpr double kAcceleration = 1.2;  // [m/s2]
+    return {parameters.speed.value_or(std::min(kSpeed, cap)),
+            parameters.acceleration.value_or(kAcceleration)};
+}
+
 ArgumentCheck jointMove(const char* context, const MoveParameters& parameters, const ArmLimits& arm) {
-    return ArgumentCheck(context)
-        .positive("speed", parameters.speed, highestJointSpeed(arm), "rad/s", "deg/s")
-        .positive("acceleration", parameters.acceleration, kJointAccelerationLimit, "rad/s2", "deg/s2");
+    const Dynamics given = jointDynamics(parameters);
+    ArgumentCheck check(context);
+    check.positive("speed", given.speed, highestJointSpeed(arm), "rad/s", "deg/s")
+        .positive("acceleration", given.acceleration, kJointAccelerationLimit, "rad/s2", "deg/s2");
+    return checkSilence(check, parameters.silence);
 }
 
 ArgumentCheck toolMove(const char* context, const MoveParameters& parameters, double cap) {
-    return ArgumentCheck(context)
-        .positive("speed", parameters.speed, std::min(cap, kHighestToolSpeed), "m/s", "mm/s")
-        .positive("acceleration", parameters.acceleration, kHighestToolAcceleration, "m/s2", "mm/s2");
+    const Dynamics given = toolDynamics(parameters, cap);
+    ArgumentCheck check(context);
+    check.toolSpeed("speed", given.speed, cap)
+        .positive("acceleration", given.acceleration, kHighestToolAcceleration, "m/s2", "mm/s2");
+    return checkSilence(check, parameters.silence);
+}
+
+LimiterKind kindOf(kinematics::SpeedLimit limit) {
+    switch (limit) {
+        case kinematics::SpeedLimit::Tcp:
+            return LimiterKind::TcpSpeed;
+        case kinematics::SpeedLimit::Elbow:
+            return LimiterKind::ElbowSpeed;
+        case kinematics::SpeedLimit::Rotation:
+            return LimiterKind::RotationSpeed;
+        case kinematics::SpeedLimit::None:
+            break;
+    }
+    return LimiterKind::None;
+}
+
+/// The asked-for speed, held to what TCP and elbow may have on this way.
+MotionPlan planned(double length, const Dynamics& asked, const kinematics::SpeedBound& bound) {
+    MotionPlan plan;
+    plan.speed = std::min(asked.speed, bound.speed);
+    if (bound.speed < asked.speed) {
+        plan.limiter.kind = kindOf(bound.by);
+        plan.limiter.scale = bound.speed / asked.speed;
+    }
+    plan.duration =
+        std::chrono::duration<double>(kinematics::moveDuration(length, plan.speed, asked.acceleration));
+    return plan;
+}
+
+/// Where a move begins, and by which limits.
+struct Beginning {
+    const char* context;
+    Controller& controller;
+    Controller::Private& d = ControllerAccess::of(controller);
+    std::uint64_t stops = d.mailbox.epoch().stops();  ///< before anything is looked at
+    ArmLimits arm = d.armNow();
+    MotionLimits limits = d.limitsNow();
+    ControllerStatus status = controller.status();
+    JointPositions q{status.q};
+    Pose tcpOffset = Pose::fromArray(status.tcpOffset);
+
+    Error obstacle(const ArgumentCheck& check) const {
+        return check.ok() ? d.obstacle(QString::fromLatin1(context)) : check.error();
+    }
+
+    /// The parts of a command that all moves share.
+    MotionCommand command(const MoveParameters& parameters, const std::array<double, 6>& target,
+                          const MotionPlan& plan, double acceleration) const {
+        MotionCommand command;
+        command.held = parameters.holding == Holding::Held;
+        command.silence = ownSilence(parameters.holding, parameters.silence);
+        command.target = target;
+        command.speed = plan.speed;
+        command.acceleration = acceleration;
+        command.limiter = plan.limiter;
+        return command;
+    }
+
+    Result<Motion> start(const MotionCommand& command, MotionKind kind, const std::array<double, 6>& from,
+                         const std::array<double, 6>& to, const MotionPlan& plan) const {
+        const auto id = d.start(command, stops, QString::fromLatin1(context));
+        return id ? MotionAccess::move(controller, *id, kind, from, to, plan) : Result<Motion>(id.error());
+    }
+};
+
+/// To these joint positions; `toPose`: the robot finds them itself for this pose.
+Result<Motion> jointMoveTo(const Beginning& from, const JointPositions& target, const Pose* toPose,
+                           const MoveParameters& parameters) {
+    const Dynamics asked = jointDynamics(parameters);
+    const MotionPlan plan = planned(
+        (target.values - from.q.values).cwiseAbs().maxCoeff(), asked,
+        kinematics::jointSpeedBound(from.arm.dh, from.q, target, from.tcpOffset, from.limits.tcpSpeed));
+    MotionCommand command = from.command(parameters, toPose != nullptr ? toPose->array() : target.array(),
+                                         plan, asked.acceleration);
+    command.kind = toPose != nullptr ? MotionCommand::Kind::Program : MotionCommand::Kind::MoveJ;
+    command.program = static_cast<std::int32_t>(ScriptCommand::MoveJToPose);
+    return from.start(command, MotionKind::MoveJ, from.status.q, target.array(), plan);
+}
+
+/// Along a line to this pose; `toJoints`: given to the robot as these joint positions.
+Result<Motion> lineTo(const Beginning& from, const Pose& target, const JointPositions* toJoints,
+                      const MoveParameters& parameters) {
+    const Dynamics asked = toolDynamics(parameters, from.limits.tcpSpeed);
+    const MotionPlan plan =
+        planned(kinematics::lineLength(Pose::fromArray(from.status.tcpPose), target), asked,
+                kinematics::lineSpeedBound(from.arm.dh, from.q, target, from.tcpOffset, from.limits.tcpSpeed,
+                                           from.limits.tcpRotationSpeed));
+    MotionCommand command = from.command(parameters, toJoints != nullptr ? toJoints->array() : target.array(),
+                                         plan, asked.acceleration);
+    command.kind = toJoints != nullptr ? MotionCommand::Kind::Program : MotionCommand::Kind::MoveL;
+    command.program = static_cast<std::int32_t>(ScriptCommand::MoveLToJoints);
+    return from.start(command, MotionKind::MoveL, from.status.tcpPose, target.array(), plan);
 }
 
 /// The same path, no faster than the cap on TCP and elbow allows, and ending without a blend.
@@ -56,7 +189,8 @@ Result<MotionPath> fitted(const MotionPath& path, const ArmLimits& arm, const Co
     out.back().blend = 0;
     const Pose tcp = Pose::fromArray(status.tcpOffset);
     const auto lineBound = [&](const JointPositions& from, const Pose& to) {
-        return kinematics::lineSpeedBound(arm.dh, from, to, tcp, limits.tcpSpeed, limits.tcpRotationSpeed);
+        return kinematics::lineSpeedBound(arm.dh, from, to, tcp, limits.tcpSpeed, limits.tcpRotationSpeed)
+            .speed;
     };
     JointPositions q(status.q);
     for (std::size_t i = 0; i < out.size(); ++i) {
@@ -65,9 +199,7 @@ Result<MotionPath> fitted(const MotionPath& path, const ArmLimits& arm, const Co
         if (const auto* joints = std::get_if<JointPositions>(&entry.target)) {
             const ArgumentCheck check = ArgumentCheck("start a path").joints("target", *joints, arm);
             if (!check.ok()) {
-                Error error = check.error();
-                error.controllerMessage.prepend(QStringLiteral("entry %1, ").arg(i + 1));
-                return error;
+                return inEntry(i, check.error());
             }
             next = *joints;
         } else if (const auto found =
@@ -78,15 +210,14 @@ Result<MotionPath> fitted(const MotionPath& path, const ArmLimits& arm, const Co
                          QStringLiteral("entry %1, target: the arm cannot reach this pose").arg(i + 1)};
         }
         if (entry.kind == PathEntry::Kind::MoveJ) {
-            entry.speed =
-                std::min(entry.speed, kinematics::jointSpeedBound(arm.dh, q, next, tcp, limits.tcpSpeed));
-        } else if (entry.speed > limits.tcpSpeed) {
-            return Error{ErrorCode::LimitExceeded, QStringLiteral("start a path"),
-                         QStringLiteral("entry %1, speed: %2 is above %3 m/s")
-                             .arg(i + 1)
-                             .arg(entry.speed)
-                             .arg(limits.tcpSpeed)};
+            entry.speed = std::min(entry.speed,
+                                   kinematics::jointSpeedBound(arm.dh, q, next, tcp, limits.tcpSpeed).speed);
         } else {
+            if (const auto check =
+                    ArgumentCheck("start a path").toolSpeed("speed", entry.speed, limits.tcpSpeed);
+                !check.ok()) {
+                return inEntry(i, check.error());
+            }
             // An arc is looked at along its two chords.
             JointPositions from = q;
             if (entry.kind == PathEntry::Kind::MoveC && entry.via) {
@@ -107,93 +238,55 @@ Result<MotionPath> fitted(const MotionPath& path, const ArmLimits& arm, const Co
 }  // namespace
 
 Result<Motion> Motions::moveJ(const JointPositions& target, const MoveParameters& parameters) {
-    const auto id = controller_->moveJ(target, parameters);
-    if (!id) {
-        return id.error();
+    const Beginning from{"start a MoveJ", *controller_};
+    const ArgumentCheck check =
+        jointMove(from.context, parameters, from.arm).joints("target", target, from.arm);
+    if (const Error error = from.obstacle(check); error.code != ErrorCode::None) {
+        return error;
     }
-    return MotionAccess::make(*controller_, *id, MotionKind::MoveJ, controller_->status().q, target.array());
+    return jointMoveTo(from, target, nullptr, parameters);
+}
+
+Result<Motion> Motions::moveJToPose(const Pose& target, const MoveParameters& parameters) {
+    const Beginning from{"start a MoveJ to a pose", *controller_};
+    const ArgumentCheck check = jointMove(from.context, parameters, from.arm).pose("target", target);
+    if (const Error error = from.obstacle(check); error.code != ErrorCode::None) {
+        return error;
+    }
+    const auto q = reach(from.arm, from.status, target);
+    return q ? jointMoveTo(from, *q, &target, parameters) : outOfReach(from.context, "target");
 }
 
 Result<Motion> Motions::moveL(const Pose& target, const MoveParameters& parameters) {
-    if (target.allFinite() && controller_->status().inControl) {
-        const auto& d = ControllerAccess::of(*controller_);
-        ArgumentCheck check = toolMove("start a MoveL", parameters, d.limitsNow().tcpSpeed);
-        if (check.pose("target", target).ok() && !reach(d.armNow(), controller_->status(), target)) {
-            return outOfReach("start a MoveL", "target");
-        }
-    }
-    const auto id = controller_->moveL(target, parameters);
-    if (!id) {
-        return id.error();
-    }
-    return MotionAccess::make(*controller_, *id, MotionKind::MoveL, controller_->status().tcpPose,
-                              target.array());
-}
-
-Result<Motion> Motions::moveJ(const Pose& target, const MoveParameters& parameters) {
-    constexpr auto kContext = "start a MoveJ to a pose";
-    auto& d = ControllerAccess::of(*controller_);
-    const std::uint64_t stops = d.mailbox.epoch().stops();
-    const ArmLimits arm = d.armNow();
-    const ArgumentCheck check = jointMove(kContext, parameters, arm).pose("target", target);
-    if (!check.ok()) {
-        return check.error();
-    }
-    if (const Error error = d.obstacle(QString::fromLatin1(kContext)); error.code != ErrorCode::None) {
+    const Beginning from{"start a MoveL", *controller_};
+    const ArgumentCheck check =
+        toolMove(from.context, parameters, from.limits.tcpSpeed).pose("target", target);
+    if (const Error error = from.obstacle(check); error.code != ErrorCode::None) {
         return error;
     }
-    const ControllerStatus status = controller_->status();
-    const auto q = reach(arm, status, target);
-    if (!q) {
-        return outOfReach(kContext, "target");
-    }
-    MotionCommand command = program(ScriptCommand::MoveJToPose, parameters.holding);
-    command.target = target.array();
-    command.speed =
-        std::min(parameters.speed,
-                 kinematics::jointSpeedBound(arm.dh, JointPositions(status.q), *q,
-                                             Pose::fromArray(status.tcpOffset), d.limitsNow().tcpSpeed));
-    command.acceleration = parameters.acceleration;
-    const auto id = d.start(command, stops, QString::fromLatin1(kContext));
-    if (!id) {
-        return id.error();
-    }
-    return MotionAccess::make(*controller_, *id, MotionKind::MoveJ, status.q, q->array());
+    return reach(from.arm, from.status, target) ? lineTo(from, target, nullptr, parameters)
+                                                : outOfReach(from.context, "target");
 }
 
-Result<Motion> Motions::moveL(const JointPositions& target, const MoveParameters& parameters) {
-    constexpr auto kContext = "start a MoveL to joint positions";
-    auto& d = ControllerAccess::of(*controller_);
-    const std::uint64_t stops = d.mailbox.epoch().stops();
-    const ArmLimits arm = d.armNow();
-    const MotionLimits limits = d.limitsNow();
-    const ArgumentCheck check = toolMove(kContext, parameters, limits.tcpSpeed).joints("target", target, arm);
-    if (!check.ok()) {
-        return check.error();
-    }
-    if (const Error error = d.obstacle(QString::fromLatin1(kContext)); error.code != ErrorCode::None) {
+Result<Motion> Motions::moveLToJoints(const JointPositions& target, const MoveParameters& parameters) {
+    const Beginning from{"start a MoveL to joint positions", *controller_};
+    const ArgumentCheck check =
+        toolMove(from.context, parameters, from.limits.tcpSpeed).joints("target", target, from.arm);
+    if (const Error error = from.obstacle(check); error.code != ErrorCode::None) {
         return error;
     }
-    const ControllerStatus status = controller_->status();
-    const Pose tcp = Pose::fromArray(status.tcpOffset);
-    const Pose pose = kinematics::forwardTcp(arm.dh, target, tcp);
-    MotionCommand command = program(ScriptCommand::MoveLToJoints, parameters.holding);
-    command.target = target.array();
-    command.speed =
-        std::min(parameters.speed, kinematics::lineSpeedBound(arm.dh, JointPositions(status.q), pose, tcp,
-                                                              limits.tcpSpeed, limits.tcpRotationSpeed));
-    command.acceleration = parameters.acceleration;
-    const auto id = d.start(command, stops, QString::fromLatin1(kContext));
-    if (!id) {
-        return id.error();
-    }
-    return MotionAccess::make(*controller_, *id, MotionKind::MoveL, status.tcpPose, pose.array());
+    return lineTo(from, kinematics::forwardTcp(from.arm.dh, target, from.tcpOffset), &target, parameters);
 }
 
-Result<Motion> Motions::movePath(const MotionPath& path, const Deadline& start, Holding holding) {
+Result<Motion> Motions::movePath(const MotionPath& path, const Deadline& start, Holding holding,
+                                 milliseconds silence) {
     const QString context = QStringLiteral("start a path");
     if (const auto checked = checkPath(path); !checked) {
         return checked.error();
+    }
+    ArgumentCheck check("start a path");
+    if (!checkSilence(check, silence).ok()) {
+        return check.error();
     }
     auto& d = ControllerAccess::of(*controller_);
     const std::uint64_t stops = d.mailbox.epoch().stops();
@@ -209,24 +302,24 @@ Result<Motion> Motions::movePath(const MotionPath& path, const Deadline& start, 
         lines.append(QStringLiteral("tiller_waypoint = %1").arg(lines.size() / 2 + 1));
         lines.append(pathMove(entry));
     }
-    const auto id =
-        d.startSection(lines.join(QLatin1Char('\n')), QStringLiteral("path"), holding, stops, start, context);
+    const auto id = d.startSection(lines.join(QLatin1Char('\n')), QStringLiteral("path"), holding,
+                                   ownSilence(holding, silence), stops, start, context);
     if (!id) {
         return id.error();
     }
     return MotionAccess::path(*controller_, *id, static_cast<int>(path.size()));
 }
 
-Result<Motion> Motions::moveUntilContact(const Twist& twist, const Twist& direction, double acceleration,
-                                         const Deadline& start, Sought sought) {
+Result<Motion> Motions::moveUntilContact(const Twist& twist, const Deadline& start,
+                                         const ContactParameters& parameters) {
     constexpr auto kContext = "move until contact";
     auto& d = ControllerAccess::of(*controller_);
     const std::uint64_t stops = d.mailbox.epoch().stops();
     ArgumentCheck check =
         ArgumentCheck(kContext)
             .twist("twist", twist, std::min(d.limitsNow().tcpSpeed, kHighestToolSpeed))
-            .finite("direction", direction.vector().data(), 6)
-            .positive("acceleration", acceleration, kHighestToolAcceleration, "m/s2", "mm/s2");
+            .finite("direction", parameters.direction.vector().data(), 6)
+            .positive("acceleration", parameters.acceleration, kHighestToolAcceleration, "m/s2", "mm/s2");
     if (!check.ok()) {
         return check.error();
     }
@@ -240,21 +333,47 @@ Result<Motion> Motions::moveUntilContact(const Twist& twist, const Twist& direct
     if (const auto known = d.needs(kHasContact, {}, context); !known) {
         return known.error();
     }
-    const Vector6 values = direction.vector();
+    const Vector6 values = parameters.direction.vector();
     const std::span<const double> numbers(values.data(), 6);
     if (const auto set = d.request(RequestKind::WatchContact, 0, numbers, context, start); !set) {
         return set.error();
     }
-    MotionCommand command = program(ScriptCommand::UntilContact, Holding::Free);
+    MotionCommand command = program(ScriptCommand::UntilContact, parameters.holding);
     const Vector6 speeds = twist.vector();
     std::copy_n(speeds.data(), 6, command.target.begin());
     constexpr double kSlowestReturn = 0.01;  // [m/s]
     command.speed = std::max(twist.linear.norm(), kSlowestReturn);
-    command.acceleration = acceleration;
-    command.rotationAcceleration = acceleration;
-    command.choice = sought == Sought::AnyContact ? 1 : 0;
+    command.acceleration = parameters.acceleration;
+    command.rotationAcceleration = parameters.acceleration;
+    command.choice = parameters.sought == Sought::AnyContact ? 1 : 0;
     const auto id = d.start(command, stops, context);
     return id ? MotionAccess::make(*controller_, *id, MotionKind::UntilContact) : Result<Motion>(id.error());
+}
+
+Result<Jog> Motions::startJog(const JogTarget& target, Holding holding) {
+    auto& d = ControllerAccess::of(*controller_);
+    const std::uint64_t stops = d.mailbox.epoch().stops();
+    const QString context = QStringLiteral("start a jog");
+    if (!isFinite(target)) {
+        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("target: not a number")};
+    }
+    if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
+        return error;
+    }
+    if (target.contactForce > 0 && !controller_->status().forceKnown) {
+        return Error{ErrorCode::FieldUnknown, context, QStringLiteral("actual_TCP_force")};
+    }
+    MotionCommand command;
+    command.kind = MotionCommand::Kind::Jog;
+    command.held = holding == Holding::Held;
+    command.jog = target;
+    const auto id = d.start(command, stops, context);
+    if (!id) {
+        return id.error();
+    }
+    const bool turnsJoints = target.kind == JogTarget::Kind::Joint;
+    return Jog(MotionAccess::make(*controller_, *id,
+                                  turnsJoints ? MotionKind::JogJoints : MotionKind::JogCartesian));
 }
 
 Result<Motion> Motions::stopJ(double deceleration, StopCause cause) {

@@ -65,7 +65,7 @@ Result<void> Controller::Private::restart(const QString& section, const QString&
 }
 
 Result<MotionId> Controller::Private::startSection(const QString& section, const QString& name,
-                                                   Holding holding, std::uint64_t stops,
+                                                   Holding holding, milliseconds silence, std::uint64_t stops,
                                                    const Deadline& deadline, const QString& context) {
     const std::lock_guard lock(taking);
     const UnderWay cancellable(*this, deadline);
@@ -93,6 +93,7 @@ Result<MotionId> Controller::Private::startSection(const QString& section, const
     command.kind = MotionCommand::Kind::Program;
     command.program = static_cast<std::int32_t>(ScriptCommand::Section);
     command.held = holding == Holding::Held;
+    command.silence = silence;
     const MotionId id = mailbox.startAfter(epoch, command, now());
     if (id == kNoMotion) {
         return stopped(context);
@@ -124,7 +125,7 @@ Result<Motion> Programs::startFunction(const Text& name, const Text& body, const
     if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
         return error;
     }
-    const auto id = d.startSection(body, name, holding, stops, start, context);
+    const auto id = d.startSection(body, name, holding, milliseconds(0), stops, start, context);
     if (!id) {
         return id.error();
     }

@@ -2,14 +2,12 @@
 #include "robot/kinematics/speed_bounds.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 #include "robot/kinematics/arm_kinematics.h"
 
 namespace tiller::kinematics {
 namespace {
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 Eigen::Vector3d elbowPosition(const DhParameters& dh, const JointPositions& q) {
     return linkFrames(dh, q)[2].translation();
@@ -28,27 +26,32 @@ Eigen::Vector3d elbowVelocity(const DhParameters& dh, const JointPositions& q, c
 
 }  // namespace
 
-double jointSpeedBound(const DhParameters& dh, const JointPositions& from, const JointPositions& to,
-                       const Pose& tcpOffset, double cap) {
+SpeedBound jointSpeedBound(const DhParameters& dh, const JointPositions& from, const JointPositions& to,
+                           const Pose& tcpOffset, double cap) {
     const Vector6 way = to.values - from.values;
     const double largest = way.cwiseAbs().maxCoeff();
     if (largest < 1e-9) {
-        return kInfinite;
+        return {};
     }
     // Speeds of the points while the joint that turns most turns at 1 rad/s.
     const Vector6 qd = way / largest;
-    double fastest = 0;
+    double tcp = 0;
+    double elbow = 0;
     constexpr int kSamples = 64;
     for (int i = 0; i <= kSamples; ++i) {
         const JointPositions q(Vector6(from.values + way * (static_cast<double>(i) / kSamples)));
-        fastest = std::max(fastest, (jacobian(dh, q, tcpOffset).topRows<3>() * qd).norm());
-        fastest = std::max(fastest, elbowVelocity(dh, q, qd).norm());
+        tcp = std::max(tcp, (jacobian(dh, q, tcpOffset).topRows<3>() * qd).norm());
+        elbow = std::max(elbow, elbowVelocity(dh, q, qd).norm());
     }
-    return fastest < 1e-9 ? kInfinite : cap / fastest;
+    const double fastest = std::max(tcp, elbow);
+    if (fastest < 1e-9) {
+        return {};
+    }
+    return {cap / fastest, tcp < elbow ? SpeedLimit::Elbow : SpeedLimit::Tcp};
 }
 
-double lineSpeedBound(const DhParameters& dh, const JointPositions& from, const Pose& to,
-                      const Pose& tcpOffset, double cap, double rotationCap) {
+SpeedBound lineSpeedBound(const DhParameters& dh, const JointPositions& from, const Pose& to,
+                          const Pose& tcpOffset, double cap, double rotationCap) {
     const Pose start = forwardTcp(dh, from, tcpOffset);
     const Eigen::Vector3d line = to.position - start.position;
     const double length = line.norm();
@@ -58,11 +61,17 @@ double lineSpeedBound(const DhParameters& dh, const JointPositions& from, const 
     constexpr double kOnTheSpot = 1e-4;  // [m]
     if (length < kOnTheSpot) {
         // A turn on the spot: the controller counts its angle as a path of this radius.
-        return turn.norm() > 1e-6 ? rotationCap * kTurnRadius : kInfinite;
+        return turn.norm() > 1e-6 ? SpeedBound{rotationCap * kTurnRadius, SpeedLimit::Rotation}
+                                  : SpeedBound();
     }
-    double bound = cap;
+    SpeedBound bound{cap, SpeedLimit::Tcp};
+    const auto holdTo = [&bound](double speed, SpeedLimit by) {
+        if (speed < bound.speed) {
+            bound = {speed, by};
+        }
+    };
     if (turn.norm() > 1e-6) {
-        bound = std::min(bound, rotationCap * length / turn.norm());
+        holdTo(rotationCap * length / turn.norm(), SpeedLimit::Rotation);
     }
     constexpr int kSamples = 48;
     JointPositions q = from;
@@ -78,12 +87,26 @@ double lineSpeedBound(const DhParameters& dh, const JointPositions& from, const 
         const Eigen::Vector3d nextElbow = elbowPosition(dh, *next);
         const double elbowPerTcp = (nextElbow - elbow).norm() / (length / kSamples);
         if (elbowPerTcp > 1.0) {
-            bound = std::min(bound, cap / elbowPerTcp);
+            holdTo(cap / elbowPerTcp, SpeedLimit::Elbow);
         }
         q = *next;
         elbow = nextElbow;
     }
     return bound;
+}
+
+double lineLength(const Pose& from, const Pose& to) {
+    const Eigen::Vector3d turn =
+        rotationVector(rotationMatrix(from.rotation).transpose() * rotationMatrix(to.rotation));
+    return std::max((to.position - from.position).norm(), turn.norm() * kTurnRadius);
+}
+
+double moveDuration(double distance, double speed, double acceleration) {
+    if (!(distance > 0 && speed > 0 && acceleration > 0)) {
+        return 0;
+    }
+    const double ramp = speed * speed / acceleration;  // speeding up and slowing down together
+    return distance < ramp ? 2 * std::sqrt(distance / acceleration) : distance / speed + speed / acceleration;
 }
 
 }  // namespace tiller::kinematics

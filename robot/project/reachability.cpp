@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "robot/kinematics/arm_kinematics.h"
+#include "robot/kinematics/speed_bounds.h"
 
 namespace tiller::project {
 namespace {
@@ -80,15 +81,15 @@ MovePreview previewMove(const RobotModel& model, const Waypoint& waypoint, const
         } else {
             preview.reach.obstacle = Reach::Obstacle::OnTheWay;
         }
-        preview.duration = moveDuration(poseDifference(start, end).distance, waypoint.toolSpeed * fraction,
-                                        kDefaultToolAcceleration);
+        preview.duration = kinematics::moveDuration(poseDifference(start, end).distance,
+                                                    waypoint.toolSpeed * fraction, kDefaultToolAcceleration);
     }
     const Vector6 turns = preview.reach.q.values - from.values;
     turns.cwiseAbs().maxCoeff(&preview.largestTurnJoint);
     preview.largestTurn = turns[preview.largestTurnJoint];
     if (waypoint.move == MoveKind::Joint) {
-        preview.duration = moveDuration(std::abs(preview.largestTurn), waypoint.jointSpeed * fraction,
-                                        kDefaultJointAcceleration);
+        preview.duration = kinematics::moveDuration(
+            std::abs(preview.largestTurn), waypoint.jointSpeed * fraction, kDefaultJointAcceleration);
     }
     return preview;
 }
@@ -101,15 +102,6 @@ std::optional<Pose> targetForTcp(const Waypoint& waypoint, const FrameList& fram
     }
     return Pose(pose->transform() * waypoint.tcpOffset.transform().inverse(Eigen::Isometry) *
                 activeTcpOffset.transform());
-}
-
-double moveDuration(double distance, double speed, double acceleration) {
-    if (!(distance > 0) || !(speed > 0) || !(acceleration > 0)) {
-        return 0;
-    }
-    const double rampDistance = speed * speed / acceleration;  // up and down together
-    return distance >= rampDistance ? distance / speed + speed / acceleration
-                                    : 2 * std::sqrt(distance / acceleration);
 }
 
 }  // namespace tiller::project

@@ -47,7 +47,4 @@ MovePreview previewMove(const RobotModel& model, const Waypoint& waypoint, const
 std::optional<Pose> targetForTcp(const Waypoint& waypoint, const FrameList& frames,
                                  const Pose& activeTcpOffset);
 
-/// Time of a move over `distance` that speeds up, goes on and slows down [s].
-double moveDuration(double distance, double speed, double acceleration);
-
 }  // namespace tiller::project

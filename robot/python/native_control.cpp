@@ -103,22 +103,22 @@ void defineStream(py::module_& module, const char* name) {
 class NativeJog {
 public:
     NativeJog(SharedController controller, const JogTarget& target)
-        : controller_(std::move(controller)), id_(taken(controller_->controller.startJog(target))) {}
+        : controller_(std::move(controller))
+        , jog_(taken(Motions(controller_->controller).startJog(target))) {}
     NativeJog(const NativeJog&) = delete;
     NativeJog& operator=(const NativeJog&) = delete;
     ~NativeJog() { end(); }
 
     bool refresh(const std::optional<JogTarget>& target) {
-        return target ? controller_->controller.refreshJog(id_, *target)
-                      : controller_->controller.refreshJog(id_);
+        return target ? jog_.refresh(*target) : jog_.refresh();
     }
-    bool end() { return controller_->controller.end(id_, StopCause::ApiCall); }
-    bool isActive() const { return controller_->controller.motionState(id_).phase == MotionPhase::Active; }
-    std::string cause() const { return toString(controller_->controller.motionState(id_).cause); }
+    bool end() { return jog_.cancel(StopCause::ApiCall); }
+    bool isActive() const { return jog_.isActive(); }
+    std::string cause() const { return toString(jog_.state().cause); }
 
 private:
     SharedController controller_;
-    JogId id_;
+    Jog jog_;
 };
 
 JogTarget jogTarget(const std::string& frame, const Six& velocity, const Six& customFrame,
@@ -271,7 +271,8 @@ void defineMotions(ControllerClass& cls) {
     cls.def("move_j_to_pose", [parameters](const SharedController& self, const Six& pose, double speed,
                                            double acceleration) {
         return handle(
-            self, Motions(self->controller).moveJ(Pose::fromArray(pose), parameters(speed, acceleration)));
+            self,
+            Motions(self->controller).moveJToPose(Pose::fromArray(pose), parameters(speed, acceleration)));
     });
     cls.def("move_l", [parameters](const SharedController& self, const Six& pose, double speed,
                                    double acceleration) {
@@ -289,7 +290,10 @@ void defineMotions(ControllerClass& cls) {
                                      double acceleration, const Seconds& seconds) {
         return handle(self, waited(seconds, [&](const Deadline& deadline) {
                           return Motions(self->controller)
-                              .moveUntilContact(twistOf(twist), twistOf(direction), acceleration, deadline);
+                              .moveUntilContact(twistOf(twist), deadline,
+                                                {.direction = twistOf(direction),
+                                                 .acceleration = acceleration,
+                                                 .holding = Holding::Free});
                       }));
     });
     cls.def("stop_j", [](const SharedController& self, double deceleration) {

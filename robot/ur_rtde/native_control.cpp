@@ -24,8 +24,6 @@ constexpr milliseconds kAnswerTime(3000);
 constexpr milliseconds kJoinTime(500);
 // So long without data the link counts as broken. What moves has long been ended by the robot itself then.
 constexpr milliseconds kSilence(2500);
-// ur_rtde slows nothing down that the controller does not.
-constexpr double kNoCap = 1000;
 // Calmer than the controller's own, as programs for ur_rtde are used to.
 constexpr control::ForceSettings kCalmForce{0.025, 0.5};
 constexpr double kGentlestBrake = 0.1;  ///< below it a stop is none, says control
@@ -144,9 +142,10 @@ NativeControl::NativeControl(const SessionOptions& options, Pendant& pendant, Pr
         wanted.registers =
             options.offset() > 0 ? control::RegisterRange::Upper : control::RegisterRange::Lower;
         wanted.priority = std::max(options.priority, 0);
-        wanted.limits.tcpSpeed = kNoCap;
-        wanted.limits.tcpRotationSpeed = kNoCap;
-        wanted.limits.jointSpeed = kNoCap;
+        // ur_rtde slows nothing down that the controller does not.
+        wanted.limits.tcpSpeed = control::kNoCap;
+        wanted.limits.tcpRotationSpeed = control::kNoCap;
+        wanted.limits.jointSpeed = control::kNoCap;
         wanted.patience = kSilence;
         wanted.silence = kSilence;
         wanted.force = kCalmForce;
@@ -472,16 +471,17 @@ std::optional<Answer> NativeControl::perform(const Command& command) {
         case CommandId::MoveJ:
             return move(v[8] != 0, [&] { return motions_.moveJ(joints(v), moveAt(v)); });
         case CommandId::MoveJIk:
-            return move(v[8] != 0, [&] { return motions_.moveJ(poseAt(v), moveAt(v)); });
+            return move(v[8] != 0, [&] { return motions_.moveJToPose(poseAt(v), moveAt(v)); });
         case CommandId::MoveL:
             return move(v[8] != 0, [&] { return motions_.moveL(poseAt(v), moveAt(v)); });
         case CommandId::MoveLFk:
-            return move(v[8] != 0, [&] { return motions_.moveL(joints(v), moveAt(v)); });
+            return move(v[8] != 0, [&] { return motions_.moveLToJoints(joints(v), moveAt(v)); });
         case CommandId::MoveUntilContact: {
             const Twist given = twistAt(v, 6);
             return move(false, [&] {
-                return motions_.moveUntilContact(twistAt(v), given.isZero() ? twistAt(v) : given, v[12],
-                                                 within(kAnswerTime), control::Sought::AnyContact);
+                return motions_.moveUntilContact(
+                    twistAt(v), within(kAnswerTime),
+                    {given.isZero() ? twistAt(v) : given, v[12], control::Sought::AnyContact, Holding::Free});
             });
         }
         case CommandId::JogStart:

@@ -47,7 +47,7 @@ void jogOnce(control::Controller& controller, double direction, JogTimes& times)
     target.twist.linear.x() = 0.1 * direction;
     const std::uint64_t stops = controller.status().lastStop.count;
     const auto pressed = std::chrono::steady_clock::now();
-    const Result<control::JogId> jog = controller.startJog(target);
+    const Result<control::Jog> jog = control::Motions(controller).startJog(target);
     if (!jog) {
         return;
     }
@@ -60,12 +60,12 @@ void jogOnce(control::Controller& controller, double direction, JogTimes& times)
                     .count());
         }
         if (std::chrono::steady_clock::now() >= next) {
-            controller.refreshJog(*jog);
+            jog->refresh();
             next += 20ms;
         }
         std::this_thread::sleep_for(200us);
     }
-    controller.end(*jog, control::StopCause::Released);
+    jog->cancel(control::StopCause::Released);
     const auto released = std::chrono::steady_clock::now();
     while (controller.status().lastStop.count == stops && std::chrono::steady_clock::now() - released < 2s) {
         std::this_thread::sleep_for(1ms);

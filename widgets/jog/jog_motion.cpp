@@ -151,8 +151,9 @@ MoveRequest homeMove(const JogSelection& selection, const JointPositions& from, 
     request.q = home;
     request.speed = capped(chosenSpeed(selection).joint, limits.jointSpeed);
     request.acceleration = limits.jointAcceleration;
-    request.speed = std::min(
-        request.speed, kinematics::jointSpeedBound(model.dh, from, home, tcpOffset, 0.95 * limits.tcpSpeed));
+    request.speed =
+        std::min(request.speed,
+                 kinematics::jointSpeedBound(model.dh, from, home, tcpOffset, 0.95 * limits.tcpSpeed).speed);
     return request;
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "robot/kinematics/speed_bounds.h"
-#include "robot/project/reachability.h"
 
 namespace tiller {
 
@@ -13,14 +12,10 @@ double moveSeconds(const MoveRequest& request, const SessionState& state) {
     if (request.kind == MoveRequest::Kind::MoveJ) {
         distance = (request.q.values - state.q.values).cwiseAbs().maxCoeff();
     } else {
-        const Eigen::Matrix3d turn =
-            rotationMatrix(request.pose.rotation) * rotationMatrix(state.tcpPose.rotation).transpose();
-        // A line that only turns is led by its turn.
-        distance = std::max((request.pose.position - state.tcpPose.position).norm(),
-                            rotationVector(turn).norm() * kinematics::kTurnRadius);
+        distance = kinematics::lineLength(state.tcpPose, request.pose);
     }
     constexpr double kLeastFraction = 0.02;  // of the slider
-    return project::moveDuration(distance, request.speed, request.acceleration) /
+    return kinematics::moveDuration(distance, request.speed, request.acceleration) /
            std::max(state.speedFraction, kLeastFraction);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "robot/control/compliance.h"
+#include "robot/control/motions.h"
 #include "widgets/common/notation.h"
 #include "widgets/session/controller_codes.h"
 #include "widgets/session/session_backend.h"
@@ -279,11 +280,13 @@ Result<RobotSession::MotionId> RobotSession::beginJog(const control::JogTarget& 
     if (!d_->link) {
         return notMovable(d_->state);
     }
-    const Result<control::JogId> jog = d_->link->controller->startJog(target);
-    if (jog) {
-        d_->jogMotion = *jog;
+    const Result<control::Jog> jog =
+        control::Motions(*d_->link->controller).startJog(target, control::Holding::Held);
+    if (!jog) {
+        return jog.error();
     }
-    return jog;
+    d_->link->jog = *jog;
+    return jog->id();
 }
 
 Result<RobotSession::MotionId> RobotSession::beginMove(const MoveRequest& request) {
@@ -291,13 +294,15 @@ Result<RobotSession::MotionId> RobotSession::beginMove(const MoveRequest& reques
         return notMovable(d_->state);
     }
     const control::MoveParameters parameters{request.speed, request.acceleration, control::Holding::Held};
-    const Result<control::MoveId> move = request.kind == MoveRequest::Kind::MoveJ
-                                             ? d_->link->controller->moveJ(request.q, parameters)
-                                             : d_->link->controller->moveL(request.pose, parameters);
-    if (move) {
-        d_->moveMotion = *move;
+    control::Motions motions(*d_->link->controller);
+    const Result<control::Motion> move = request.kind == MoveRequest::Kind::MoveJ
+                                             ? motions.moveJ(request.q, parameters)
+                                             : motions.moveL(request.pose, parameters);
+    if (!move) {
+        return move.error();
     }
-    return move;
+    d_->link->move = *move;
+    return move->id();
 }
 
 Result<RobotSession::MotionId> RobotSession::beginFreedrive(const control::Freedrive& freedrive) {
@@ -309,7 +314,7 @@ Result<RobotSession::MotionId> RobotSession::beginFreedrive(const control::Freed
     if (!motion) {
         return motion.error();
     }
-    d_->moveMotion = motion->id();
+    d_->link->move = *motion;
     return motion->id();
 }
 
@@ -317,12 +322,13 @@ bool RobotSession::hold(MotionId motion) {
     if (!d_->link || motion == control::kNoMotion) {
         return false;
     }
-    return motion == d_->moveMotion ? d_->link->controller->refreshMove(motion)
-                                    : d_->link->controller->refreshJog(motion);
+    const RobotLink& link = *d_->link;
+    return motion == link.move.id() ? link.move.refresh() : motion == link.jog.id() && link.jog.refresh();
 }
 
 bool RobotSession::hold(MotionId motion, const control::JogTarget& target) {
-    return d_->link && motion != control::kNoMotion && d_->link->controller->refreshJog(motion, target);
+    return d_->link && motion != control::kNoMotion && motion == d_->link->jog.id() &&
+           d_->link->jog.refresh(target);
 }
 
 void RobotSession::endMotion(MotionId motion, control::StopCause cause) {

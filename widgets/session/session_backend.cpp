@@ -123,7 +123,7 @@ void RobotSession::Backend::readControl() {
     noteStop(status.lastStop, ownStops);
     noteStop(link->foreignStop->last(), foreignStops);
     state.motionActive = status.motion != control::kNoMotion;
-    state.jogActive = status.motion != control::kNoMotion && status.motion == jogMotion;
+    state.jogActive = status.motion != control::kNoMotion && status.motion == link->jog.id();
     // Standing still is judged by the robot's own data, with or without control: 0.1 deg/s is above its
     // noise.
     constexpr double kStandstill = 0.0017;

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "robot/control/controller.h"
+#include "robot/control/jog.h"
 #include "robot/dashboard/service_worker.h"
 #include "robot/io/outputs.h"
 #include "robot/receive/receiver.h"
@@ -27,6 +28,8 @@ namespace tiller {
 struct RobotLink {
     std::shared_ptr<receive::Receiver> receiver;
     std::shared_ptr<control::Controller> controller;
+    control::Jog jog;      ///< the newest one
+    control::Motion move;  ///< the newest motion that is none: a move or freedrive
     std::shared_ptr<io::Outputs> outputs;
     std::unique_ptr<dashboard::ServiceWorker> service;
     std::unique_ptr<dashboard::ServiceWorker> watch;  ///< only looks: never behind a command
@@ -60,8 +63,6 @@ struct RobotSession::Backend {
     QString refusal;  ///< why taking control failed last
     QString linkReason;
 
-    RobotSession::MotionId moveMotion = 0;  ///< the newest motion that is a move, to refresh it as one
-    RobotSession::MotionId jogMotion = 0;
     std::uint64_t stopsSeen = 0;
     std::uint64_t ownStops = 0;  ///< measured by the controller, of those shown
     std::uint64_t foreignStops = 0;

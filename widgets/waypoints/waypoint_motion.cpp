@@ -23,7 +23,7 @@ Result<MoveRequest> moveRequestFor(const RobotModel& model, const project::Waypo
         request.kind = MoveRequest::Kind::MoveJ;
         request.speed = std::min(
             {waypoint.jointSpeed, limits.jointSpeed,
-             kinematics::jointSpeedBound(model.dh, from, preview.reach.q, tcpOffset, limits.tcpSpeed)});
+             kinematics::jointSpeedBound(model.dh, from, preview.reach.q, tcpOffset, limits.tcpSpeed).speed});
         return request;
     }
     request.kind = MoveRequest::Kind::MoveL;

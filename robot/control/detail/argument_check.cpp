@@ -26,6 +26,12 @@ QString text(const char* literal) {
     return QString::fromLatin1(literal);
 }
 
+QString aboveCap(const char* name, double speed, double cap) {
+    const QString above = QStringLiteral("%1: %2 is above %3 m/s").arg(text(name)).arg(speed).arg(cap);
+    return cap < kHighestToolSpeed ? above + QStringLiteral(", the cap; setSpeedCap() sets another one")
+                                   : above;
+}
+
 }  // namespace
 
 double highestJointSpeed(const ArmLimits& arm) {
@@ -113,14 +119,13 @@ ArgumentCheck& ArgumentCheck::twist(const char* name, const Twist& twist, double
             return *this;
         }
     }
-    if (twist.linear.norm() > cap + kRounding) {
-        const bool millimetres = twist.linear.norm() > kSurelyMillimetres;
-        refuse(millimetres ? ErrorCode::InvalidArgument : ErrorCode::LimitExceeded,
-               QStringLiteral("%1: %2 m/s is above %3 m/s%4")
-                   .arg(text(name))
-                   .arg(twist.linear.norm())
-                   .arg(cap)
-                   .arg(millimetres ? QStringLiteral(". Was it given in mm/s?") : QString()));
+    if (twist.linear.norm() > kSurelyMillimetres) {
+        refuse(ErrorCode::InvalidArgument, QStringLiteral("%1: %2 m/s is above %3 m/s. Was it given in mm/s?")
+                                               .arg(text(name))
+                                               .arg(twist.linear.norm())
+                                               .arg(cap));
+    } else if (twist.linear.norm() > cap + kRounding) {
+        refuse(ErrorCode::LimitExceeded, aboveCap(name, twist.linear.norm(), cap));
     }
     constexpr double kFastestRotation = 12.0;  // [rad/s]: no wrist turns faster
     if (twist.angular.norm() > kFastestRotation) {
@@ -172,6 +177,15 @@ ArgumentCheck& ArgumentCheck::range(const char* name, double value, double low, 
     return *this;
 }
 
+ArgumentCheck& ArgumentCheck::toolSpeed(const char* name, double speed, double cap) {
+    const double highest = std::min(cap, kHighestToolSpeed);
+    if (speed > highest + kRounding && speed <= kHighestToolSpeed) {
+        refuse(ErrorCode::LimitExceeded, aboveCap(name, speed, highest));
+        return *this;
+    }
+    return positive(name, speed, kHighestToolSpeed, "m/s", "mm/s");
+}
+
 ArgumentCheck& ArgumentCheck::positive(const char* name, double value, double high, const char* unit,
                                        const char* hint) {
     if (!checkFinite(name, "it", value)) {
@@ -192,6 +206,33 @@ ArgumentCheck& ArgumentCheck::positive(const char* name, double value, double hi
                         otherUnit ? QStringLiteral(". Was it given in %1?").arg(text(hint)) : QString()));
     }
     return *this;
+}
+
+bool isFinite(const JogTarget& target) {
+    return target.twist.linear.allFinite() && target.twist.angular.allFinite() && target.qd.allFinite() &&
+           target.T_base_frame.allFinite() && std::isfinite(target.contactForce);
+}
+
+Error checkLimits(const MotionLimits& limits, const char* context) {
+    constexpr double kHighestTurn = 12.0;  // [rad/s]: no wrist turns faster
+    ArgumentCheck check(context);
+    const auto speed = [&check](const char* name, double value, double high, const char* unit,
+                                const char* hint) {
+        if (value != kNoCap) {
+            check.positive(name, value, high, unit, hint);
+        }
+    };
+    speed("limits.tcpSpeed", limits.tcpSpeed, kHighestToolSpeed, "m/s", "mm/s");
+    speed("limits.tcpRotationSpeed", limits.tcpRotationSpeed, kHighestTurn, "rad/s", "deg/s");
+    speed("limits.jointSpeed", limits.jointSpeed, kHighestTurn, "rad/s", "deg/s");
+    return check
+        .positive("limits.jogAcceleration", limits.jogAcceleration, kHighestToolAcceleration, "m/s2", "mm/s2")
+        .positive("limits.jogDeceleration", limits.jogDeceleration, kHighestToolAcceleration, "m/s2", "mm/s2")
+        .positive("limits.jointAcceleration", limits.jointAcceleration, kJointAccelerationLimit, "rad/s2",
+                  "deg/s2")
+        .positive("limits.jointDeceleration", limits.jointDeceleration, kJointAccelerationLimit, "rad/s2",
+                  "deg/s2")
+        .error();
 }
 
 }  // namespace tiller::control

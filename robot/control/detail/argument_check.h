@@ -31,6 +31,8 @@ public:
     ArgumentCheck& finite(const char* name, const double* values, int count);
     /// low <= value <= high
     ArgumentCheck& range(const char* name, double value, double low, double high, const char* unit);
+    /// Speed of the TCP along a line [m/s]: 0 < speed <= cap, which the caller of setSpeedCap() can raise.
+    ArgumentCheck& toolSpeed(const char* name, double speed, double cap);
     /// 0 < value <= high. hint  what a far too large value may be: "deg/s"
     ArgumentCheck& positive(const char* name, double value, double high, const char* unit,
                             const char* hint = nullptr);
@@ -45,6 +47,11 @@ private:
     const char* context_;
     Error error_;
 };
+
+bool isFinite(const JogTarget& target);
+
+/// What can only be another unit, named. kNoCap is no speed cap; there is no acceleration without a limit.
+Error checkLimits(const MotionLimits& limits, const char* context);
 
 /// The fastest joint's limit [rad/s].
 double highestJointSpeed(const ArmLimits& arm);

@@ -107,7 +107,7 @@ Command ControlLoop::tick(const Feedback& data) {
             ++status_.late;
         }
         // The stall is over, but what was asked for before it is too old to go on with.
-        if (sinceLast > patienceNs_) {
+        if (sinceLast > patienceNs()) {
             endActive(StopCause::DataStale, data.hostNs);
         }
     }
@@ -134,7 +134,7 @@ Command ControlLoop::tick(const Feedback& data) {
 
 bool ControlLoop::fallback(std::int64_t nowNs, Command& out) {
     const std::int64_t age = nowNs - data_.hostNs;
-    if (age > patienceNs_) {
+    if (age > patienceNs()) {
         endActive(StopCause::DataStale, nowNs);
     }
     if (dueNs() <= nowNs && cycleWithoutPackage(nowNs, out)) {
@@ -225,6 +225,11 @@ void ControlLoop::publishLoss(ControlLoss loss) {
     publish();
 }
 
+std::int64_t ControlLoop::patienceNs() const {
+    const bool follows = followed_ != kNoMotion && mailbox_.epoch().isActive(followed_);
+    return follows ? std::max(patienceNs_, followedSilenceNs_) : patienceNs_;
+}
+
 void ControlLoop::followEcho(const Feedback& data) {
     const Echo& echo = data.echo;
     if (echo.session != session_) {
@@ -294,15 +299,15 @@ void ControlLoop::watch(const Feedback& data) {
         return;
     }
     const std::int64_t unanswered = unansweredSinceNs_ == 0 ? 0 : data.hostNs - unansweredSinceNs_;
-    if (unanswered > std::max(kEchoGoneNs, patienceNs_)) {
+    if (unanswered > std::max(kEchoGoneNs, patienceNs())) {
         leave(ControlLoss::EchoStalled, StopCause::ControlLost, data.hostNs);
         return;
     }
-    if (unanswered > patienceNs_) {
+    if (unanswered > patienceNs()) {
         endActive(StopCause::ControlLost, data.hostNs);
     }
     // Everything flows, but late: a stop would reach the arm as late.
-    if (status_.roundTripMs * static_cast<double>(kNsPerMs) > static_cast<double>(patienceNs_)) {
+    if (status_.roundTripMs * static_cast<double>(kNsPerMs) > static_cast<double>(patienceNs())) {
         endActive(StopCause::LinkLost, data.hostNs);
     }
     const MotionId motion = mailbox_.epoch().activeMotion();
@@ -378,7 +383,8 @@ void ControlLoop::compose(const Feedback& data, Command& command) {
         followedTcp_ = data.tcpOffset;
         followedForce_ = data.tcpForce.value_or(Eigen::Vector3d::Zero());
         pressed_ = 0;
-        status_.limiter = {};
+        followedSilenceNs_ = std::chrono::nanoseconds(motion->silence).count();
+        status_.limiter = motion->limiter;
         // What is still being measured belongs to a motion that another one has followed before standstill.
         meter_.cancel();
     }
@@ -421,6 +427,7 @@ void ControlLoop::composeProgram(const MotionCommand& motion, const Feedback& da
     command.acceleration = from->acceleration;
     command.rotationAcceleration = from->rotationAcceleration;
     command.rotation = from->rotation;
+    command.silenceMs = static_cast<std::int32_t>(from->silence.count());
 }
 
 bool ControlLoop::feelsContact(const JogTarget& target, const Feedback& data) {

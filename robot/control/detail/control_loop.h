@@ -87,7 +87,8 @@ public:
         endLoss_.store(loss, std::memory_order_relaxed);
         endRequested_.store(true, std::memory_order_release);
     }
-    /// How old data may be, and how long the program may leave a package unanswered, before a motion ends.
+    /// How old data may be, and how long the program may leave a package unanswered, before a motion ends that
+    /// was not given a longer silence.
     /// Threads: before the control thread starts
     void setPatience(std::int64_t ns) { patienceNs_ = ns; }
     /// For who joins a program that runs: goes on counting where the client before has ended.
@@ -134,6 +135,8 @@ public:
     void publishLoss(ControlLoss loss);
 
 private:
+    /// How long the active motion may do without data and answers.
+    std::int64_t patienceNs() const;
     void followEcho(const Feedback& data);
     void watch(const Feedback& data);
     void leave(ControlLoss loss, StopCause cause, std::int64_t nowNs);
@@ -194,6 +197,7 @@ private:
     bool sentForce_ = false;                                   ///< whether force mode may go on, by the same
     MotionId followed_ = kNoMotion;                            ///< the motion the last command was for
     bool followedByHand_ = false;                              ///< a jog or a move of the interface
+    std::int64_t followedSilenceNs_ = 0;                       ///< what it was given, see MotionCommand
     Pose followedTcp_;                                         ///< TCP offset when it began
     Eigen::Vector3d followedForce_ = Eigen::Vector3d::Zero();  ///< on the TCP when it began
     int pressed_ = 0;  ///< packages in a row in which the TCP was pressed harder than the jog allows

@@ -129,8 +129,10 @@ struct Controller::Private {
     /// Ends the control program and sends it again with this section in it. Needs `taking`.
     Result<void> restart(const QString& section, const QString& name, const Deadline& deadline);
     /// Sends the program with this section and starts it, unless a stop came since there were so many.
+    /// silence  how long it may last without a heartbeat; 0: as everything else
     Result<MotionId> startSection(const QString& section, const QString& name, Holding holding,
-                                  std::uint64_t stops, const Deadline& deadline, const QString& context);
+                                  std::chrono::milliseconds silence, std::uint64_t stops,
+                                  const Deadline& deadline, const QString& context);
     Result<void> watchScript(std::uint64_t epoch, std::uint64_t played, const QString& context,
                              const Deadline& deadline);
     /// Ends a script of the user's that still runs, and takes control again. Needs `taking`.
@@ -170,11 +172,13 @@ struct MotionAccess {
         motion.kind_ = kind;
         return motion;
     }
-    static Motion make(Controller& controller, MotionId id, MotionKind kind,
-                       const std::array<double, 6>& from, const std::array<double, 6>& to) {
+    static Motion move(Controller& controller, MotionId id, MotionKind kind,
+                       const std::array<double, 6>& from, const std::array<double, 6>& to,
+                       const MotionPlan& plan) {
         Motion motion = make(controller, id, kind);
         motion.from_ = from;
         motion.to_ = to;
+        motion.plan_ = plan;
         return motion;
     }
     static Motion path(Controller& controller, MotionId id, int waypoints) {

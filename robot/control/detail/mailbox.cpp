@@ -71,6 +71,8 @@ bool Mailbox::replace(MotionId motion, const MotionCommand& values, std::int64_t
     changed.kind = last_.kind;
     changed.held = last_.held;
     changed.program = last_.program;
+    changed.limiter = last_.limiter;
+    changed.silence = last_.silence;
     publish(changed);
     return epoch_.isActive(motion);
 }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <mutex>
 
@@ -16,7 +17,7 @@
 namespace tiller::control {
 
 /// Without a refresh for this long a held motion ends.
-inline constexpr std::int64_t kHoldTimeNs = 100'000'000;
+inline constexpr std::int64_t kHoldTimeNs = std::chrono::nanoseconds(kHoldTime).count();
 
 struct MotionCommand {
     enum class Kind : std::uint8_t { None, Jog, MoveJ, MoveL, Program };
@@ -32,6 +33,9 @@ struct MotionCommand {
     double acceleration = 0;
     double rotationAcceleration = 0;
     std::array<double, 3> rotation{};  ///< Program: rotation vector of a custom frame
+    Limiter limiter;                   ///< of a move: what keeps it below the speed asked for
+    /// Of a free move or path: how long it lasts without a heartbeat; 0: as everything else.
+    std::chrono::milliseconds silence{0};
 };
 
 /// A stop that chooses its deceleration; it counts for the epoch it made.

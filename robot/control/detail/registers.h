@@ -119,6 +119,7 @@ struct Command {
     bool forcePermitted = false;  ///< force mode may go on
     double speedFraction = 1;     ///< of the speed slider
     bool mayFinish = false;       ///< a move or path may come to its end without a heartbeat
+    std::int32_t silenceMs = 0;   ///< a move or path may last so long without one; 0: as everything else
 };
 
 /// What control.script says in its output registers.

@@ -4,6 +4,7 @@
 #include <QRandomGenerator>
 #include <algorithm>
 
+#include "robot/control/detail/argument_check.h"
 #include "robot/control/detail/control_script.h"
 #include "robot/control/detail/controller_private.h"
 
@@ -43,6 +44,9 @@ Error explainUnknown(const QString& context, RegisterRange range) {
 }  // namespace
 
 Result<void> Controller::Private::take(const Deadline& deadline, bool join) {
+    if (const Error error = checkLimits(options.limits, "take control"); error.code != ErrorCode::None) {
+        return error;
+    }
     loop.publishLoss(ControlLoss::Taking);
     if (auto opened = openRegisters(deadline); !opened) {
         return opened;

@@ -11,7 +11,7 @@
 #include <optional>
 #include <thread>
 
-#include "robot/control/controller.h"
+#include "robot/control/motions.h"
 #include "robot/core/clock.h"
 #include "robot/simulator/controller.h"
 
@@ -75,6 +75,8 @@ public:
         options.priority = 0;
         controller = std::make_unique<control::Controller>(options);
     }
+
+    control::Motions motions() { return control::Motions(*controller); }
 
     /// Takes control while time goes on.
     Result<void> takeControl() {
@@ -169,9 +171,9 @@ public:
         return robot.truth().runtimeState == RuntimeState::Stopped;
     }
     /// Holds a jog for some time, refreshing it every 20 ms.
-    bool hold(control::JogId jog, int ms) {
+    bool hold(const control::Jog& jog, int ms) {
         for (int t = 0; t < ms; t += 2) {
-            if (t % 20 == 0 && !controller->refreshJog(jog)) {
+            if (t % 20 == 0 && !jog.refresh()) {
                 return false;
             }
             if (!step()) {
@@ -180,9 +182,9 @@ public:
         }
         return true;
     }
-    bool holdMove(control::MoveId move, int atMostMs) {
+    bool holdMove(const control::Motion& move, int atMostMs) {
         for (int t = 0; t < atMostMs; t += 2) {
-            if (t % 20 == 0 && !controller->refreshMove(move)) {
+            if (t % 20 == 0 && !move.refresh()) {
                 return true;
             }
             if (!step()) {

@@ -46,8 +46,8 @@ JointPositions turned(const ContractCell& cell, double by) {
 }
 
 Error beginJog(ContractCell& cell, const JogTarget& target) {
-    const auto jog = cell.controller->startJog(target);
-    cell.jog = jog ? *jog : kNoMotion;
+    const auto jog = Motions(*cell.controller).startJog(target);
+    cell.jog = jog ? *jog : Jog();
     return jog ? Error() : jog.error();
 }
 
@@ -68,10 +68,10 @@ Error stream(ContractCell& cell, const Result<Stream>& started, Next next) {
 }
 
 void holdJog(ContractCell& cell) {
-    (void)cell.controller->refreshJog(cell.jog);
+    (void)cell.jog.refresh();
 }
 void holdMove(ContractCell& cell) {
-    (void)cell.controller->refreshMove(cell.motion.id());
+    (void)cell.motion.refresh();
 }
 void feed(ContractCell& cell) {
     if (cell.send) {
@@ -115,7 +115,7 @@ const std::vector<ContractMotion>& contractMotions() {
          nothing},
         {"moveJ to a pose", nullptr, false, false, 0.03,
          [](ContractCell& c) {
-             return take(c, Motions(*c.controller).moveJ(raised(c, 0.25), {kTurn, 1.4, Holding::Free}));
+             return take(c, Motions(*c.controller).moveJToPose(raised(c, 0.25), {kTurn, 1.4, Holding::Free}));
          },
          nothing},
         {"moveL", nullptr, false, false, kSpeed,
@@ -126,8 +126,8 @@ const std::vector<ContractMotion>& contractMotions() {
          nothing},
         {"moveL to joints", nullptr, false, false, kSpeed,
          [](ContractCell& c) {
-             return take(
-                 c, Motions(*c.controller).moveL(turned(c, 0.6), {kSpeed, kAcceleration, Holding::Free}));
+             return take(c, Motions(*c.controller)
+                                .moveLToJoints(turned(c, 0.6), {kSpeed, kAcceleration, Holding::Free}));
          },
          nothing},
         {"held moveL", nullptr, false, false, kSpeed,
@@ -148,7 +148,9 @@ const std::vector<ContractMotion>& contractMotions() {
         {"move until contact", "tool_contact", false, false, kSpeed,
          [](ContractCell& c) {
              return take(c, c.during([&] {
-                 return Motions(*c.controller).moveUntilContact(up().twist, {}, kAcceleration, patience());
+                 return Motions(*c.controller)
+                     .moveUntilContact(up().twist, patience(),
+                                       {.acceleration = kAcceleration, .holding = Holding::Free});
              }));
          },
          nothing},
@@ -486,9 +488,7 @@ ContractOutcome ContractCell::run(const ContractMotion& what, const ContractEven
         outcome.problem = QStringLiteral("it moves at the end");
     }
     const bool told = !clock.isFrozen() && reachable;
-    if (told && outcome.problem.isEmpty() &&
-        (motion.isActive() ||
-         (jog != kNoMotion && controller->motionState(jog).phase == MotionPhase::Active))) {
+    if (told && outcome.problem.isEmpty() && (motion.isActive() || jog.isActive())) {
         outcome.problem = QStringLiteral("the motion is said to go on");
     }
     return outcome;

@@ -151,7 +151,7 @@ public:
     simulator::Controller robot;
     std::unique_ptr<control::Controller> controller;
     control::Motion motion;
-    control::JogId jog = control::kNoMotion;
+    control::Jog jog;
     // streams, for those who hold them
     std::function<void()> send;
     bool reachable = true;  ///< packages get from one to the other

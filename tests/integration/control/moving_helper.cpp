@@ -44,16 +44,16 @@ T begun(const Result<T>& result, T otherwise = {}) {
 }
 
 Way jog(Controller& controller, const JogTarget& target) {
-    return [&controller, target, id = kNoMotion]() mutable {
-        if (!controller.refreshJog(id)) {
-            id = begun(controller.startJog(target));
+    return [&controller, target, jog = Jog()]() mutable {
+        if (!jog.refresh()) {
+            jog = begun(Motions(controller).startJog(target));
         }
     };
 }
 
 Way held(Controller& controller, const std::function<Result<Motion>()>& begin) {
     return [&controller, begin, motion = Motion()]() mutable {
-        if (!controller.refreshMove(motion.id())) {
+        if (!motion.refresh()) {
             motion = begun(begin());
         }
     };
@@ -111,7 +111,8 @@ std::map<QString, Way> everyWay(Controller& c) {
     ways["jog until contact"] = jog(c, up(30));
     ways["move until contact"] = [&c, motion = Motion()]() mutable {
         if (!motion.isActive()) {
-            motion = begun(Motions(c).moveUntilContact(up().twist, {}, kAcceleration, patience()));
+            motion = begun(Motions(c).moveUntilContact(
+                up().twist, patience(), {.acceleration = kAcceleration, .holding = Holding::Free}));
         }
     };
 

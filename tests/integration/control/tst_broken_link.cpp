@@ -111,14 +111,14 @@ private Q_SLOTS:
             }
         });
         for (const double speed : {0.03, -0.03}) {
-            crowd.add([&, speed, jog = kNoMotion]() mutable {
+            crowd.add([&, speed, jog = Jog()]() mutable {
                 JogTarget target;
                 target.twist.linear.z() = speed;
-                if (jog != kNoMotion && controller.refreshJog(jog, target)) {
+                if (jog.refresh(target)) {
                     return;
                 }
-                const auto begun = controller.startJog(target);
-                jog = begun ? *begun : kNoMotion;
+                const auto begun = Motions(controller).startJog(target);
+                jog = begun ? *begun : Jog();
                 begun ? ++jogs : ++refusals;
             });
         }

@@ -74,19 +74,19 @@ private Q_SLOTS:
         Motions motions(*cell.controller);
         const Pose start = cell.tcp();
         const Pose there = moved(start, 0.05, 0.02, 0.04);
-        const auto ik = motions.moveJ(there, {0.5, 1.4, Holding::Free});
+        const auto ik = motions.moveJToPose(there, {0.5, 1.4, Holding::Free});
         QVERIFY2(ik.ok(), why(ik));
         QVERIFY(cell.during([&] { return ik->wait(patience()); }).ok());
         QVERIFY((cell.tcp().position - there.position).norm() < 1e-3);
         const JointPositions q = cell.robot.truth().q;
         const auto back = motions.moveL(start, {0.1, 0.5, Holding::Free});
         QVERIFY(cell.during([&] { return back->wait(patience()); }).ok());
-        const auto fk = motions.moveL(q, {0.1, 0.5, Holding::Free});
+        const auto fk = motions.moveLToJoints(q, {0.1, 0.5, Holding::Free});
         QVERIFY2(fk.ok(), why(fk));
         QVERIFY(cell.during([&] { return fk->wait(patience()); }).ok());
         QVERIFY((cell.tcp().position - there.position).norm() < 1e-3);
         QCOMPARE(motions.moveL(moved(start, 0, 0, 4), {0.1, 0.5}).error().code, ErrorCode::NoSolution);
-        QCOMPARE(motions.moveJ(moved(start, 0, 0, 4), {0.1, 0.5}).error().code, ErrorCode::NoSolution);
+        QCOMPARE(motions.moveJToPose(moved(start, 0, 0, 4), {0.1, 0.5}).error().code, ErrorCode::NoSolution);
     }
 
     void aPathOfEveryKindRunsToItsEnd() {
@@ -431,7 +431,7 @@ private Q_SLOTS:
         const std::vector<std::function<Error()>> calls{
             [&] { return m.moveJ(JointPositions(90, -90, 90, 0, 0, 0), usual).error(); },
             [&] { return m.moveL(Pose(300, -200, 400, 0, 3, 0), usual).error(); },
-            [&] { return m.moveJ(Pose(0.3, -0.2, 0.4, 0, 180, 0), usual).error(); },
+            [&] { return m.moveJToPose(Pose(0.3, -0.2, 0.4, 0, 180, 0), usual).error(); },
             [&] {
                 return m.moveL(Pose(0.3, -0.2, 0.4, 0, 3, 0), {250, 0.5, Holding::Free}).error();
             },
@@ -460,7 +460,7 @@ private Q_SLOTS:
             [&] { return s.setWatchdog(0, d).error(); },
             [&] { return ArmQueries(c).jointPositionsHistory(-1, d).error(); },
             [&] { return m.stopJ(0).error(); },
-            [&] { return m.moveUntilContact({}, {}, 1, d).error(); },
+            [&] { return m.moveUntilContact({}, d).error(); },
             [&] {
                 return Programs(c).startFunction(QStringLiteral("1st"), QStringLiteral("x = 1"), d).error();
             },

@@ -24,12 +24,12 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const Pose before = cell.tcp();
-        const auto jog = cell.controller->startJog(linearJog(0.05, 0, 0));
+        const auto jog = cell.motions().startJog(linearJog(0.05, 0, 0));
         QVERIFY(jog.ok());
         QVERIFY(cell.hold(*jog, 1050));
         QVERIFY(cell.controller->status().moving);
         QVERIFY(cell.controller->status().executing);
-        QVERIFY(cell.controller->end(*jog, StopCause::Released));
+        QVERIFY(jog->cancel(StopCause::Released));
         QVERIFY(cell.stepMs(200));
         const Pose after = cell.tcp();
         const Eigen::Vector3d way = after.position - before.position;
@@ -43,7 +43,7 @@ private Q_SLOTS:
     void motionBeginsWithin20MsOfThePress() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
-        const auto jog = cell.controller->startJog(linearJog(0, 0, 0.1));
+        const auto jog = cell.motions().startJog(linearJog(0, 0, 0.1));
         QVERIFY(jog.ok());
         int ticks = 0;
         while (cell.robot.truth().tcpSpeed.linear.norm() < 0.002) {
@@ -56,11 +56,11 @@ private Q_SLOTS:
     void releaseAt100MmPerSecondIsStandstillWithin100Ms() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
-        const auto jog = cell.controller->startJog(linearJog(0, 0, 0.1));
+        const auto jog = cell.motions().startJog(linearJog(0, 0, 0.1));
         QVERIFY(cell.hold(*jog, 600));
         QVERIFY(cell.robot.truth().tcpSpeed.linear.norm() > 0.098);
         const Pose released = cell.tcp();
-        QVERIFY(cell.controller->end(*jog, StopCause::Released));
+        QVERIFY(jog->cancel(StopCause::Released));
         const int ticks = cell.ticksToStandstill(1000);
         QVERIFY(ticks >= 0);
         QVERIFY2(ticks * 2 <= 100, qPrintable(QString::number(ticks * 2)));
@@ -79,30 +79,30 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const auto speed = [&] { return cell.robot.truth().tcpSpeed.linear.norm(); };
-        const auto jog = cell.controller->startJog(linearJog(0, 0, 0.2));
+        const auto jog = cell.motions().startJog(linearJog(0, 0, 0.2));
         QVERIFY(cell.hold(*jog, 600));
         QVERIFY(speed() > 0.19);
         QVERIFY(cell.controller->setSpeedCap(0.05).ok());
         QCOMPARE(cell.controller->limits().tcpSpeed, 0.05);
-        QVERIFY2(!cell.controller->refreshJog(*jog), "it takes a new press");
-        QCOMPARE(cell.controller->motionState(*jog).cause, StopCause::SelectionChanged);
+        QVERIFY2(!jog->refresh(), "it takes a new press");
+        QCOMPARE(jog->state().cause, StopCause::SelectionChanged);
         QVERIFY(cell.ticksToStandstill(1000) >= 0);
 
         // What comes asks for more, and gets no more.
-        const auto next = cell.controller->startJog(linearJog(0, 0, -0.2));
+        const auto next = cell.motions().startJog(linearJog(0, 0, -0.2));
         QVERIFY(next.ok());
         QVERIFY(cell.hold(*next, 400));
         QVERIFY2(std::abs(speed() - 0.05) < 0.003, qPrintable(QString::number(speed())));
         QCOMPARE(cell.controller->status().limiter.kind, LimiterKind::TcpSpeed);
         // The same cap again is no other one.
         QVERIFY(cell.controller->setSpeedCap(0.05).ok());
-        QVERIFY(cell.controller->refreshJog(*next));
+        QVERIFY(next->refresh());
         // A higher one makes nothing faster that moves already.
         QVERIFY(cell.controller->setSpeedCap(0.25).ok());
-        QVERIFY(!cell.controller->refreshJog(*next));
+        QVERIFY(!next->refresh());
         QVERIFY(cell.ticksToStandstill(1000) >= 0);
 
-        const auto refused = cell.controller->moveL(cell.tcp(), {0.3, 0.5, Holding::Held});
+        const auto refused = cell.motions().moveL(cell.tcp(), {0.3, 0.5, Holding::Held});
         QCOMPARE(refused.error().code, ErrorCode::LimitExceeded);
         for (const double nonsense : {0.0, -0.1, std::numeric_limits<double>::quiet_NaN()}) {
             QCOMPARE(cell.controller->setSpeedCap(nonsense).error().code, ErrorCode::InvalidArgument);
@@ -113,23 +113,23 @@ private Q_SLOTS:
     void aSilentHolderEndsTheJogAndItStaysEnded() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
-        const auto jog = cell.controller->startJog(linearJog(0, 0, 0.05));
+        const auto jog = cell.motions().startJog(linearJog(0, 0, 0.05));
         QVERIFY(cell.hold(*jog, 300));
         const Pose silentSince = cell.tcp();
         QVERIFY(cell.stepMs(100));
         QVERIFY(!cell.isStanding());
         const int ticks = cell.ticksToStandstill(1000);
         QVERIFY(ticks >= 0 && ticks * 2 <= 100);
-        QCOMPARE(cell.controller->motionState(*jog).cause, StopCause::EventLoopStalled);
+        QCOMPARE(jog->state().cause, StopCause::EventLoopStalled);
         QVERIFY(mm(silentSince, cell.tcp()) < 0.05 / kMm * 0.2);
         const Pose standing = cell.tcp();
         for (int i = 0; i < 100; ++i) {
-            QVERIFY(!cell.controller->refreshJog(*jog));
-            QVERIFY(!cell.controller->refreshJog(*jog, linearJog(0, 0, 0.2)));
+            QVERIFY(!jog->refresh());
+            QVERIFY(!jog->refresh(linearJog(0, 0, 0.2)));
             QVERIFY(cell.step());
         }
         QVERIFY(mm(standing, cell.tcp()) < 0.01);
-        const auto next = cell.controller->startJog(linearJog(0, 0, 0.05));
+        const auto next = cell.motions().startJog(linearJog(0, 0, 0.05));
         QVERIFY(next.ok());
         QVERIFY(cell.hold(*next, 200));
         QVERIFY(mm(standing, cell.tcp()) > 1);
@@ -139,7 +139,7 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         for (const JogTarget& target : {linearJog(0, 0, 0.25), jointJog(0, 30 * kDeg)}) {
-            const auto jog = cell.controller->startJog(target);
+            const auto jog = cell.motions().startJog(target);
             QVERIFY(jog.ok());
             QVERIFY(cell.hold(*jog, 900));
             QVERIFY(!cell.isStanding());
@@ -147,14 +147,14 @@ private Q_SLOTS:
             int ticks = 0;
             while (!cell.isStanding()) {
                 cell.stepAlone();
-                cell.controller->refreshJog(*jog);  // the hand still holds the key
+                jog->refresh();  // the hand still holds the key
                 QVERIFY(++ticks < 500);
             }
             qInfo("link silent to standstill at 250 mm/s or 30 deg/s: %d ms", 2 * ticks);
             QVERIFY(ticks * 2 <= 250);
-            QTRY_COMPARE(cell.controller->motionState(*jog).phase, MotionPhase::Ended);
-            QCOMPARE(cell.controller->motionState(*jog).cause, StopCause::DataStale);
-            QCOMPARE(cell.controller->startJog(target).error().code, ErrorCode::LinkLost);
+            QTRY_COMPARE(jog->state().phase, MotionPhase::Ended);
+            QCOMPARE(jog->state().cause, StopCause::DataStale);
+            QCOMPARE(cell.motions().startJog(target).error().code, ErrorCode::LinkLost);
             // The link comes back: nothing resumes.
             const Pose standing = cell.tcp();
             cell.robot.silence(false);
@@ -163,7 +163,7 @@ private Q_SLOTS:
                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
             }
             QVERIFY(mm(standing, cell.tcp()) < 0.01);
-            QVERIFY(!cell.controller->refreshJog(*jog));
+            QVERIFY(!jog->refresh());
             cell.controller->release();
             QVERIFY(cell.takeControl().ok());
         }
@@ -172,14 +172,14 @@ private Q_SLOTS:
     void aProtectiveStopEndsTheJogAndTheControl() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
-        const auto jog = cell.controller->startJog(linearJog(0, 0, 0.05));
+        const auto jog = cell.motions().startJog(linearJog(0, 0, 0.05));
         QVERIFY(cell.hold(*jog, 300));
         cell.robot.protectiveStop();
         QVERIFY(cell.stepMs(300));
         QVERIFY(cell.isStanding());
-        QCOMPARE(cell.controller->motionState(*jog).cause, StopCause::UnsafeMode);
+        QCOMPARE(jog->state().cause, StopCause::UnsafeMode);
         QVERIFY(!cell.controller->status().inControl);
-        QCOMPARE(cell.controller->startJog(linearJog(0.05, 0, 0)).error().code, ErrorCode::NotInControl);
+        QCOMPARE(cell.motions().startJog(linearJog(0.05, 0, 0)).error().code, ErrorCode::NotInControl);
         QCOMPARE(cell.takeControl().error().code, ErrorCode::UnsafeState);
     }
 
@@ -201,7 +201,7 @@ private Q_SLOTS:
         const Pose before = cell.tcp();
         JogTarget target;
         target.twist.angular[axis] = speed;
-        const auto jog = cell.controller->startJog(target);
+        const auto jog = cell.motions().startJog(target);
         QVERIFY(jog.ok());
         double turned = 0;
         double drift = 0;
@@ -209,7 +209,7 @@ private Q_SLOTS:
             if (!cell.hold(*jog, 20)) {
                 const auto status = cell.controller->status();
                 QFAIL(qPrintable(QStringLiteral("ended by %1, limiter %2 at joint %3 after %4 deg")
-                                     .arg(static_cast<int>(cell.controller->motionState(*jog).cause))
+                                     .arg(static_cast<int>(jog->state().cause))
                                      .arg(static_cast<int>(status.limiter.kind))
                                      .arg(status.limiter.joint)
                                      .arg(turned / kDeg)));
@@ -220,7 +220,7 @@ private Q_SLOTS:
                 Eigen::AngleAxisd(rotationMatrix(now.rotation) * rotationMatrix(before.rotation).transpose())
                     .angle();
         }
-        cell.controller->end(*jog, StopCause::Released);
+        jog->cancel(StopCause::Released);
         QVERIFY(cell.stepMs(400));
         drift = std::max(drift, mm(before, cell.tcp()));
         qInfo("TCP drift over 90 deg: %.4f mm", drift);
@@ -232,19 +232,19 @@ private Q_SLOTS:
         QVERIFY(cell.takeControl().ok());
         for (int round = 0; round < 2; ++round) {
             const Pose before = cell.tcp();
-            const auto jog = cell.controller->startJog(linearJog(0, 0, 0.04, JogFrame::Tool));
+            const auto jog = cell.motions().startJog(linearJog(0, 0, 0.04, JogFrame::Tool));
             QVERIFY(jog.ok());
             QVERIFY(cell.hold(*jog, 500));
-            cell.controller->end(*jog, StopCause::Released);
+            jog->cancel(StopCause::Released);
             QVERIFY(cell.stepMs(200));
             const Eigen::Vector3d went = (cell.tcp().position - before.position).normalized();
             const Eigen::Vector3d toolZ = rotationMatrix(before.rotation).col(2);
             QVERIFY(went.dot(toolZ) > 0.9999);
             // Turn the tool by some 25 deg: the same key must then move it another way.
-            const auto turn = cell.controller->startJog(rotationJog(0.4, 0, 0));
+            const auto turn = cell.motions().startJog(rotationJog(0.4, 0, 0));
             QVERIFY(turn.ok());
             QVERIFY(cell.hold(*turn, 1200));
-            cell.controller->end(*turn, StopCause::Released);
+            turn->cancel(StopCause::Released);
             QVERIFY(cell.stepMs(300));
             QVERIFY(rotationMatrix(cell.tcp().rotation).col(2).dot(toolZ) < 0.95);
         }
@@ -256,7 +256,7 @@ private Q_SLOTS:
         QVERIFY(cell.takeControl().ok());
         JogTarget target = linearJog(0, 0.05, 0, JogFrame::Tool);
         target.twist.angular = {0, 0, 0.5};
-        const auto jog = cell.controller->startJog(target);
+        const auto jog = cell.motions().startJog(target);
         QVERIFY(cell.hold(*jog, 500));
         for (int i = 0; i < 20; ++i) {
             QVERIFY(cell.hold(*jog, 40));
@@ -271,13 +271,13 @@ private Q_SLOTS:
             options.startJoints[5] = kJointPositionLimit - 0.5;
         });
         QVERIFY(cell.takeControl().ok());
-        const auto jog = cell.controller->startJog(jointJog(5, 30 * kDeg));
+        const auto jog = cell.motions().startJog(jointJog(5, 30 * kDeg));
         QVERIFY(jog.ok());
         int ms = 0;
         while (cell.hold(*jog, 20) && ms < 10000) {
             ms += 20;
         }
-        QCOMPARE(cell.controller->motionState(*jog).cause, StopCause::LimitReached);
+        QCOMPARE(jog->state().cause, StopCause::LimitReached);
         QVERIFY(cell.stepMs(200));
         QVERIFY(cell.isStanding());
         const double left = kJointPositionLimit - cell.robot.truth().q[5];
@@ -286,7 +286,7 @@ private Q_SLOTS:
         const Limiter limiter = cell.controller->status().limiter;
         QCOMPARE(limiter.kind, LimiterKind::JointLimit);
         QCOMPARE(limiter.joint, 5);
-        const auto back = cell.controller->startJog(jointJog(5, -30 * kDeg));
+        const auto back = cell.motions().startJog(jointJog(5, -30 * kDeg));
         QVERIFY(cell.hold(*back, 300));
         QVERIFY(kJointPositionLimit - cell.robot.truth().q[5] > left + 3 * kDeg);
     }
@@ -295,11 +295,11 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         cell.robot.setSpeedSlider(0.1);
-        const auto jog = cell.controller->startJog(linearJog(0, 0, 0.1));
+        const auto jog = cell.motions().startJog(linearJog(0, 0, 0.1));
         QVERIFY(cell.hold(*jog, 2000));
         const double speed = cell.robot.truth().tcpSpeed.linear.norm();
         QVERIFY(speed > 0.005 && speed < 0.012);
-        cell.controller->end(*jog, StopCause::Released);
+        jog->cancel(StopCause::Released);
         QVERIFY(cell.standsWithinMs(100));
     }
 };

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bounded motions, and everything around being in control, in virtual time.
+#include <cmath>
+#include <initializer_list>
 #include <optional>
 
 #include "robot/kinematics/arm_kinematics.h"
@@ -32,10 +34,10 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const JointPositions target = turned(cell.robot.truth().q, 0, 20 * kDeg);
-        const auto move = cell.controller->moveJ(target, {0.5, 1.4, Holding::Held});
+        const auto move = cell.motions().moveJ(target, {0.5, 1.4, Holding::Held});
         QVERIFY(move.ok());
         QVERIFY(cell.holdMove(*move, 5000));
-        QCOMPARE(cell.controller->motionState(*move).cause, StopCause::Completed);
+        QCOMPARE(move->state().cause, StopCause::Completed);
         QVERIFY(cell.stepMs(20));
         QVERIFY(distance(cell.robot.truth().q, target) < 1e-3);
         QCOMPARE(cell.controller->status().motion, kNoMotion);
@@ -64,17 +66,17 @@ private Q_SLOTS:
             elbow = now;
         };
         const JointPositions stretched(0, -20 * kDeg, 30 * kDeg, -90 * kDeg, -90 * kDeg, 0);
-        const auto there = cell.controller->moveJ(stretched, {3.0, 10.0, Holding::Free});
+        const auto there = cell.motions().moveJ(stretched, {3.0, 10.0, Holding::Free});
         QVERIFY(there.ok());
         QVERIFY(cell.stepMs(15'000));
-        QCOMPARE(cell.controller->motionState(*there).cause, StopCause::Completed);
+        QCOMPARE(there->state().cause, StopCause::Completed);
         if (linear) {
             Pose in = cell.tcp();
             in.position.head<2>() *= 0.75;
-            const auto back = cell.controller->moveL(in, {cap, 2.0, Holding::Free});
+            const auto back = cell.motions().moveL(in, {cap, 2.0, Holding::Free});
             QVERIFY(back.ok());
             QVERIFY(cell.stepMs(6000));
-            QCOMPARE(cell.controller->motionState(*back).cause, StopCause::Completed);
+            QCOMPARE(back->state().cause, StopCause::Completed);
         }
         QVERIFY2(fastest < cap * 1.02, qPrintable(QString::number(fastest)));
         QVERIFY2(fastest > cap * 0.5, "it was not slowed down more than needed");
@@ -92,10 +94,10 @@ private Q_SLOTS:
             const Eigen::Vector3d way = cell.tcp().position - start.position;
             aside = std::max(aside, (way - way.dot(along) * along).norm());
         };
-        const auto move = cell.controller->moveL(target, {0.1, 0.5, Holding::Held});
+        const auto move = cell.motions().moveL(target, {0.1, 0.5, Holding::Held});
         QVERIFY(move.ok());
         QVERIFY(cell.holdMove(*move, 5000));
-        QCOMPARE(cell.controller->motionState(*move).cause, StopCause::Completed);
+        QCOMPARE(move->state().cause, StopCause::Completed);
         QVERIFY((cell.tcp().position - target.position).norm() < 0.0005);
         QVERIFY(aside < 0.0005);
     }
@@ -104,26 +106,197 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const JointPositions target = turned(cell.robot.truth().q, 0, 15 * kDeg);
-        const auto move = cell.controller->moveJ(target, {0.5, 1.4, Holding::Free});
+        const auto move = cell.motions().moveJ(target, {0.5, 1.4, Holding::Free});
         QVERIFY(move.ok());
         QVERIFY(cell.stepMs(2000));
-        QCOMPARE(cell.controller->motionState(*move).cause, StopCause::Completed);
+        QCOMPARE(move->state().cause, StopCause::Completed);
         QVERIFY(distance(cell.robot.truth().q, target) < 1e-3);
+    }
+
+    void bracesMeanJointsAndEveryParameterHasADefault() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        Motions motions = cell.motions();
+        const JointPositions target(-1.4, -1.7, -2.2, -0.8, 1.6, 0.0);
+        const auto move = motions.moveJ({-1.4, -1.7, -2.2, -0.8, 1.6, 0.0});
+        QVERIFY2(move.ok(), qPrintable(move.error().toString()));
+        QVERIFY(cell.stepMs(3000));
+        QCOMPARE(move->state().cause, StopCause::Completed);
+        QVERIFY(distance(cell.robot.truth().q, target) < 1e-3);
+        // A cap below the usual speed is no reason to refuse it.
+        QVERIFY(cell.controller->setSpeedCap(0.05).ok());
+        Pose up = cell.tcp();
+        up.position.z() += 0.02;
+        const auto line = motions.moveL(up);
+        QVERIFY2(line.ok(), qPrintable(line.error().toString()));
+        QVERIFY(cell.stepMs(1500));
+        QCOMPARE(line->state().cause, StopCause::Completed);
+    }
+
+    void theHandleSaysHowLongTheMoveTakes_data() {
+        QTest::addColumn<bool>("linear");
+        QTest::addColumn<double>("speed");
+        QTest::newRow("MoveJ as asked") << false << 0.3;
+        QTest::newRow("MoveJ held down by the cap") << false << 2.0;
+        QTest::newRow("MoveL") << true << 0.1;
+    }
+    void theHandleSaysHowLongTheMoveTakes() {
+        QFETCH(bool, linear);
+        QFETCH(double, speed);
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        Pose up = cell.tcp();
+        up.position.z() += 0.1;
+        const auto move = linear
+                              ? cell.motions().moveL(up, {.speed = speed, .acceleration = 0.5})
+                              : cell.motions().moveJ(turned(cell.robot.truth().q, 0, 1.5), {.speed = speed});
+        QVERIFY2(move.ok(), qPrintable(move.error().toString()));
+        QVERIFY(move->plan().has_value());
+        const MotionPlan plan = *move->plan();
+        QVERIFY(cell.stepMs(200));
+        // By the cap, and said so to who only looks at the status.
+        const bool slowed = speed > 1;
+        QCOMPARE(plan.limiter.kind, slowed ? LimiterKind::TcpSpeed : LimiterKind::None);
+        QCOMPARE(cell.controller->status().limiter.kind, plan.limiter.kind);
+        QCOMPARE(plan.limiter.scale < 0.5, slowed);
+        QVERIFY(std::abs(plan.speed - speed * plan.limiter.scale) < 1e-9);
+        int ms = 200;
+        for (; move->isActive() && ms < 20'000; ms += 2) {
+            QVERIFY(cell.step());
+        }
+        QCOMPARE(move->state().cause, StopCause::Completed);
+        QVERIFY2(std::abs(ms * 0.001 - plan.duration.count()) < 0.05,
+                 qPrintable(QStringLiteral("%1 s, not %2").arg(ms * 0.001).arg(plan.duration.count())));
+        QCOMPARE(cell.controller->status().limiter.kind, LimiterKind::None);
+    }
+
+    void aSpeedAboveTheCapIsRefusedWithTheWayOut() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        const Error error = cell.motions().moveL(cell.tcp(), {.speed = 0.5}).error();
+        QCOMPARE(error.code, ErrorCode::LimitExceeded);
+        QVERIFY2(error.controllerMessage.contains(QStringLiteral("setSpeedCap")),
+                 qPrintable(error.toString()));
+        for (const double millimetres : {250.0, 1e9, 3.001}) {
+            const Error cap = cell.controller->setSpeedCap(millimetres).error();
+            QCOMPARE(cap.code, ErrorCode::LimitExceeded);
+            QVERIFY2(cap.controllerMessage.contains(QStringLiteral("cap: ")), qPrintable(cap.toString()));
+            QCOMPARE(cap.controllerMessage.contains(QStringLiteral("mm/s")), millimetres > 100);
+        }
+        QCOMPARE(cell.controller->limits().tcpSpeed, 0.25);
+        QVERIFY(cell.controller->setSpeedCap(3.0).ok());
+    }
+
+    void limitsInAnotherUnitAreRefusedWhenControlIsTaken() {
+        for (const auto& [name, set] :
+             std::initializer_list<std::pair<const char*, std::function<void(MotionLimits&)>>>{
+                 {"limits.tcpSpeed", [](MotionLimits& l) { l.tcpSpeed = 250; }},
+                 {"limits.tcpRotationSpeed", [](MotionLimits& l) { l.tcpRotationSpeed = 45; }},
+                 {"limits.jointSpeed", [](MotionLimits& l) { l.jointSpeed = std::nan(""); }},
+                 {"limits.jogDeceleration", [](MotionLimits& l) { l.jogDeceleration = 0; }},
+                 {"limits.jointAcceleration", [](MotionLimits& l) { l.jointAcceleration = 120; }}}) {
+            MotionLimits limits;
+            set(limits);
+            Cell cell({}, RegisterRange::Upper, limits);
+            const auto taken = cell.takeControl();
+            QVERIFY2(!taken && taken.error().controllerMessage.contains(QLatin1String(name)),
+                     qPrintable(taken.error().toString()));
+        }
+        MotionLimits none;
+        none.tcpSpeed = none.tcpRotationSpeed = none.jointSpeed = kNoCap;
+        Cell cell({}, RegisterRange::Upper, none);
+        QVERIFY(cell.takeControl().ok());
+        const auto move = cell.motions().moveJ(turned(cell.robot.truth().q, 0, 0.5), {.speed = 3});
+        QVERIFY2(move.ok(), qPrintable(move.error().toString()));
+        QCOMPARE(move->plan()->limiter.kind, LimiterKind::None);
+    }
+
+    // The robot hears nothing for a while, and this computer nothing of the robot.
+    void aFreeMoveSurvivesASilenceShorterThanItsOwn_data() {
+        QTest::addColumn<int>("silenceMs");
+        QTest::addColumn<Holding>("holding");
+        QTest::addColumn<int>("gapMs");
+        QTest::addColumn<bool>("survives");
+        QTest::newRow("usual") << 100 << Holding::Free << 400 << false;
+        QTest::newRow("longer") << 800 << Holding::Free << 600 << true;
+        QTest::newRow("too long") << 400 << Holding::Free << 600 << false;
+        QTest::newRow("held") << 800 << Holding::Held << 400 << false;
+    }
+    void aFreeMoveSurvivesASilenceShorterThanItsOwn() {
+        QFETCH(int, silenceMs);
+        QFETCH(Holding, holding);
+        QFETCH(int, gapMs);
+        QFETCH(bool, survives);
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        const JointPositions target = turned(cell.robot.truth().q, 0, 40 * kDeg);
+        const auto move =
+            cell.motions().moveJ(target, {0.5, 1.4, holding, std::chrono::milliseconds(silenceMs)});
+        QVERIFY2(move.ok(), qPrintable(move.error().toString()));
+        for (int t = 0; t < 400; t += 20) {
+            QVERIFY(move->refresh());
+            QVERIFY(cell.stepMs(20));
+        }
+        cell.robot.silence(true);
+        cell.stepAlone(gapMs / 2);
+        QCOMPARE(!cell.isStanding(), survives);
+        cell.robot.silence(false);
+        QVERIFY(cell.stepMs(2000));
+        QVERIFY(cell.controller->status().inControl);
+        QCOMPARE(move->state().cause == StopCause::Completed, survives);
+        QCOMPARE(distance(cell.robot.truth().q, target) < 1e-3, survives);
+        QVERIFY(cell.isStanding());
+    }
+
+    void aSilenceOutOfItsRangeIsRefused() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        for (const int ms : {0, 50, 4001, 60'000}) {
+            const Error error = cell.motions()
+                                    .moveJ(cell.robot.truth().q, {.silence = std::chrono::milliseconds(ms)})
+                                    .error();
+            QCOMPARE(error.code, ErrorCode::LimitExceeded);
+            QVERIFY(error.controllerMessage.contains(QStringLiteral("silence")));
+        }
+    }
+
+    void whatHasNoEndIsHeldUnlessAskedOtherwise() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        const auto held = cell.motions().startJog(linearJog(0, 0, 0.02));
+        QVERIFY(cell.stepMs(104));
+        QCOMPARE(held->state().cause, StopCause::EventLoopStalled);
+        const auto contact = cell.during([&] {
+            return cell.motions().moveUntilContact({{0, 0, 0.02}, {0, 0, 0}},
+                                                   Deadline::after(std::chrono::seconds(20)));
+        });
+        QVERIFY2(contact.ok(), qPrintable(contact.error().toString()));
+        QVERIFY(cell.stepMs(104));
+        QCOMPARE(contact->state().cause, StopCause::EventLoopStalled);
+        QVERIFY(cell.ticksToStandstill(1000) >= 0);
+
+        const auto free = cell.motions().startJog(linearJog(0, 0, 0.02), Holding::Free);
+        QVERIFY(cell.stepMs(400));
+        QVERIFY(free->isActive());
+        QVERIFY(!cell.isStanding());
+        cell.robot.silence(true);  // but never without this computer
+        cell.stepAlone(125);
+        QVERIFY(cell.isStanding());
     }
 
     void lettingGoOfAHeldMoveStopsItShortOfItsTarget() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const JointPositions start = cell.robot.truth().q;
-        const auto move = cell.controller->moveJ(turned(start, 0, 60 * kDeg), {0.5, 1.4, Holding::Held});
+        const auto move = cell.motions().moveJ(turned(start, 0, 60 * kDeg), {0.5, 1.4, Holding::Held});
         QVERIFY(cell.holdMove(*move, 800) == false);
-        QVERIFY(cell.controller->end(*move, StopCause::Released));
+        QVERIFY(move->cancel(StopCause::Released));
         QVERIFY(cell.standsWithinMs(200));
         QVERIFY(cell.stepMs(100));
         const double way = distance(cell.robot.truth().q, start);
         QVERIFY(way > 5 * kDeg && way < 40 * kDeg);
         QCOMPARE(cell.controller->status().lastStop.cause, StopCause::Released);
-        QVERIFY(!cell.controller->refreshMove(*move));
+        QVERIFY(!move->refresh());
         const JointPositions standing = cell.robot.truth().q;
         QVERIFY(cell.stepMs(500));
         QVERIFY(distance(cell.robot.truth().q, standing) < 1e-4);
@@ -133,9 +306,9 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const auto move =
-            cell.controller->moveJ(turned(cell.robot.truth().q, 0, 60 * kDeg), {0.5, 1.4, Holding::Held});
+            cell.motions().moveJ(turned(cell.robot.truth().q, 0, 60 * kDeg), {0.5, 1.4, Holding::Held});
         QVERIFY(cell.stepMs(104));
-        QCOMPARE(cell.controller->motionState(*move).cause, StopCause::EventLoopStalled);
+        QCOMPARE(move->state().cause, StopCause::EventLoopStalled);
         QVERIFY(cell.ticksToStandstill(500) >= 0);
     }
 
@@ -143,41 +316,41 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const JointPositions start = cell.robot.truth().q;
-        const auto first = cell.controller->moveJ(turned(start, 0, 60 * kDeg), {0.5, 1.4, Holding::Free});
+        const auto first = cell.motions().moveJ(turned(start, 0, 60 * kDeg), {0.5, 1.4, Holding::Free});
         QVERIFY(cell.stepMs(600));
-        const auto second = cell.controller->moveJ(start, {0.5, 1.4, Holding::Free});
-        QCOMPARE(cell.controller->motionState(*first).cause, StopCause::Superseded);
+        const auto second = cell.motions().moveJ(start, {0.5, 1.4, Holding::Free});
+        QCOMPARE(first->state().cause, StopCause::Superseded);
         QVERIFY(cell.stepMs(4000));
-        QCOMPARE(cell.controller->motionState(*second).cause, StopCause::Completed);
+        QCOMPARE(second->state().cause, StopCause::Completed);
         QVERIFY(distance(cell.robot.truth().q, start) < 1e-3);
     }
 
     void aMoveToWhereTheArmStandsIsDoneAtOnce() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
-        const auto move = cell.controller->moveJ(cell.robot.truth().q, {0.5, 1.4, Holding::Held});
+        const auto move = cell.motions().moveJ(cell.robot.truth().q, {0.5, 1.4, Holding::Held});
         QVERIFY(cell.holdMove(*move, 300));
-        QCOMPARE(cell.controller->motionState(*move).cause, StopCause::Completed);
+        QCOMPARE(move->state().cause, StopCause::Completed);
     }
 
     void impossibleTargetsAreRefusedBeforeAnythingMoves() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const JointPositions here = cell.robot.truth().q;
-        const auto& controller = cell.controller;
-        QCOMPARE(controller->moveJ(turned(here, 2, 20), {0.5, 1.4}).error().code, ErrorCode::LimitExceeded);
-        QVERIFY(controller->moveJ(turned(here, 2, 20), {0.5, 1.4})
+        Motions motions = cell.motions();
+        QCOMPARE(motions.moveJ(turned(here, 2, 20), {0.5, 1.4}).error().code, ErrorCode::LimitExceeded);
+        QVERIFY(motions.moveJ(turned(here, 2, 20), {0.5, 1.4})
                     .error()
                     .controllerMessage.contains(QStringLiteral("Elbow")));
-        QCOMPARE(controller->moveJ(here, {100, 1.4}).error().code, ErrorCode::LimitExceeded);
-        QCOMPARE(controller->moveJ(here, {0, 1.4}).error().code, ErrorCode::InvalidArgument);
-        QCOMPARE(controller->moveJ(turned(here, 1, std::nan("")), {0.5, 1.4}).error().code,
+        QCOMPARE(motions.moveJ(here, {100, 1.4}).error().code, ErrorCode::LimitExceeded);
+        QCOMPARE(motions.moveJ(here, {0, 1.4}).error().code, ErrorCode::InvalidArgument);
+        QCOMPARE(motions.moveJ(turned(here, 1, std::nan("")), {0.5, 1.4}).error().code,
                  ErrorCode::InvalidArgument);
-        QCOMPARE(controller->moveL(cell.tcp(), {0.5, 1.0}).error().code, ErrorCode::LimitExceeded);
-        QCOMPARE(controller->moveL(cell.tcp(), {0.1, -1}).error().code, ErrorCode::InvalidArgument);
+        QCOMPARE(motions.moveL(cell.tcp(), {0.5, 1.0}).error().code, ErrorCode::LimitExceeded);
+        QCOMPARE(motions.moveL(cell.tcp(), {0.1, -1}).error().code, ErrorCode::InvalidArgument);
         JogTarget target = linearJog(0.1, 0, 0);
         target.twist.angular.y() = std::nan("");
-        QCOMPARE(controller->startJog(target).error().code, ErrorCode::InvalidArgument);
+        QCOMPARE(motions.startJog(target).error().code, ErrorCode::InvalidArgument);
         QVERIFY(cell.stepMs(100));
         QVERIFY(cell.isStanding());
     }
@@ -186,7 +359,7 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const auto move =
-            cell.controller->moveJ(turned(cell.robot.truth().q, 0, 90 * kDeg), {0.5, 1.4, Holding::Free});
+            cell.motions().moveJ(turned(cell.robot.truth().q, 0, 90 * kDeg), {0.5, 1.4, Holding::Free});
         QVERIFY(cell.stepMs(700));
         QVERIFY(!cell.isStanding());
         cell.robot.silence(true);
@@ -195,7 +368,7 @@ private Q_SLOTS:
             cell.stepAlone();
             QVERIFY(++ticks * 2 <= 250);
         }
-        QTRY_COMPARE(cell.controller->motionState(*move).cause, StopCause::DataStale);
+        QTRY_COMPARE(move->state().cause, StopCause::DataStale);
     }
 
     void releasingEndsTheProgramAndControlCanBeTakenAgain() {
@@ -203,13 +376,13 @@ private Q_SLOTS:
         for (int round = 0; round < 3; ++round) {
             QVERIFY(cell.takeControl().ok());
             QCOMPARE(cell.robot.truth().runtimeState, RuntimeState::Playing);
-            const auto jog = cell.controller->startJog(linearJog(0, 0, 0.02));
+            const auto jog = cell.motions().startJog(linearJog(0, 0, 0.02));
             QVERIFY(cell.hold(*jog, 100));
             cell.release();
             QCOMPARE(cell.controller->status().loss, ControlLoss::Released);
-            QVERIFY(!cell.controller->refreshJog(*jog));
+            QVERIFY(!jog->refresh());
             QVERIFY(cell.programEnds());
-            QCOMPARE(cell.controller->startJog(linearJog(0, 0, 0.02)).error().code, ErrorCode::NotInControl);
+            QCOMPARE(cell.motions().startJog(linearJog(0, 0, 0.02)).error().code, ErrorCode::NotInControl);
             QTRY_COMPARE(cell.robot.rtdeClients(), 0);
         }
     }
@@ -217,7 +390,7 @@ private Q_SLOTS:
     void takingControlTwiceChangesNothing() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
-        const auto jog = cell.controller->startJog(linearJog(0, 0, 0.02));
+        const auto jog = cell.motions().startJog(linearJog(0, 0, 0.02));
         QVERIFY(cell.controller->takeControl(Deadline::after(std::chrono::seconds(1))).ok());
         QVERIFY(cell.hold(*jog, 100));
     }
@@ -225,7 +398,7 @@ private Q_SLOTS:
     void anotherProgramTakesTheArmAway() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
-        const auto jog = cell.controller->startJog(linearJog(0, 0, 0.05));
+        const auto jog = cell.motions().startJog(linearJog(0, 0, 0.05));
         QVERIFY(cell.hold(*jog, 200));
         script::ScriptClient other(cell.robot.listenAddress(), cell.robot.ports().secondary);
         QVERIFY(other.connect(Deadline::after(std::chrono::seconds(10))).ok());
@@ -236,10 +409,10 @@ private Q_SLOTS:
         bool alive = true;
         for (int i = 0; i < 5000 && alive; ++i) {
             QVERIFY(cell.step());
-            alive = cell.controller->refreshJog(*jog);
+            alive = jog->refresh();
         }
         QVERIFY(!alive);
-        QCOMPARE(cell.controller->motionState(*jog).cause, StopCause::ControlLost);
+        QCOMPARE(jog->state().cause, StopCause::ControlLost);
         QVERIFY(cell.stepMs(700));
         QVERIFY(cell.isStanding());
         QVERIFY(!cell.controller->status().inControl);
@@ -249,7 +422,7 @@ private Q_SLOTS:
     void theLowerRegistersWorkToo() {
         Cell cell({}, RegisterRange::Lower);
         QVERIFY(cell.takeControl().ok());
-        const auto jog = cell.controller->startJog(jointJog(5, 0.2));
+        const auto jog = cell.motions().startJog(jointJog(5, 0.2));
         QVERIFY(cell.hold(*jog, 300));
         QVERIFY(!cell.isStanding());
     }
@@ -263,14 +436,14 @@ private Q_SLOTS:
             RegisterRange::Lower);
         const auto taken = cell.takeControl();
         QVERIFY2(taken.ok(), qPrintable(taken.error().toString()));
-        const auto jog = cell.controller->startJog(jointJog(5, 0.2));
+        const auto jog = cell.motions().startJog(jointJog(5, 0.2));
         QVERIFY(jog.ok());
         for (int i = 0; i < 50; ++i) {
-            QVERIFY(cell.controller->refreshJog(*jog));
+            QVERIFY(jog->refresh());
             QVERIFY(cell.step());
         }
         QVERIFY(std::abs(cell.robot.truth().qd[5] - 0.2) < 0.01);
-        QVERIFY(cell.controller->end(*jog, StopCause::Released));
+        QVERIFY(jog->cancel(StopCause::Released));
         int ticks = 0;
         while (!cell.isStanding()) {
             QVERIFY(cell.step());

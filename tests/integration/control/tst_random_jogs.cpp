@@ -13,7 +13,7 @@ namespace {
 // What may still happen after the moment a motion was ended: one package on its way, the next control
 // period, then braking at 2 m/s2; and what may happen before a silent holder is found out.
 constexpr double kReaction = 0.010;  // [s]
-constexpr double kHoldTime = 0.100;  // [s]
+constexpr double kHoldSeconds = 0.100;  // [s]
 constexpr double kBraking = 2.0;     // [m/s2]
 constexpr double kSlack = 0.0003;    // [m]
 
@@ -46,13 +46,12 @@ private Q_SLOTS:
             const double speeds[] = {0.005, 0.02, 0.05, 0.1};
             const double speed = speeds[pick(0, 3)];
             direction = direction.normalized() * speed;
-            const auto jog =
-                cell.controller->startJog(linearJog(direction.x(), direction.y(), direction.z()));
+            const auto jog = cell.motions().startJog(linearJog(direction.x(), direction.y(), direction.z()));
             QVERIFY(jog.ok());
             const int refreshes = pick(0, 4);
             for (int i = 0; i < refreshes; ++i) {
                 QVERIFY(cell.step(pick(1, 20)));
-                QVERIFY(cell.controller->refreshJog(*jog));
+                QVERIFY(jog->refresh());
             }
             // Now the hand does one of the things a hand can do.
             double mayStillTake = kReaction;
@@ -61,22 +60,22 @@ private Q_SLOTS:
                 case 0:
                     QVERIFY(cell.step(pick(0, 40)));
                     path = 0;
-                    QVERIFY(cell.controller->end(*jog, StopCause::Released));
+                    QVERIFY(jog->cancel(StopCause::Released));
                     break;
                 case 1:
                     cell.controller->stop(StopCause::FocusLost);
                     break;
                 case 2:  // the interface hangs
-                    mayStillTake += kHoldTime;
+                    mayStillTake += kHoldSeconds;
                     break;
                 case 3:  // hangs, and comes back too late
-                    mayStillTake += kHoldTime;
+                    mayStillTake += kHoldSeconds;
                     QVERIFY(cell.step(52));
-                    QVERIFY(!cell.controller->refreshJog(*jog));
+                    QVERIFY(!jog->refresh());
                     break;
                 case 4:  // another key, then both go
-                    QVERIFY(cell.controller->startJog(linearJog(0, 0, speed)).ok());
-                    QVERIFY(!cell.controller->refreshJog(*jog));
+                    QVERIFY(cell.motions().startJog(linearJog(0, 0, speed)).ok());
+                    QVERIFY(!jog->refresh());
                     QVERIFY(cell.step(pick(0, 20)));
                     path = 0;
                     cell.controller->stop(StopCause::Space);
@@ -88,7 +87,7 @@ private Q_SLOTS:
             for (int tick = 0; tick < patience && !(cell.isStanding() && tick > 52); ++tick) {
                 QVERIFY(cell.step());
                 if (mayStillTake <= kReaction) {
-                    QVERIFY(!cell.controller->refreshJog(*jog, linearJog(0.25, 0, 0)));
+                    QVERIFY(!jog->refresh(linearJog(0.25, 0, 0)));
                 }
             }
             QVERIFY2(cell.isStanding(), qPrintable(QStringLiteral("sequence %1").arg(sequence)));
@@ -99,7 +98,7 @@ private Q_SLOTS:
                                                    .arg(bound * 1000)));
             worst = std::max(worst, path / bound);
             moved += path > 0.0001;
-            QVERIFY(cell.controller->motionState(*jog).phase == MotionPhase::Ended);
+            QVERIFY(jog->state().phase == MotionPhase::Ended);
         }
         QVERIFY(cell.controller->status().inControl);
         qInfo("%d sequences moved; worst after-run %.0f %% of its bound", moved, worst * 100);

@@ -320,21 +320,21 @@ private Q_SLOTS:
         Controller controller(to(robot));
         QVERIFY(controller.takeControl(soon()).ok());
         // Refused as long as the data are old, as they are when a thread comes late.
-        Result<JogId> jog = Error{};
-        QTRY_VERIFY_WITH_TIMEOUT(jog.ok() || (jog = controller.startJog(JogTarget{})).ok(), 20'000);
+        Result<Jog> jog = Error{};
+        QTRY_VERIFY_WITH_TIMEOUT(jog.ok() || (jog = Motions(controller).startJog(JogTarget{})).ok(), 20'000);
         robot.closeClients();
         QTRY_VERIFY(!controller.status().inControl);
         QCOMPARE(controller.status().loss, ControlLoss::LinkLost);
-        QCOMPARE(controller.motionState(*jog).phase, MotionPhase::Ended);
-        QCOMPARE(controller.startJog(JogTarget{}).error().code, ErrorCode::NotInControl);
+        QCOMPARE(jog->state().phase, MotionPhase::Ended);
+        QCOMPARE(Motions(controller).startJog(JogTarget{}).error().code, ErrorCode::NotInControl);
         const auto again = controller.takeControl(soon());
         QVERIFY2(again.ok(), qPrintable(again.error().toString()));
     }
 
     void withoutControlNothingCanBeStartedAndEverythingCanBeStopped() {
         Controller controller(to(1, 1));
-        QCOMPARE(controller.startJog(JogTarget{}).error().code, ErrorCode::NotInControl);
-        QCOMPARE(controller.moveJ(JointPositions{}, {0.5, 1}).error().code, ErrorCode::NotInControl);
+        QCOMPARE(Motions(controller).startJog(JogTarget{}).error().code, ErrorCode::NotInControl);
+        QCOMPARE(Motions(controller).moveJ(JointPositions{}, {0.5, 1}).error().code, ErrorCode::NotInControl);
         controller.stop(StopCause::Escape);
         QVERIFY(!controller.end(1, StopCause::Escape));
         controller.release();

@@ -309,6 +309,41 @@ private Q_SLOTS:
         QVERIFY(bench.running());  // for the client to come
     }
 
+    void aMoveMayBeGivenALongerSilence_data() { aClientThatSaidGoodbyeLeavesMovesToTheirEnd_data(); }
+    void aMoveMayBeGivenALongerSilence() {
+        QFETCH(ScriptCommand, kind);
+        QFETCH(bool, finishes);
+        Bench bench(RegisterRange::Upper, {5, 22, 0, 0}, QStringLiteral("sleep(2)"));
+        bench.host.moveFrames = 1000;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.silenceMs = 500;
+        bench.hold(kind, 2, 5, {0.1, 0.2, 0.3, 0, 0, 0});
+        bench.host.moveFrames = 5;  // stops
+        bench.frame(bench.silentFrames() + 10);
+        QCOMPARE(bench.state() == ScriptState::Executing, finishes);
+        bench.frame(bench.silentFrames() * 3);
+        QCOMPARE(bench.state() == ScriptState::Executing, finishes);
+        bench.frame(bench.silentFrames() * 2);  // 0.5 s are over
+        QCOMPARE(bench.state(), ScriptState::Expired);
+    }
+
+    void theNextMotionHasNothingOfTheSilenceBefore() {
+        Bench bench;
+        bench.host.moveFrames = 1000;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.silenceMs = 2000;
+        bench.hold(ScriptCommand::MoveJ, 2, 5);
+        bench.silenceMs = 0;
+        bench.host.moveFrames = 5;
+        bench.hold(ScriptCommand::Idle, 2, 60);
+        bench.host.moveFrames = 1000;
+        bench.hold(ScriptCommand::MoveL, 3, 5);
+        QCOMPARE(bench.state(), ScriptState::Executing);
+        bench.host.moveFrames = 5;
+        bench.frame(bench.silentFrames() + 30);
+        QCOMPARE(bench.state(), ScriptState::Expired);
+    }
+
     void setPointsMayBeHeldForATimeAndGivenInTheToolsAxes() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);

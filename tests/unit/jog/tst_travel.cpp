@@ -140,7 +140,8 @@ private Q_SLOTS:
         turned.position.x() += 2e-5;
         turned.rotation =
             rotationVector(Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()) * rotationMatrix(at.rotation));
-        QVERIFY(std::abs(kinematics::lineSpeedBound(dh(), q, turned, {}, 0.25, 0.8) - 0.8 * 0.25) < 1e-12);
+        QVERIFY(std::abs(kinematics::lineSpeedBound(dh(), q, turned, {}, 0.25, 0.8).speed - 0.8 * 0.25) <
+                1e-12);
     }
 
     void sizesEnteredByHandCount() {

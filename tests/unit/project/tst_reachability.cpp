@@ -110,14 +110,6 @@ private Q_SLOTS:
         QVERIFY(off.distance < 1e-12);
         QVERIFY(off.angle < 1e-7);
     }
-
-    void durationOfShortAndLongMoves() {
-        QCOMPARE(moveDuration(0, 1, 1), 0.0);
-        QCOMPARE(moveDuration(0.25, 1, 1), 1.0);  // never reaches its speed
-        QCOMPARE(moveDuration(1, 1, 1), 2.0);
-        QCOMPARE(moveDuration(3, 1, 1), 4.0);
-        QCOMPARE(moveDuration(1, 0, 1), 0.0);
-    }
 };
 
 QTEST_GUILESS_MAIN(TestReachability)

@@ -267,14 +267,14 @@ private Q_SLOTS:
         JointPositions turned = stretched;
         turned[0] += 0.5;
         const double near =
-            kinematics::jointSpeedBound(robotModel(RobotModelId::UR5e).dh, stretched, turned, {}, 0.25);
+            kinematics::jointSpeedBound(robotModel(RobotModelId::UR5e).dh, stretched, turned, {}, 0.25).speed;
         QVERIFY(near < 0.25 / 0.7);
         QVERIFY(near > 0.2);
         const double far =
-            kinematics::jointSpeedBound(robotModel(RobotModelId::UR20).dh, stretched, turned, {}, 0.25);
+            kinematics::jointSpeedBound(robotModel(RobotModelId::UR20).dh, stretched, turned, {}, 0.25).speed;
         QVERIFY(far < near);
         QVERIFY(std::isinf(
-            kinematics::jointSpeedBound(robotModel(RobotModelId::UR5e).dh, kStart, kStart, {}, 0.25)));
+            kinematics::jointSpeedBound(robotModel(RobotModelId::UR5e).dh, kStart, kStart, {}, 0.25).speed));
     }
 
 private:

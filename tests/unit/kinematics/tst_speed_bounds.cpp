@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "robot/kinematics/speed_bounds.h"
+
+#include <QTest>
+#include <cmath>
+
+#include "robot/kinematics/arm_kinematics.h"
+
+using namespace tiller;
+using namespace tiller::kinematics;
+
+namespace {
+
+const JointPositions kStart(-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310);
+
+const DhParameters& dh() {
+    return robotModel(RobotModelId::UR5e).dh;
+}
+
+}  // namespace
+
+class TestSpeedBounds : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void durationOfShortAndLongMoves() {
+        QCOMPARE(moveDuration(0, 1, 1), 0.0);
+        QCOMPARE(moveDuration(0.25, 1, 1), 1.0);  // never reaches its speed
+        QCOMPARE(moveDuration(1, 1, 1), 2.0);
+        QCOMPARE(moveDuration(3, 1, 1), 4.0);
+        QCOMPARE(moveDuration(1, 0, 1), 0.0);
+    }
+
+    void aLineThatOnlyTurnsHasALength() {
+        const Pose here(0.3, 0.2, 0.4, 0, 3.0, 0);
+        Pose there = here;
+        there.position.z() += 0.1;
+        QCOMPARE(lineLength(here, there), 0.1);
+        const Pose turned(0.3, 0.2, 0.4, 0, 2.0, 0);
+        QVERIFY(std::abs(lineLength(here, turned) - kTurnRadius) < 1e-12);
+    }
+
+    void itSaysWhatWouldGetTooFast() {
+        JointPositions wrist = kStart;
+        wrist[5] += 1;
+        const Pose farTool(0.2, 0, 0.1, 0, 0, 0);
+        QCOMPARE(jointSpeedBound(dh(), kStart, wrist, farTool, 0.25).by, SpeedLimit::Tcp);
+        // The forearm points back: the elbow is further out than the TCP.
+        const JointPositions folded(0, -0.8, 2.7, 0, 0, 0);
+        JointPositions raised = folded;
+        raised[1] -= 0.5;
+        QCOMPARE(jointSpeedBound(dh(), folded, raised, {}, 0.25).by, SpeedLimit::Elbow);
+        QCOMPARE(jointSpeedBound(dh(), kStart, kStart, {}, 0.25).by, SpeedLimit::None);
+        QVERIFY(std::isinf(jointSpeedBound(dh(), kStart, kStart, {}, 0.25).speed));
+    }
+
+    void aLineIsHeldByItsTurn() {
+        const Pose here = forwardTcp(dh(), kStart);
+        Pose there = here;
+        there.position.z() += 0.02;
+        const SpeedBound straight = lineSpeedBound(dh(), kStart, there, {}, 0.25, 0.8);
+        QCOMPARE(straight.by, SpeedLimit::Tcp);
+        QCOMPARE(straight.speed, 0.25);
+        there.rotation = rotationVector(rotationMatrix(here.rotation) * rotationMatrix({0, 0, 0.5}));
+        const SpeedBound turning = lineSpeedBound(dh(), kStart, there, {}, 0.25, 0.8);
+        QCOMPARE(turning.by, SpeedLimit::Rotation);
+        QVERIFY(std::abs(turning.speed - 0.8 * 0.02 / 0.5) < 1e-9);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestSpeedBounds)
+#include "tst_speed_bounds.moc"
