@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "robot/rtde/codec.h"
+#include "robot/rtde/session.h"
 #include "robot/rtde/splitter.h"
 #include "robot/rtde/values.h"
-#include "robot/rtde/session.h"
 
 using namespace tiller;
 using namespace tiller::rtde;
