@@ -53,6 +53,17 @@ public:
         told["speed_scaling"] = now.speedScaling;
         return told;
     }
+    py::object plan() const {
+        if (!motion_.plan()) {
+            return py::none();
+        }
+        py::dict told;
+        told["duration"] = motion_.plan()->duration.count();
+        told["speed"] = motion_.plan()->speed;
+        told["limiter"] = toString(motion_.plan()->limiter.kind);
+        told["scale"] = motion_.plan()->limiter.scale;
+        return told;
+    }
     const Motion& motion() const { return motion_; }
 
 private:
@@ -408,7 +419,8 @@ void defineControl(py::module_& module) {
         .def("is_active", &NativeMotion::isActive)
         .def("kind", &NativeMotion::kind)
         .def("cause", &NativeMotion::cause)
-        .def("progress", &NativeMotion::progress);
+        .def("progress", &NativeMotion::progress)
+        .def("plan", &NativeMotion::plan);
     py::class_<NativeJog>(module, "Jog")
         .def("refresh", [](NativeJog& self) { return self.refresh({}); })
         .def("change",

@@ -209,6 +209,16 @@ class TestMotion(VirtualCase):
             move.wait(PATIENCE)
         self.assert_brakes()
 
+    def test_the_plan_says_how_long_and_what_slows_it_down(self):
+        slow = self.robot.move_j(self.robot.state.q + FAR, 0.2, 1.0)
+        self.assertEqual((slow.plan.limiter, slow.plan.scale), ("None", 1.0))
+        self.assertGreater(slow.plan.duration, 1.0)
+        fast = self.robot.move_j(self.robot.state.q + FAR, 3.0, 10.0)
+        self.assertNotEqual(fast.plan.limiter, "None")
+        self.assertLess(fast.plan.scale, 0.9)
+        self.assertAlmostEqual(fast.plan.speed, 3.0 * fast.plan.scale)
+        self.assertIsNone(self.robot._controller.stop_j(2.0).plan())
+
     def test_waiting_lets_other_threads_run(self):
         counted = []
         ended = threading.Event()

@@ -16,12 +16,12 @@ from ._native import __version__
 from .doctor import examine
 from .errors import Error
 from .kinematics import Kinematics
-from .motions import Jog, Move, PathMove, Progress, Stream
+from .motions import Jog, Move, PathMove, Plan, Progress, Stream
 from .receive import Recording, Sample, Samples, read_recording
 from .robot import LoopReport, Robot
 from .services import Consent, Dashboard, Outputs, Registers, Service
 from .simulator import Simulator
 
-__all__ = ["Consent", "Dashboard", "Error", "Jog", "Kinematics", "LoopReport", "Move", "Outputs", "PathMove", "Progress",
-           "Recording", "Registers", "Robot", "Sample", "Samples", "Service", "Simulator", "Stream", "__version__",
+__all__ = ["Consent", "Dashboard", "Error", "Jog", "Kinematics", "LoopReport", "Move", "Outputs", "PathMove", "Plan",
+           "Progress", "Recording", "Registers", "Robot", "Sample", "Samples", "Service", "Simulator", "Stream", "__version__",
            "doctor", "errors", "examine", "kinematics", "read_recording"]

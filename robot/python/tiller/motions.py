@@ -32,6 +32,16 @@ class Progress:
     speed_scaling: float  #: what the controller's own limits leave of the speed, 0 ... 1
 
 
+@dataclass(frozen=True)
+class Plan:
+    """What was decided when a move began; the speed slider and the robot's own limits may slow it down further."""
+
+    duration: float  #: from standstill to standstill, at a slider of 100 % [s]
+    speed: float  #: move_j: of the leading joint [rad/s]; move_l: of the TCP [m/s]
+    limiter: str  #: what keeps it below the speed asked for: "TcpSpeed", "ElbowSpeed", "RotationSpeed"; "None"
+    scale: float  #: how much of the speed asked for that leaves, 0 ... 1
+
+
 class Move:
     """A motion with an end. `move.wait()` or `await move` returns when it is done and raises when it was stopped.
 
@@ -89,6 +99,12 @@ class Move:
     def progress(self) -> Progress:
         """How far it is."""
         return Progress(**self._native.progress())
+
+    @property
+    def plan(self) -> Plan | None:
+        """How long it takes and what slows it down; None for paths and what has no known end."""
+        told = self._native.plan()
+        return None if told is None else Plan(**told)
 
     def __del__(self) -> None:
         native = getattr(self, "_native", None)
