@@ -11,6 +11,7 @@ namespace {
 
 const QString kSource = QStringLiteral(TILLER_SOURCE_DIR "/");
 const char* const kTable = "robot/ur_rtde/METHODS.md";
+const char* const kFrom = "robot/ur_rtde/FROM_UR_RTDE.md";
 
 QString contentsOf(const QString& path) {
     QFile file(kSource + path);
@@ -31,6 +32,50 @@ QList<Method> methodsIn(const QString& path) {
         }
     }
     return methods;
+}
+
+/// What the page "From ur_rtde to Tiller" says of a method.
+struct Counterpart {
+    QString difference;
+    QString inTiller;
+};
+
+/// By "class method". Sections bear the names of their classes, rows those of one or more methods.
+QHash<QString, Counterpart> counterparts() {
+    static const QRegularExpression kName(QStringLiteral("`(\\w+)`"));
+    QHash<QString, Counterpart> all;
+    QStringList owners;
+    for (const QString& line : contentsOf(kFrom).split('\n')) {
+        if (line.startsWith("## ")) {
+            owners = line.mid(3).split(", ");
+        }
+        const QStringList cells = line.split(" | ");
+        if (!line.startsWith("| `") || cells.size() != 3) {
+            continue;
+        }
+        for (auto names = kName.globalMatch(cells[0]); names.hasNext();) {
+            const QString name = names.next().captured(1);
+            for (const QString& owner : owners) {
+                all.insert(owner + ' ' + name, {cells[1].trimmed(), cells[2].chopped(2).trimmed()});
+            }
+        }
+    }
+    return all;
+}
+
+/// The declarations of a method in the body of its class, each on one line.
+QString signaturesOf(const Method& method, const QString& headers) {
+    const qsizetype begin =
+        headers.indexOf(QRegularExpression("\\b(?:class|struct) (?:\\w+ )?" + method.owner + "\\b[^;]*\\{"));
+    const QString body = headers.mid(begin, headers.indexOf("\n};", begin) - begin);
+    const QRegularExpression declaration("^    (?:static |virtual |RTDE_EXPORT )*([^\\n/]*\\b" + method.name +
+                                             "\\((?:[^()]|\\([^()]*\\))*\\)(?: const)?)",
+                                         QRegularExpression::MultilineOption);
+    QStringList found;
+    for (auto it = declaration.globalMatch(body); it.hasNext();) {
+        found << '`' + it.next().captured(1).simplified().replace('|', "\\|") + '`';
+    }
+    return begin < 0 ? QString() : found.join("<br>");
 }
 
 /// Test functions, each with its text.
@@ -81,6 +126,25 @@ class TestFaceTable : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    // And what the page names beside them exists.
+    void thePageNamesNoMethodThatIsNotThere() {
+        QSet<QString> known;
+        for (const Method& method : methodsIn("tests/data/ur_rtde/methods.txt")) {
+            known.insert(method.owner + ' ' + method.name);
+        }
+        const QHash<QString, Counterpart> from = counterparts();
+        QVERIFY(from.size() > 200);
+        QStringList strangers;
+        for (auto it = from.cbegin(); it != from.cend(); ++it) {
+            // A section for two classes names what only one of them has.
+            const bool shared = it.key().startsWith("Path ") || it.key().startsWith("PathEntry ");
+            if (!known.contains(it.key()) && !shared) {
+                strangers << it.key();
+            }
+        }
+        QVERIFY2(strangers.isEmpty(), qPrintable(strangers.join('\n')));
+    }
+
     void everyMethodIsDeclaredAndExercised() {
         // How the objects are called in the tests of each language.
         static const QHash<QString, QString> cpp = {
@@ -123,9 +187,13 @@ private Q_SLOTS:
         QString table =
             "# Methods of the ur_rtde interface\n\n"
             "Made by tests/integration/ur_rtde/tst_face_table (TILLER_UPDATE_TABLES=1 writes it): every "
-            "method of "
-            "ur_rtde 1.5.8 and the test that exercises it against the simulated controller.\n\n"
-            "| class | method | C++ | Python |\n|---|---|---|---|\n";
+            "method of ur_rtde 1.5.8 as it is declared here, what is different from ur_rtde (a dash: "
+            "nothing), "
+            "and the tests that exercise it against the simulated controller. The library's own calls for "
+            "the "
+            "same: [From ur_rtde to Tiller](FROM_UR_RTDE.md).\n\n"
+            "| class | method | different here | C++ | Python |\n|---|---|---|---|---|\n";
+        const QHash<QString, Counterpart> from = counterparts();
         const auto methods = methodsIn("tests/data/ur_rtde/methods.txt");
         QVERIFY(methods.size() > 200);
         for (const Method& method : methods) {
@@ -145,8 +213,16 @@ private Q_SLOTS:
             if (exposed && inPython.isEmpty()) {
                 missing << method.owner + "." + method.name + " is not exercised in Python";
             }
-            table += QStringLiteral("| %1 | %2 | %3 | %4 |\n")
-                         .arg(method.owner, method.name, inCpp,
+            const QString signatures = signaturesOf(method, headers);
+            if (signatures.isEmpty()) {
+                missing << method.owner + "::" + method.name + " has no signature";
+            }
+            const Counterpart counterpart = from.value(method.owner + ' ' + method.name);
+            if (counterpart.difference.isEmpty() || counterpart.inTiller.isEmpty()) {
+                missing << method.owner + "::" + method.name + " has no row in " + kFrom;
+            }
+            table += QStringLiteral("| %1 | %2 | %3 | %4 | %5 |\n")
+                         .arg(method.owner, signatures, counterpart.difference, inCpp,
                               exposed ? inPython : QStringLiteral("not exposed"));
         }
         QVERIFY2(missing.isEmpty(), qPrintable(missing.join('\n')));

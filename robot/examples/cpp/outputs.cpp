@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Sets an output, reads it and an input back. Works whether or not a program runs.
+#include <iostream>
+
+#include "robot/io/outputs.h"
+#include "robot/receive/robot_state.h"
+
+using namespace tiller;
+using namespace std::chrono_literals;
+
+int main(int, char** argv) {
+    receive::Receiver receiver({.host = argv[1]});
+    receiver.start().value();
+    (void)receiver.waitForData(Deadline::after(5s)).value();
+
+    io::Outputs outputs({.host = argv[1]}, io::OutputFeedback::fromReceiver(receiver));
+    outputs.setDigitalOutput(0, true, Deadline::after(3s)).value();  // returns when the robot reports it
+    outputs.setAnalogOutput(0, io::AnalogDomain::Voltage, 0.5, Deadline::after(3s)).value();  // 5 V
+    const receive::Sample sample = receiver.latest();
+    const receive::RobotState state(sample);
+    std::cout << "outputs " << state.digitalOutputs().value_or(0) << ", inputs "
+              << state.digitalInputs().value_or(0) << std::endl;
+}

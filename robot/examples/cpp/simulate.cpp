@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Needs no robot: a simulated one in this process, moved as a real one is, and something that goes wrong.
+#include <QCoreApplication>
+#include <iostream>
+#include <thread>
+
+#include "robot/control/motions.h"
+#include "robot/simulator/controller.h"
+
+using namespace tiller;
+using namespace std::chrono_literals;
+
+int main(int argc, char** argv) {
+    QCoreApplication application(argc, argv);  // for the sockets of the robot
+    simulator::Controller robot({.listenAddress = "127.0.0.9", .poweredOn = true, .fastTransitions = true});
+    robot.start().value();
+    control::Controller controller({.host = "127.0.0.9"});
+    controller.takeControl(Deadline::after(5s)).value();
+    auto move = control::Motions(controller).moveJ({0, -1.57, 1.57, -1.57, -1.57, 0});
+    std::this_thread::sleep_for(500ms);
+    robot.protectiveStop();
+    const Result<void> reached = move->wait(Deadline::after(30s));
+    std::cout << (reached ? "there" : reached.error().message()) << std::endl;  // "UnsafeState: ..."
+}
