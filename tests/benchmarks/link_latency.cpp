@@ -15,7 +15,7 @@
 #include <thread>
 #include <vector>
 
-#include "robot/control/controller.h"
+#include "robot/control/motions.h"
 #include "robot/receive/receiver.h"
 #include "robot/recording/recorder.h"
 #include "robot/simulator/controller.h"

@@ -213,7 +213,8 @@ private Q_SLOTS:
             << "servoJ"
             << "pause, kill -9, play" << 1.0 << "stops=scaled speed-commands=real thread-start=next-period";
         QTest::newRow("servo stopped behind a pause, slider at 50 %")
-            << "servoL" << "pause, kill -9, play" << 0.5 << "stops=scaled thread-start=next-period";
+            << "servoL"
+            << "pause, kill -9, play" << 0.5 << "stops=scaled thread-start=next-period";
         QTest::newRow("bunched data") << "jog in force mode"
                                       << "release" << 1.0 << "data=bunched";
     }
