@@ -29,6 +29,7 @@
 #include "widgets/jog/device_trainer.h"
 #include "widgets/jog/jog_column.h"
 #include "widgets/jog/jog_pad.h"
+#include "widgets/jog/jog_selectors.h"
 #include "widgets/jog/keyboard_jog.h"
 #include "widgets/jog/stop_keys.h"
 #include "widgets/log/log_tab.h"
@@ -229,10 +230,8 @@ void MainWindow::buildTabs() {
 void MainWindow::connectParts() {
     connect(jog_, &JogColumn::refused, this,
             [this](const QString& reason) { Q_EMIT session_->message(Severity::Warning, reason); });
-    connect(jog_, &JogColumn::ghostWanted, this, [this](const JogGhost& ghost) {
-        scene_->view().setGhost(
-            SceneGhost{ghost.name, ghost.q, ghost.linear, ghost.reachable, ghost.speed, ghost.acceleration});
-    });
+    connect(jog_, &JogColumn::ghostWanted, this,
+            [this](const Ghost& ghost) { scene_->view().setGhost(ghost); });
     connect(jog_, &JogColumn::ghostGone, this, &MainWindow::updateScene);
     connect(waypoints_, &WaypointsTab::message, this,
             [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
@@ -253,7 +252,7 @@ void MainWindow::connectParts() {
         const Eigen::Matrix3d R = scene_->view().viewRotation();
         Eigen::Matrix3d R_base_view;
         R_base_view << R.col(0), -R.col(2), R.col(1);
-        jog_->setViewRotation(R_base_view);
+        jog_->selectors().setViewRotation(R_base_view);
     };
     connect(&scene_->view(), &SceneView::viewChanged, this, followView);
     followView();
@@ -286,23 +285,17 @@ void MainWindow::connectProject() {
 void MainWindow::connectFrames() {
     connect(frames_, &FramesTab::message, this,
             [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
-    const auto showMarks = [this] {
-        std::vector<SceneFrame> frames;
-        for (const FrameMark& mark : frames_->marks()) {
-            frames.push_back({mark.name, mark.T_base_frame, mark.selected});
-        }
-        scene_->view().setFrames(frames);
-    };
+    const auto showMarks = [this] { scene_->view().setFrames(frames_->marks()); };
     connect(frames_, &FramesTab::marksChanged, this, showMarks);
     showMarks();
     connect(frames_, &FramesTab::frontWanted, this, [this] { showTab("frames"); });
-    connect(frames_, &FramesTab::jogRequested, jog_, &JogColumn::chooseTaughtFrame);
+    connect(frames_, &FramesTab::jogRequested, &jog_->selectors(), &JogSelectors::chooseTaughtFrame);
     const auto followFrames = [this] {
         QVector<TaughtFrame> frames;
         for (const project::Frame& frame : document_->frames()) {
             frames.append({frame.name, frame.T_base_frame, frame.id});
         }
-        jog_->setTaughtFrames(frames);
+        jog_->selectors().setTaughtFrames(frames);
     };
     connect(document_.get(), &ProjectDocument::framesChanged, this, followFrames);
     followFrames();
@@ -373,19 +366,8 @@ void MainWindow::followJog() {
 }
 
 void MainWindow::updateScene() {
-    SceneView& view = scene_->view();
-    std::vector<SceneWaypoint> marks;
-    for (const WaypointMark& mark : waypoints_->marks()) {
-        marks.push_back({mark.name, mark.position, mark.selected});
-    }
-    view.setWaypoints(marks);
-    const std::optional<WaypointGhost> ghost = waypoints_->ghost();
-    if (!ghost) {
-        view.setGhost(std::nullopt);
-        return;
-    }
-    view.setGhost(SceneGhost{ghost->name, ghost->q, ghost->linear, ghost->reachable, ghost->speed,
-                             ghost->acceleration});
+    scene_->view().setWaypoints(waypoints_->marks());
+    scene_->view().setGhost(waypoints_->ghost());
 }
 
 void MainWindow::stopMotion(control::StopCause cause) {

@@ -97,8 +97,6 @@ private:
     void addRobotActions();
     void addProjectActions();
     void addControlActions();
-    void addJogActions();   // main_window_jog.cpp
-    void nameJogActions();  // main_window_jog.cpp: in the operator's units
     void addViewActions();
     void showRecovery();
     void askForProgram();

@@ -12,6 +12,7 @@
 
 #include "app/action_table.h"
 #include "app/command_palette.h"
+#include "app/jog_actions.h"
 #include "app/main_window.h"
 #include "app/settings_page.h"
 #include "widgets/common/theme.h"
@@ -67,7 +68,7 @@ void MainWindow::buildActions() {
     addRobotActions();
     addProjectActions();
     addControlActions();
-    addJogActions();
+    JogActions::addTo(*actions_, *jog_, *keyboard_, [this] { showTrainer(this); });
     addViewActions();
     for (QAction* action : waypoints_->commandActions()) {
         actions_->adopt("waypoint", action);
@@ -403,7 +404,7 @@ void MainWindow::applyPreferences(const Preferences& preferences) {
     }
     if (preferences.notation != Notation::current()) {
         applyNotation(*qApp, preferences.notation);
-        nameJogActions();
+        JogActions::rename(*actions_);
     }
     if (preferences.speedCap != session_->limits().tcpSpeed) {
         session_->setSpeedCap(preferences.speedCap);

@@ -181,7 +181,7 @@ int main(int argc, char** argv) {
     SceneView scene;
     scene.setStale(false);
     JointPositions q(-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310);
-    SceneGhost ghost;
+    Ghost ghost;
     ghost.q = q;
     ghost.q[0] += 0.4;
     scene.setJoints(q);

@@ -111,7 +111,7 @@ struct TimedArm {
         running = id == running ? 0 : running;
         ends << cause;
     }
-    JogPort port() {
+    MotionPort port() {
         constexpr std::int64_t kNoEnd = 24 * 3600 * kNsPerSecond;
         return {.beginJog = [this](const control::JogTarget&) { return begin(kNoEnd); },
                 .beginMove = [this](const MoveRequest&) { return begin(moveNs); },
@@ -120,13 +120,6 @@ struct TimedArm {
                 .limits = [] { return control::MotionLimits(); },
                 .beginFreedrive = [this](const control::Freedrive&) { return begin(kNoEnd); },
                 .holdWith = [this](std::uint64_t id, const control::JogTarget&) { return hold(id); }};
-    }
-    WaypointPort waypointPort() {
-        const JogPort doors = port();
-        return {.beginMove = doors.beginMove,
-                .hold = doors.hold,
-                .endMotion = doors.endMotion,
-                .limits = doors.limits};
     }
 };
 
@@ -158,7 +151,7 @@ struct Hands {
     QWidget window;
     QLineEdit* edit = new QLineEdit(&window);
     JogColumn* column = new JogColumn(arm.port(), &window);
-    WaypointsTab* tab = new WaypointsTab(session, document, arm.waypointPort(), &window);
+    WaypointsTab* tab = new WaypointsTab(session, document, arm.port(), &window);
     KeyboardJog keyboard{column->axisJog(), window};
     DeviceJog devices{column->axisJog()};
     std::optional<DeviceReading> gamepad = DeviceReading();

@@ -21,7 +21,7 @@ struct FakeSession {
     QList<control::Freedrive> freedrives;
     QList<control::StopCause> ends;
 
-    JogPort port() {
+    MotionPort port() {
         return {.beginJog = [this](const control::JogTarget& target) -> Result<RobotSession::MotionId> {
                     jogs.append(target);
                     return running = ++next;

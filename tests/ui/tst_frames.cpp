@@ -15,6 +15,7 @@
 #include "tests/ui/jog_fixture.h"
 #include "widgets/frames/frame_model.h"
 #include "widgets/frames/frames_tab.h"
+#include "widgets/jog/jog_selectors.h"
 #include "widgets/project/project_document.h"
 #include "widgets/project/project_files.h"
 #include "widgets/scene/scene_view.h"
@@ -87,7 +88,7 @@ private Q_SLOTS:
         bench_->show();
         QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
         driveKeys(cell(), window().jogColumn().holdKeys());
-        window().jogColumn().setSpeedClass(3);
+        window().jogColumn().selectors().setSpeedClass(3);
         cell().advanceMs(40);
     }
     void cleanup() { bench_.reset(); }

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "tests/support/jog_window_test.h"
+#include "widgets/jog/jog_selectors.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -16,7 +17,7 @@ class TestJogBehaviour : public JogWindowTest {
 
 private Q_SLOTS:
     void backLeadsAlongTheWayToItsBeginning() {
-        window().jogColumn().setSpeedClass(3);
+        window().jogColumn().selectors().setSpeedClass(3);
         const Pose start = cell().truth().tcpPose;
         jog("jog.Z+", 1200);
         const Pose corner = cell().truth().tcpPose;
@@ -53,7 +54,7 @@ private Q_SLOTS:
     }
 
     void aTouchEndsTheMotionUntilContact() {
-        window().jogColumn().setUntilContact(15);
+        window().jogColumn().selectors().setUntilContact(15);
         press(key("jog.Z-"));
         cell().advanceMs(600);
         QVERIFY(std::abs(tcpSpeed(cell()) - 0.020) < 0.002);
@@ -68,7 +69,7 @@ private Q_SLOTS:
     }
 
     void severalAxesMoveAtOnceAndNoFasterThanOne() {
-        window().jogColumn().setSpeedClass(2);
+        window().jogColumn().selectors().setSpeedClass(2);
         keyboard().setArmed(true);
         QTest::keyPress(&window(), Qt::Key_Right);
         cell().advanceMs(40);

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "tests/ui/jog_fixture.h"
+#include "widgets/jog/jog_selectors.h"
 #include "widgets/jog/stop_keys.h"
 
 using namespace tiller;
@@ -116,7 +117,7 @@ private Q_SLOTS:
         QRandomGenerator random(seed);
         int moved = 0;
         for (int sequence = 0; sequence < kSequences; ++sequence) {
-            column.setSpeedClass(static_cast<int>(random.bounded(5)));
+            column.selectors().setSpeedClass(static_cast<int>(random.bounded(5)));
             HoldButton& key = *jogKeys[random.bounded(jogKeys.size())];
             const auto end = static_cast<End>(random.bounded(kEnds));
             const QString what = QStringLiteral("sequence %1: %2, end %3")

@@ -10,6 +10,7 @@
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/segmented_control.h"
+#include "widgets/jog/jog_selectors.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
 using namespace tiller;
@@ -54,7 +55,7 @@ private Q_SLOTS:
         QVector<HoldButton*> keys = bench_->window.jogColumn().holdKeys();
         keys << bench_->window.findChild<HoldButton*>("waypoint.goTo");
         driveKeys(cell(), keys);
-        bench_->window.jogColumn().setSpeedClass(kReferenceSpeedClass);
+        bench_->window.jogColumn().selectors().setSpeedClass(kReferenceSpeedClass);
         cell().advanceMs(40);
     }
     void cleanup() { bench_.reset(); }
@@ -154,7 +155,7 @@ private Q_SLOTS:
                 window.findChild<SegmentedControl*>("jogMotion")->setCurrentIndex(1);
                 break;
             case 8:
-                window.jogColumn().setSpeedClass(1);
+                window.jogColumn().selectors().setSpeedClass(1);
                 break;
             case 9:
                 sendMouse(key(), QEvent::MouseButtonPress, Qt::RightButton);
@@ -346,7 +347,7 @@ private Q_SLOTS:
     }
 
     void speedStartsSlowAgainAfterARestart() {
-        bench_->window.jogColumn().setSpeedClass(4);
+        bench_->window.jogColumn().selectors().setSpeedClass(4);
         app::MainWindow again{app::Settings(bench_->folder.filePath("settings.ini")), bench_->clock};
         QVERIFY(speedClasses()[static_cast<std::size_t>(again.jogColumn().selection().speedClass)].tcp <=
                 0.050001);

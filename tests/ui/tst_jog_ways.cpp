@@ -8,6 +8,7 @@
 
 #include "tests/support/jog_window_test.h"
 #include "widgets/common/segmented_control.h"
+#include "widgets/jog/jog_selectors.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -215,7 +216,7 @@ private:
     void prepare(Way way) {
         // 100 mm/s is the contract's reference; a turn at its 30 deg/s takes 130 ms to brake, at 15 deg/s 65
         // ms.
-        window().jogColumn().setSpeedClass(way == Way::KeyboardTurn || way == Way::Align ? 2 : 3);
+        window().jogColumn().selectors().setSpeedClass(way == Way::KeyboardTurn || way == Way::Align ? 2 : 3);
         switch (way) {
             case Way::Back:
                 jog("jog.Z+", 1500);
@@ -224,10 +225,10 @@ private:
                 jog("jog.Rx+", 2000);
                 break;
             case Way::UntilContact:
-                window().jogColumn().setUntilContact(10);
+                window().jogColumn().selectors().setUntilContact(10);
                 break;
             case Way::LongStep:
-                window().jogColumn().setFreeStep({0.1, 1.5});
+                window().jogColumn().selectors().setFreeStep({0.1, 1.5});
                 break;
             default:
                 break;

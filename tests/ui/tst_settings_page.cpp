@@ -29,6 +29,7 @@
 #include "widgets/common/theme.h"
 #include "widgets/jog/device_jog.h"
 #include "widgets/jog/device_trainer.h"
+#include "widgets/jog/jog_selectors.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -154,7 +155,7 @@ private Q_SLOTS:
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         driveKeys(bench.cell, bench.window.jogColumn().holdKeys());
-        bench.window.jogColumn().setSpeedClass(3);  // 100 mm/s
+        bench.window.jogColumn().selectors().setSpeedClass(3);  // 100 mm/s
         auto* key = bench.window.findChild<HoldButton*>("jog.Z+");
         press(*key);
         bench.cell.advanceMs(500);
@@ -195,7 +196,7 @@ private Q_SLOTS:
         QCOMPARE(app::Settings(bench.file).preferences().longestHold, 6);
         QVERIFY(bench.window.findChild<QWidget*>("lastStopChip")->toolTip().contains("witness"));
         auto* key = bench.window.findChild<HoldButton*>("jog.Z+");
-        bench.window.jogColumn().setSpeedClass(1);
+        bench.window.jogColumn().selectors().setSpeedClass(1);
         // The closed page's last events are over before the key is pressed.
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         QTest::qWait(50);

@@ -30,6 +30,7 @@
 #include "widgets/jog/jog_pad.h"
 #include "widgets/jog/limiter_line.h"
 #include "widgets/jog/pose_view.h"
+#include "widgets/jog/travel_watch.h"
 #include "widgets/plots/plot_dock.h"
 #include "widgets/project/project_document.h"
 #include "widgets/status/preflight_page.h"
@@ -160,7 +161,7 @@ private Q_SLOTS:
         release(*key);
         bench.cell.advanceMs(800);
         for (int look = 0; look < 24; ++look) {
-            window.jogColumn().lookAround();
+            window.jogColumn().travel().look();
         }
 
         // Whoever is here in millimetres has to be here in inches, once the panes have been refreshed.
@@ -171,7 +172,7 @@ private Q_SLOTS:
         bench.choose("settings.lengths", Qt::Key_Down);
         QCOMPARE(Notation::current().length, LengthUnit::Inches);
         for (int look = 0; look < 24; ++look) {
-            window.jogColumn().lookAround();
+            window.jogColumn().travel().look();
         }
         QTRY_VERIFY2(figuresIn(kMillimetres, window).isEmpty(),
                      qPrintable(figuresIn(kMillimetres, window).join('\n')));
@@ -191,7 +192,7 @@ private Q_SLOTS:
 
         bench.choose("settings.lengths", Qt::Key_Up);
         for (int look = 0; look < 24; ++look) {
-            window.jogColumn().lookAround();
+            window.jogColumn().travel().look();
         }
         QTRY_VERIFY2(figuresIn(kInches, window).isEmpty(), qPrintable(figuresIn(kInches, window).join('\n')));
         QCOMPARE(window.actions().find("jog.speed.2")->text(), QStringLiteral("Jog speed 50 mm/s"));

@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QItemSelectionModel>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QToolButton>
@@ -14,6 +15,7 @@
 
 #include "widgets/common/notice_bar.h"
 #include "widgets/frames/frame_details.h"
+#include "widgets/frames/frame_editing.h"
 #include "widgets/frames/frame_model.h"
 #include "widgets/frames/frame_table.h"
 #include "widgets/frames/frame_teacher.h"
@@ -111,19 +113,19 @@ void FramesTab::buildLayout() {
     layout->addWidget(teacher_, 1);
     layout->addWidget(details_);
     notice_->installEventFilter(this);
+    editing_ = new FrameEditing(document_, *model_, *notice_, this);
 
     connect(fromTcp_, &QPushButton::clicked, this, &FramesTab::teachFromTcp);
     connect(threePoints_, &QPushButton::clicked, this, &FramesTab::teachThreePoints);
     connect(touchUp_, &QPushButton::clicked, this, &FramesTab::touchUp);
+    connect(editing_, &FrameEditing::message, this, &FramesTab::message);
     connect(teacher_, &FrameTeacher::made, this, &FramesTab::onMade);
     connect(teacher_, &FrameTeacher::cancelled, this, &FramesTab::endTeaching);
     connect(teacher_, &FrameTeacher::tipWanted, this, &FramesTab::showLive);
     connect(teacher_, &FrameTeacher::previewChanged, this, &FramesTab::marksChanged);
     connect(details_, &FrameDetails::placeEntered, this, [this](const Pose& pose) {
         if (const auto frame = current()) {
-            // The hand is in the figures and wants the next one: said below, not in between.
-            const QString moved = moveFrame(frame->id, pose, tr("Set the place of “%1”").arg(frame->name));
-            Q_EMIT message(Severity::Info, tr("“%1” is set in figures. %2").arg(frame->name, moved));
+            editing_->place(*frame, pose);
         }
     });
 }
@@ -264,6 +266,162 @@ void FramesTab::updateAvailability() {
         const QString needs = action->property("needs").toString();
         action->setEnabled((!needs.contains(u's') || selected) && (!needs.contains(u'l') || live) &&
                            (!needs.contains(u't') || teaching_));
+    }
+}
+
+QAction* FramesTab::addCommand(const QString& name, const QString& text, const QKeySequence& shortcut,
+                               std::function<void()> run) {
+    auto* action = new QAction(text, this);
+    action->setObjectName(QStringLiteral("frame.action.") + name);
+    action->setShortcut(shortcut);
+    action->setAutoRepeat(false);
+    connect(action, &QAction::triggered, this, [this, run = std::move(run)] {
+        Q_EMIT frontWanted();
+        run();
+    });
+    actions_.append(action);
+    return action;
+}
+
+void FramesTab::buildActions() {
+    // Letters: s a frame is selected, l live data, t three points are being taken.
+    const auto with = [](QAction* action, const char* needs) {
+        action->setProperty("needs", QLatin1String(needs));
+        return action;
+    };
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("frame.menu"));
+    const auto everywhere = [&](QAction* action) {
+        // The hand is on the jog pad while teaching.
+        addAction(action);
+        return action;
+    };
+    const auto here = [&](QAction* action) {
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        addAction(action);
+        return action;
+    };
+    menu->addAction(
+        everywhere(with(addCommand("fromTcp", tr("Teach frame from the TCP"),
+                                   QKeySequence(Qt::SHIFT | Qt::Key_T), [this] { teachFromTcp(); }),
+                        "l")));
+    menu->addAction(everywhere(
+        with(addCommand("threePoints", tr("Teach frame from three points"),
+                        QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T), [this] { teachThreePoints(); }),
+             "l")));
+    everywhere(with(addCommand("takePoint", tr("Take the next point of the frame"), QKeySequence(Qt::Key_P),
+                               [this] { teacher_->takeNext(); }),
+                    "lt"));
+    everywhere(with(addCommand("make", tr("Make the frame of the points taken"),
+                               QKeySequence(Qt::CTRL | Qt::Key_Return), [this] { teacher_->finish(); }),
+                    "t"));
+    everywhere(with(addCommand("cancel", tr("Cancel frame teaching"), {}, [this] { endTeaching(); }), "t"));
+    menu->addAction(everywhere(with(addCommand("touchUp", tr("Touch up frame from the TCP"),
+                                               QKeySequence(Qt::SHIFT | Qt::Key_U), [this] { touchUp(); }),
+                                    "sl")));
+    menu->addAction(everywhere(with(addCommand("touchUpThreePoints", tr("Touch up frame from three points"),
+                                               {}, [this] { touchUpThreePoints(); }),
+                                    "sl")));
+    menu->addSeparator();
+    menu->addAction(everywhere(
+        with(addCommand("jogIn", tr("Jog in this frame"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_J),
+                        [this] {
+                            if (const auto frame = current()) {
+                                Q_EMIT jogRequested(frame->id);
+                            }
+                        }),
+             "s")));
+    menu->addSeparator();
+    menu->addAction(here(with(addCommand("rename", tr("Rename frame"), QKeySequence(Qt::Key_F2),
+                                         [this] { table_->renameCurrent(); }),
+                              "s")));
+    menu->addAction(here(
+        with(addCommand("edit", tr("Set frame in figures"), {}, [this] { details_->editFigures(); }), "s")));
+    menu->addAction(
+        here(with(addCommand("duplicate", tr("Duplicate frame"), QKeySequence(Qt::CTRL | Qt::Key_D),
+                             [this] { withCurrent(&FrameEditing::duplicate); }),
+                  "s")));
+    menu->addAction(here(with(addCommand("delete", tr("Delete frame"), QKeySequence(Qt::Key_Delete),
+                                         [this] { withCurrent(&FrameEditing::remove); }),
+                              "s")));
+    more_->setMenu(menu);
+    table_->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(table_, &QWidget::customContextMenuRequested, this,
+            [this, menu](const QPoint& position) { menu->popup(table_->viewport()->mapToGlobal(position)); });
+}
+
+// ---- teaching --------------------------------------------------------------------------------------
+
+void FramesTab::teachFromTcp() {
+    if (const QString obstacle = teachObstacle(); !obstacle.isEmpty()) {
+        showProblem(obstacle);
+        return;
+    }
+    endTeaching();
+    insert(state_.tcpPose);
+}
+
+void FramesTab::teachThreePoints() {
+    beginTeaching({});
+}
+
+void FramesTab::touchUp() {
+    const std::optional<project::Frame> frame = current();
+    const QString obstacle = frame ? teachObstacle() : tr("Select a frame to touch up.");
+    if (!obstacle.isEmpty()) {
+        showProblem(obstacle);
+        return;
+    }
+    endTeaching();
+    editing_->askToMove(frame->id, state_.tcpPose);
+}
+
+void FramesTab::touchUpThreePoints() {
+    if (const std::optional<project::Frame> frame = current()) {
+        beginTeaching(frame->id);
+    } else {
+        showProblem(tr("Select a frame to touch up."));
+    }
+}
+
+void FramesTab::beginTeaching(const QUuid& into) {
+    notice_->dismiss();
+    teaching_ = true;
+    teachingInto_ = into;
+    const std::optional<project::Frame> frame = into.isNull() ? std::nullopt : current();
+    teacher_->begin(
+        frame ? tr("Touch up “%1” from three points").arg(frame->name) : tr("New frame from three points"),
+        frame ? tr("Touch up…") : tr("Make frame"));
+    showPage();
+    updateAvailability();
+}
+
+void FramesTab::endTeaching() {
+    if (teaching_) {
+        teaching_ = false;
+        showPage();
+        updateAvailability();
+        Q_EMIT marksChanged();
+    }
+}
+
+void FramesTab::onMade(const Pose& T_base_frame) {
+    endTeaching();
+    if (teachingInto_.isNull()) {
+        insert(T_base_frame);
+    } else {
+        editing_->askToMove(teachingInto_, T_base_frame);
+    }
+}
+
+void FramesTab::insert(const Pose& T_base_frame) {
+    editing_->insert(T_base_frame);
+    table_->setFocus();
+}
+
+void FramesTab::withCurrent(void (FrameEditing::*edit)(const project::Frame&)) {
+    if (const std::optional<project::Frame> frame = current()) {
+        (editing_->*edit)(*frame);
     }
 }
 

@@ -13,6 +13,7 @@
 
 #include "robot/project/waypoint.h"
 #include "widgets/session/robot_session.h"
+#include "widgets/session/scene_marks.h"
 
 class QAction;
 class QPushButton;
@@ -22,18 +23,12 @@ class QToolButton;
 namespace tiller {
 
 class FrameDetails;
+class FrameEditing;
 class FrameModel;
 class FrameTable;
 class FrameTeacher;
 class NoticeBar;
 class ProjectDocument;
-
-/// Where a frame stands, for the 3D view.
-struct FrameMark {
-    QString name;
-    Pose T_base_frame;
-    bool selected = false;  ///< or the frame that would be made now
-};
 
 class FramesTab : public QWidget {
     Q_OBJECT
@@ -87,15 +82,11 @@ private:
     QString teachObstacle() const;
     std::optional<project::Frame> current() const;
 
-    void insertFrame(const Pose& T_base_frame);
-    void askToMove(const QUuid& id, const Pose& T_base_frame);
-    /// Returns  what moved with it, in words
-    QString moveFrame(const QUuid& id, const Pose& T_base_frame, const QString& step);
+    void insert(const Pose& T_base_frame);
+    void withCurrent(void (FrameEditing::*edit)(const project::Frame&));
     void beginTeaching(const QUuid& into);
     void endTeaching();
     void onMade(const Pose& T_base_frame);
-    void duplicateSelected();
-    void deleteSelected();
     void showProblem(const QString& text);
 
     SessionState state_;
@@ -118,6 +109,7 @@ private:
     FrameTable* table_ = nullptr;
     FrameTeacher* teacher_ = nullptr;
     FrameDetails* details_ = nullptr;
+    FrameEditing* editing_ = nullptr;
 };
 
 }  // namespace tiller

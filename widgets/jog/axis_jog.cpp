@@ -39,7 +39,7 @@ std::int64_t jogSilenceNs(const control::JogTarget& target) {
                : HoldRules::silenceAt(target.twist.linear.norm(), target.twist.angular.norm());
 }
 
-AxisJog::AxisJog(const JogPort& port, const JogSelection& selection, std::function<QString()> obstacle,
+AxisJog::AxisJog(const MotionPort& port, const JogSelection& selection, std::function<QString()> obstacle,
                  QObject* parent)
     : QObject(parent)
     , port_(port)

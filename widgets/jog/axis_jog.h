@@ -14,7 +14,7 @@
 #include "robot/core/joints.h"
 #include "widgets/common/hold_rules.h"
 #include "widgets/jog/jog_motion.h"
-#include "widgets/jog/jog_port.h"
+#include "widgets/session/motion_port.h"
 
 namespace tiller {
 
@@ -44,7 +44,7 @@ class AxisJog : public QObject {
 public:
     /// port, selection  must outlive it
     /// obstacle         why the arm cannot be moved now; empty when it can
-    AxisJog(const JogPort& port, const JogSelection& selection, std::function<QString()> obstacle,
+    AxisJog(const MotionPort& port, const JogSelection& selection, std::function<QString()> obstacle,
             QObject* parent = nullptr);
     ~AxisJog() override;
 
@@ -80,7 +80,7 @@ private:
     bool& neutralOf(Grip::By by) { return by == Grip::By::Device ? deviceNeutral_ : keysNeutral_; }
     control::JogTarget target() const;
 
-    const JogPort& port_;
+    const MotionPort& port_;
     const JogSelection& selection_;
     std::function<QString()> obstacle_;
     HoldRules rules_;

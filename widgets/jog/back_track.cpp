@@ -22,7 +22,7 @@ double apart(const JointPositions& a, const JointPositions& b) {
 
 }  // namespace
 
-BackTrack::BackTrack(const JogPort& port, std::function<double()> speed)
+BackTrack::BackTrack(const MotionPort& port, std::function<double()> speed)
     : port_(port), speed_(std::move(speed)) {}
 
 void BackTrack::record(const JointPositions& q) {

@@ -8,7 +8,7 @@
 #include <functional>
 
 #include "widgets/common/hold_guard.h"
-#include "widgets/jog/jog_port.h"
+#include "widgets/session/motion_port.h"
 
 namespace tiller {
 
@@ -16,7 +16,7 @@ class BackTrack {
 public:
     /// port   what moves the arm
     /// speed  of the joint that turns fastest on the way back, asked at each turn [rad/s]
-    BackTrack(const JogPort& port, std::function<double()> speed);
+    BackTrack(const MotionPort& port, std::function<double()> speed);
 
     /// Where the arm is now. While the arm goes back nothing is added. A jump means that the way between is
     /// not known: then the trail begins anew.
@@ -41,7 +41,7 @@ private:
     Result<control::JogTarget> next();
     HoldBounds bounds() const;
 
-    const JogPort& port_;
+    const MotionPort& port_;
     std::function<double()> speed_;
     std::deque<JointPositions> trail_;
     JointPositions now_;

@@ -1,24 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/jog/jog_column.h"
 
-#include <QAbstractButton>
-#include <QGridLayout>
+#include <QEvent>
 #include <QGuiApplication>
-#include <QLabel>
+#include <QHBoxLayout>
 #include <QMenu>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "widgets/common/hold_button.h"
+#include "widgets/common/notation.h"
 #include "widgets/common/segmented_control.h"
-#include "widgets/common/theme.h"
 #include "widgets/jog/axis_jog.h"
 #include "widgets/jog/back_track.h"
 #include "widgets/jog/jog_pad.h"
+#include "widgets/jog/jog_selectors.h"
 #include "widgets/jog/joint_rows.h"
+#include "widgets/jog/key_ghosts.h"
+#include "widgets/jog/keyboard_jog.h"
 #include "widgets/jog/limiter_line.h"
 #include "widgets/jog/pose_view.h"
 #include "widgets/jog/reasons.h"
+#include "widgets/jog/travel_watch.h"
+#include "widgets/session/move_time.h"
 #include "widgets/session/texts.h"
 
 namespace tiller {
@@ -28,18 +33,23 @@ using control::StopCause;
 namespace {
 
 constexpr int kMargin = 12;
-constexpr int kTaughtSegment = 3;
-constexpr int kLongestName = 84;  // [px] of a frame, on its key
 constexpr int kRefusalShownMs = 6000;
-constexpr int kLookMs = 40;
 /// Below this height of the column the joints move into a tab.
 constexpr int kCompactBelow = 800;
 /// Below this one, on a screen of 1280 x 720 under a title bar, the keys of the pad give way a little.
 constexpr int kTightBelow = 570;
 
+double heldFactor() {
+    return modifierFactor(QGuiApplication::keyboardModifiers());
+}
+
+bool near(const JointPositions& a, const JointPositions& b, double distance) {
+    return (a.values - b.values).cwiseAbs().maxCoeff() <= distance;
+}
+
 }  // namespace
 
-JogColumn::JogColumn(JogPort port, QWidget* parent) : Panel(tr("Jog"), parent), port_(std::move(port)) {
+JogColumn::JogColumn(MotionPort port, QWidget* parent) : Panel(tr("Jog"), parent), port_(std::move(port)) {
     setObjectName(QStringLiteral("jogColumn"));
     setHint(tr("Hold to move · release to stop"));
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
@@ -48,7 +58,8 @@ JogColumn::JogColumn(JogPort port, QWidget* parent) : Panel(tr("Jog"), parent), 
     auto* layout = new QVBoxLayout(body);
     layout->setContentsMargins(0, kMargin, 0, kMargin);
     layout->setSpacing(0);
-    buildSelectors(layout);
+    selectors_ = new JogSelectors(port_.limits, body);
+    layout->addWidget(selectors_);
 
     const auto inset = [body](QWidget* widget, int above, int below) {
         auto* row = new QHBoxLayout;
@@ -83,7 +94,7 @@ JogColumn::JogColumn(JogPort port, QWidget* parent) : Panel(tr("Jog"), parent), 
         showReason();
     });
     axisJog_ = new AxisJog(
-        port_, selection_, [this] { return deviceObstacle(); }, this);
+        port_, selection(), [this] { return deviceObstacle(); }, this);
     connect(axisJog_, &AxisJog::began, this, [this] { pose_->pressedHere(); });
     connect(axisJog_, &AxisJog::refused, this, [this](const QString& reason) {
         refusal_ = reason;
@@ -91,171 +102,32 @@ JogColumn::JogColumn(JogPort port, QWidget* parent) : Panel(tr("Jog"), parent), 
         showReason();
         Q_EMIT refused(reason);
     });
+    ghosts_ = new KeyGhosts(this);
+    connect(ghosts_, &KeyGhosts::wanted, this, &JogColumn::ghostWanted);
+    connect(ghosts_, &KeyGhosts::gone, this, &JogColumn::ghostGone);
     connectKeys();
     connectBottom();
-    connectSelectors();
-    // One direction at a time, so that no frame has to wait for twelve.
-    auto* lookTimer = new QTimer(this);
-    lookTimer->setInterval(kLookMs);
-    connect(lookTimer, &QTimer::timeout, this, &JogColumn::lookAround);
-    lookTimer->start();
-    showFrames();
-    showMotionTexts();
-    arrange();
-    applyState(SessionState());
-}
-
-JogColumn::JogColumn(RobotSession& session, QWidget* parent) : JogColumn(sessionPort(session), parent) {
-    applyState(session.state());
-    connect(&session, &RobotSession::stateChanged, this, &JogColumn::applyState);
-}
-
-JogColumn::~JogColumn() {
-    stopMotion(StopCause::WindowClosed);
-}
-
-void JogColumn::buildSelectors(QVBoxLayout* layout) {
-    auto* grid = new QGridLayout;
-    grid->setContentsMargins(kMargin, 0, kMargin, 6);
-    grid->setHorizontalSpacing(0);
-    grid->setVerticalSpacing(10);
-    grid->setColumnMinimumWidth(0, 62);
-    frame_ = new SegmentedControl({tr("Base"), tr("Tool"), tr("View"), tr("Frame")}, this);
-    frame_->setNames(QStringLiteral("jogFrame"), tr("Frame"));
-    // The other words follow the operator's units; see showMotionTexts().
-    motion_ = new SegmentedControl({tr("Hold"), {}, {}, {}}, this);
-    motion_->setNames(QStringLiteral("jogMotion"), tr("Motion"));
-    motion_->segment(0)->setToolTip(tr("Moves while the key is held"));
-    speed_ = new SegmentedControl(QStringList(kSpeedClassCount), this);
-    speed_->setNames(QStringLiteral("jogSpeed"), tr("Speed"));
-    speed_->setCurrentIndex(kStartSpeedClass);
-    int row = 0;
-    for (const auto& [text, control] :
-         {std::pair{tr("Frame"), frame_}, {tr("Motion"), motion_}, {tr("Speed"), speed_}}) {
-        auto* label = new QLabel(text, this);
-        label->setFont(textFont(15));
-        label->setProperty("role", QStringLiteral("secondary"));
-        grid->addWidget(label, row, 0);
-        grid->addWidget(control, row, 1);
-        ++row;
-    }
-    grid->setColumnStretch(1, 1);
-    layout->addLayout(grid);
-}
-
-void JogColumn::connectSelectors() {
-    connect(frame_, &SegmentedControl::currentChanged, this, &JogColumn::chooseFrame);
-    connect(motion_, &SegmentedControl::currentChanged, this, [this](int index) {
-        stopMotion(StopCause::SelectionChanged);
-        selection_.motion = static_cast<MotionChoice>(index);
-        if (selection_.motion != MotionChoice::CoarseStep) {
-            selection_.step.reset();
-        }
-        showMotionTexts();
-    });
-    connect(speed_, &SegmentedControl::currentChanged, this, [this](int index) {
-        stopMotion(StopCause::SelectionChanged);
-        selection_.speedClass = index;
-        selection_.speed.reset();
-        showMotionTexts();
-    });
-    offerChoices(motion_, static_cast<int>(MotionChoice::CoarseStep),
-                 [this](QMenu& menu) { fillStepMenu(menu); });
-    offerChoices(speed_, kSpeedClassCount - 1, [this](QMenu& menu) { fillSpeedMenu(menu); });
+    connect(selectors_, &JogSelectors::changing, this, &JogColumn::stopMotion);
     connect(detailTab_, &SegmentedControl::currentChanged, this, [this] {
         stopMotion(StopCause::SelectionChanged);
         arrange();
     });
-    // With several taught frames the fourth key opens the list.
-    connect(frame_->segment(kTaughtSegment), &QAbstractButton::clicked, this, [this] {
-        if (frames_.size() < 2) {
-            return;
-        }
-        stopMotion(StopCause::SelectionChanged);
-        QMenu menu(this);
-        for (const TaughtFrame& taught : frames_) {
-            menu.addAction(taught.name, this, [this, id = taught.id] { chooseTaughtFrame(id); });
-        }
-        const QWidget* key = frame_->segment(kTaughtSegment);
-        menu.exec(key->mapToGlobal(QPoint(0, key->height())));
-    });
+    travel_ = new TravelWatch(*pad_, selection(), this);
+    arrange();
+    applyState(SessionState());
 }
 
-void JogColumn::chooseFrame(int segment) {
-    stopMotion(StopCause::SelectionChanged);
-    selection_.frame = static_cast<FrameChoice>(segment);
-    if (selection_.frame == FrameChoice::Taught && !selection_.taught && !frames_.isEmpty()) {
-        selection_.taught = frames_.first();
-        showFrames();
-    }
+JogColumn::JogColumn(RobotSession& session, QWidget* parent) : JogColumn(motionPort(session), parent) {
+    applyState(session.state());
+    connect(&session, &RobotSession::stateChanged, this, &JogColumn::applyState);
 }
 
-void JogColumn::showFrames() {
-    frame_->setSegmentEnabled(
-        static_cast<int>(FrameChoice::View), hasView_,
-        hasView_ ? tr("Axes of the picture: X right, Y away from you, Z up") : tr("Needs the 3D view"));
-    const bool any = !frames_.isEmpty();
-    const QString name =
-        any ? (selection_.taught ? selection_.taught->name : frames_.first().name) : tr("Frame");
-    // A name may be longer than a key.
-    const QString shown =
-        QFontMetrics(textFont(15, QFont::Bold)).elidedText(name, Qt::ElideRight, kLongestName);
-    frame_->setText(kTaughtSegment, frames_.size() > 1 ? shown + QStringLiteral(" ▾") : shown);
-    frame_->setSegmentEnabled(kTaughtSegment, any,
-                              any ? name : tr("No frame taught yet. Teach one in the tab Frames."));
+const JogSelection& JogColumn::selection() const {
+    return selectors_->selection();
 }
 
-void JogColumn::setViewRotation(const Eigen::Matrix3d& R_base_view) {
-    if (selection_.frame == FrameChoice::View && !selection_.R_base_view.isApprox(R_base_view, 1e-9)) {
-        stopMotion(StopCause::SelectionChanged);
-    }
-    selection_.R_base_view = R_base_view;
-    if (!hasView_) {
-        hasView_ = true;
-        showFrames();
-    }
-}
-
-void JogColumn::setTaughtFrames(const QVector<TaughtFrame>& frames) {
-    if (selection_.frame == FrameChoice::Taught) {
-        stopMotion(StopCause::SelectionChanged);
-    }
-    frames_ = frames;
-    const TaughtFrame* same = nullptr;
-    for (const TaughtFrame& taught : frames_) {
-        // By its id: a frame with another name is the same frame.
-        if (selection_.taught && taught.id == selection_.taught->id) {
-            same = &taught;
-        }
-    }
-    if (same != nullptr) {
-        selection_.taught = *same;
-    } else {
-        selection_.taught.reset();
-        if (selection_.frame == FrameChoice::Taught) {
-            frame_->setCurrentIndex(static_cast<int>(FrameChoice::Base));
-        }
-    }
-    showFrames();
-}
-
-void JogColumn::chooseTaughtFrame(const QUuid& frame) {
-    for (const TaughtFrame& taught : frames_) {
-        if (taught.id == frame) {
-            stopMotion(StopCause::SelectionChanged);
-            selection_.taught = taught;
-            frame_->setCurrentIndex(kTaughtSegment);
-            showFrames();
-            return;
-        }
-    }
-}
-
-void JogColumn::setSpeedClass(int index) {
-    stopMotion(StopCause::SelectionChanged);
-    selection_.speed.reset();
-    speed_->setCurrentIndex(index);
-    showMotionTexts();
+JogColumn::~JogColumn() {
+    stopMotion(StopCause::WindowClosed);
 }
 
 QVector<HoldButton*> JogColumn::holdKeys() const {
@@ -295,6 +167,8 @@ bool JogColumn::isHolding() const {
 
 void JogColumn::applyState(const SessionState& state) {
     state_ = state;
+    ghosts_->setState(state);
+    travel_->setState(state);
     const bool canMove = state.canMove();
     if (!canMove) {
         stopMotion(stopCauseFor(state));
@@ -360,10 +234,259 @@ void JogColumn::arrange() {
     detailTab_->setFixedHeight(28);
     pose_->setVisible(!compact_ || !jointsChosen);
     joints_->setVisible(!compact_ || jointsChosen);
-    for (SegmentedControl* control : {frame_, motion_, speed_}) {
-        control->setFixedHeight(compact_ ? 30 : 38);
-    }
+    selectors_->setCompact(compact_);
     pad_->setMaximumHeight(compact_ ? QWIDGETSIZE_MAX : 3 * 72 + 2 * 8);
+}
+
+// ---- keys, and what a press on each begins --------------------------------------------------------
+
+void JogColumn::buildBottom(QVBoxLayout* layout) {
+    const auto make = [this](const QString& text, const char* name, const QString& tip) {
+        auto* key = new HoldButton(text, this);
+        key->setObjectName(QLatin1String(name));
+        key->setToolTip(tip);
+        key->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        return key;
+    };
+    freedrive_ = make(tr("Freedrive"), "freedriveKey", {});
+    homeKey_ = make(tr("Home"), "homeKey", tr("Moves every joint to the home position while held"));
+    align_ = make(tr("Align"), "alignKey",
+                  tr("Turns the tool to the nearest axis of the chosen frame while held"));
+    back_ =
+        make(QStringLiteral("↶ ") + tr("Back"), "backKey", tr("Goes back the way the arm came while held"));
+    back_->setAccessibleName(tr("Back"));
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(kMargin, 8, kMargin, 0);
+    row->setSpacing(8);
+    for (HoldButton* key : {freedrive_, homeKey_, align_, back_}) {
+        row->addWidget(key);
+    }
+    layout->addLayout(row);
+}
+
+void JogColumn::guardMotion(HoldButton* key, HoldMotion motion) {
+    motion.begin = [this, begin = std::move(motion.begin)]() -> Result<RobotSession::MotionId> {
+        if (!state_.canMove()) {
+            return Error{ErrorCode::NotInControl, cannotMoveReason(state_), {}};
+        }
+        return begin();
+    };
+    key->setMotion(std::move(motion));
+    connect(&key->guard(), &HoldGuard::began, this, [this] {
+        refusal_.clear();
+        pose_->pressedHere();
+        showReason();
+    });
+    connect(&key->guard(), &HoldGuard::refused, this, [this](const Error& error) {
+        // Our own refusal is a whole sentence already.
+        const bool own =
+            !state_.canMove() || error.code == ErrorCode::UnsafeState || error.code == ErrorCode::Cancelled;
+        refusal_ = !state_.canMove() ? cannotMoveReason(state_)
+                   : own             ? error.context
+                                     : texts::errorText(error);
+        refusalTimer_->start();
+        showReason();
+        Q_EMIT refused(refusal_);
+    });
+}
+
+void JogColumn::guardKey(HoldButton* key, const Begin& begin, bool steps) {
+    guardMotion(key, {
+                         .begin = begin,
+                         .hold = port_.hold,
+                         .end = port_.endMotion,
+                         .runsToEnd = [this, steps] { return steps && stepRunsToEnd(selection()); },
+                         .bounds = [this] { return bounds_; },
+                     });
+}
+
+void JogColumn::connectKeys() {
+    for (JogKey* key : pad_->keys()) {
+        const CartesianKey axis = key->key();
+        const auto step = [this, axis] {
+            return cartesianStep(selection(), axis, heldFactor(), state_.tcpPose, port_.limits());
+        };
+        guardKey(
+            key,
+            [this, axis, step] {
+                return isHeld(selection().motion)
+                           ? beginJog(cartesianJog(selection(), axis, heldFactor(), port_.limits()))
+                           : beginMove(step());
+            },
+            true);
+        ghosts_->offer(*key, key->text(), [this, step]() -> std::optional<MoveRequest> {
+            const bool far = !isHeld(selection().motion) && !stepRunsToEnd(selection());
+            return far ? std::optional(step()) : std::nullopt;
+        });
+    }
+    for (JointRow* row : joints_->rows()) {
+        for (const auto& [key, direction] : {std::pair{row->minusKey(), -1}, {row->plusKey(), 1}}) {
+            const auto step = [this, joint = row->joint(), direction = direction] {
+                return jointStep(selection(), joint, direction, heldFactor(), state_.q, port_.limits());
+            };
+            guardKey(
+                key,
+                [this, joint = row->joint(), direction = direction, step] {
+                    return isHeld(selection().motion) ? beginJog(jointJog(selection(), joint, direction,
+                                                                          heldFactor(), port_.limits()))
+                                                      : beginMove(step());
+                },
+                true);
+            ghosts_->offer(*key, key->accessibleName(), [this, step]() -> std::optional<MoveRequest> {
+                const bool far = !isHeld(selection().motion) && !stepRunsToEnd(selection());
+                return far ? std::optional(step()) : std::nullopt;
+            });
+        }
+    }
+}
+
+void JogColumn::connectBottom() {
+    const auto home = [this] {
+        return homeMove(selection(), state_.q, home_, robotModel(state_.model), state_.tcpOffset,
+                        port_.limits());
+    };
+    guardKey(
+        homeKey_, [this, home] { return beginMove(home()); }, false);
+    ghosts_->offer(*homeKey_, tr("home"), home);
+    const auto align = [this] { return alignMove(selection(), state_.tcpPose, port_.limits()); };
+    guardKey(
+        align_, [this, align] { return beginMove(align()); }, false);
+    ghosts_->offer(*align_, tr("aligned"), align);
+    guardKey(
+        freedrive_, [this] { return beginFreedrive(); }, false);
+    setFreedriveAxes(freedriveAxes_);
+    freedrive_->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(freedrive_, &QWidget::customContextMenuRequested, this, [this](const QPoint& at) {
+        stopMotion(StopCause::DialogOpened);
+        QMenu menu(this);
+        fillFreedriveMenu(menu);
+        menu.exec(freedrive_->mapToGlobal(at));
+    });
+
+    track_ = std::make_unique<BackTrack>(
+        port_, [this] { return std::min(chosenSpeed(selection()).joint, port_.limits().jointSpeed); });
+    guardMotion(back_, track_->motion());
+}
+
+void JogColumn::addHoldKeys(KeyboardJog& keyboard) {
+    keyboard.addHoldKey(Qt::Key_F, freedrive_->guard());
+    keyboard.addHoldKey(Qt::Key_Home, homeKey_->guard());
+    keyboard.addHoldKey(Qt::Key_End, align_->guard());
+    keyboard.addHoldKey(Qt::Key_Backspace, back_->guard());
+}
+
+Result<RobotSession::MotionId> JogColumn::beginJog(const control::JogTarget& target) {
+    bounds_ = {0, jogSilenceNs(target)};
+    return port_.beginJog(target);
+}
+
+Result<RobotSession::MotionId> JogColumn::beginMove(const MoveRequest& request) {
+    const bool linear = request.kind == MoveRequest::Kind::MoveL;
+    bounds_ = {HoldBounds::longestOf(moveSeconds(request, state_)),
+               HoldRules::silenceAt(linear ? request.speed : 0, linear ? 0 : request.speed)};
+    return port_.beginMove(request);
+}
+
+/// Said in the last seconds of the longest hold of a motion that has no other end.
+QString JogColumn::countdown() const {
+    constexpr std::int64_t kSaidNs = 3 * kNsPerSecond;
+    std::int64_t left = axisJog_->leftNs();
+    for (const HoldButton* key : holdKeys()) {
+        left = std::min(left, key->holdLeftNs());
+    }
+    if (left > kSaidNs || !isHolding()) {
+        return {};
+    }
+    return tr("Ends in %1 s").arg(std::max<std::int64_t>(0, (left + kNsPerSecond - 1) / kNsPerSecond));
+}
+
+Result<RobotSession::MotionId> JogColumn::beginFreedrive() {
+    if (payloadChecked_) {
+        if (const QString doubt = payloadDoubt(state_); !doubt.isEmpty()) {
+            return Error{ErrorCode::UnsafeState, doubt, {}};
+        }
+    }
+    constexpr std::int64_t kLongestFreedriveNs = 5 * 60 * kNsPerSecond;
+    bounds_ = {kLongestFreedriveNs, HoldRules::kLongestSilenceNs};
+    return port_.beginFreedrive(
+        freedriveOf(freedriveAxes_, frameAxes(selection(), state_.tcpPose), state_.tcpPose));
+}
+
+QString JogColumn::deviceObstacle() const {
+    if (const QString reason = cannotMoveReason(state_); !reason.isEmpty()) {
+        return reason;
+    }
+    // One hand at a time.
+    return isHolding() ? tr("Another key is held.") : QString();
+}
+
+// ---- what it says ----------------------------------------------------------------------------------
+
+void JogColumn::showLimiter() {
+    // The way out is looked for along twelve directions: not at every picture of a moving arm.
+    const double unchanged = state_.motionActive ? 0.02 : 0.002;
+    const bool sameLimit = state_.limiter.kind == limiterSeen_.kind &&
+                           std::abs(state_.limiter.scale - limiterSeen_.scale) < 0.03;
+    if (!state_.hasData()) {
+        nearest_ = {};
+        limiterAt_ = {};
+    } else if (!sameLimit || !near(state_.q, limiterAt_, unchanged)) {
+        nearest_ = nearestLimiter(state_, frameAxes(selection(), state_.tcpPose));
+        limiterAt_ = state_.q;
+        limiterSeen_ = state_.limiter;
+    }
+    limiter_->setLimiter(nearest_);
+}
+
+QString JogColumn::quietText() const {
+    if (const QString held = travel_->heldText(); !held.isEmpty()) {
+        return held;
+    }
+    const control::StopMeasurement& stop = state_.lastStop;
+    if (stop.count == 0) {
+        return {};
+    }
+    return tr("Last stop: %1, standstill after %2 ms, %3")
+        .arg(texts::stopCauseText(stop.cause))
+        .arg(stop.durationMs, 0, 'f', 0)
+        .arg(format::length(stop.distanceMm / 1e3, 1));
+}
+
+void JogColumn::zeroHere() {
+    pose_->zeroHere();
+}
+
+void JogColumn::setFreedriveAxes(FreedriveAxes axes) {
+    freedrive_->guard().stop(StopCause::SelectionChanged);
+    freedriveAxes_ = axes;
+    freedrive_->setToolTip(
+        tr("The arm follows the hand while held: %1. Right click: other axes").arg(freedriveAxesText(axes)));
+    freedrive_->setAccessibleName(tr("Freedrive, %1").arg(freedriveAxesText(axes)));
+    freedrive_->setText(axes == FreedriveAxes::All ? tr("Freedrive") : tr("Freedrive…"));
+}
+
+void JogColumn::fillFreedriveMenu(QMenu& menu) {
+    for (const FreedriveAxes axes : kFreedriveAxes) {
+        QAction* action =
+            menu.addAction(freedriveAxesText(axes), this, [this, axes] { setFreedriveAxes(axes); });
+        action->setCheckable(true);
+        action->setChecked(axes == freedriveAxes_);
+    }
+    menu.addSeparator();
+    QAction* check = menu.addAction(tr("Check the payload first (until the next connection)"), this,
+                                    [this] { payloadChecked_ = !payloadChecked_; });
+    check->setCheckable(true);
+    check->setChecked(payloadChecked_);
+}
+
+void JogColumn::changeEvent(QEvent* event) {
+    // Not before the column is built: back_ comes last.
+    if (event->type() == QEvent::StyleChange && back_ != nullptr) {
+        selectors_->refreshTexts();  // other units
+        travel_->reset();
+        showReason();
+    }
+    Panel::changeEvent(event);
 }
 
 }  // namespace tiller

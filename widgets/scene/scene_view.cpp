@@ -93,18 +93,18 @@ void SceneView::setTcpOffset(const Pose& offset) {
     }
 }
 
-void SceneView::setGhost(const std::optional<SceneGhost>& ghost) {
+void SceneView::setGhost(const std::optional<Ghost>& ghost) {
     ghost_ = ghost;
     updateGhost();
     changed();
 }
 
-void SceneView::setWaypoints(const std::vector<SceneWaypoint>& waypoints) {
+void SceneView::setWaypoints(const std::vector<WaypointMark>& waypoints) {
     waypoints_ = waypoints;
     changed();
 }
 
-void SceneView::setFrames(const std::vector<SceneFrame>& frames) {
+void SceneView::setFrames(const std::vector<FrameMark>& frames) {
     frames_ = frames;
     changed();
 }
@@ -225,11 +225,11 @@ void SceneView::paintScene(QPainter& painter, const QSizeF& size) {
                         jog_->label);
         }
     }
-    for (const SceneFrame& frame : frames_) {
+    for (const FrameMark& frame : frames_) {
         scene.axes(frame.T_base_frame.transform(), 0.07 * reach / 0.85, !frame.selected);
         scene.caption(frame.T_base_frame.position, frame.name, frame.selected);
     }
-    for (const SceneWaypoint& waypoint : waypoints_) {
+    for (const WaypointMark& waypoint : waypoints_) {
         scene.marker(waypoint.position, waypoint.name, waypoint.selected);
     }
     if (stale_ && !staleWord_.isEmpty()) {

@@ -16,32 +16,10 @@
 #include "robot/core/robot_model.h"
 #include "robot/core/spatial.h"
 #include "widgets/scene/camera.h"
+#include "widgets/session/scene_marks.h"
 #include "widgets/session/session_state.h"
 
 namespace tiller {
-
-/// A target that is shown before the arm goes there.
-struct SceneGhost {
-    QString name;
-    JointPositions q;
-    bool linear = false;  ///< the TCP goes along a straight line (MoveL)
-    bool reachable = true;
-    double speed = 1.05;        ///< [rad/s], or [m/s] when linear, at 100 %
-    double acceleration = 1.4;  ///< [rad/s2], or [m/s2]
-};
-
-struct SceneWaypoint {
-    QString name;
-    Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the TCP, in the base frame [m]
-    bool selected = false;
-};
-
-/// A taught frame, or one that would be made now.
-struct SceneFrame {
-    QString name;
-    Pose T_base_frame;
-    bool selected = false;  ///< in colours; the others grey
-};
 
 /// A jog under way, for the arrow at the tool.
 struct SceneJog {
@@ -60,16 +38,16 @@ public:
     void setModel(RobotModelId model);
     void setJoints(const JointPositions& q);
     void setTcpOffset(const Pose& offset);
-    void setGhost(const std::optional<SceneGhost>& ghost);
-    void setWaypoints(const std::vector<SceneWaypoint>& waypoints);
-    void setFrames(const std::vector<SceneFrame>& frames);
-    const std::vector<SceneFrame>& frames() const { return frames_; }
+    void setGhost(const std::optional<Ghost>& ghost);
+    void setWaypoints(const std::vector<WaypointMark>& waypoints);
+    void setFrames(const std::vector<FrameMark>& frames);
+    const std::vector<FrameMark>& frames() const { return frames_; }
     void setJogDirection(const std::optional<SceneJog>& jog);
     /// Greyed; with a word in the middle unless it is empty.
     void setStale(bool stale, const QString& word = {});
     void setSpeedFraction(double fraction);
 
-    const std::optional<SceneGhost>& ghost() const { return ghost_; }
+    const std::optional<Ghost>& ghost() const { return ghost_; }
     /// "ghost “above tray” · reachable · largest turn Wrist 2 41° · 2.4 s at 35 %"; empty without a ghost.
     QString ghostText() const;
     /// For the jog frame "View": R_base_view, columns X to the right, Y up, Z towards the eye.
@@ -118,11 +96,11 @@ private:
     const RobotModel* model_;
     JointPositions q_;
     Pose tcpOffset_;
-    std::optional<SceneGhost> ghost_;
+    std::optional<Ghost> ghost_;
     std::vector<Eigen::Vector3d> ghostPath_;
     QString ghostText_;
-    std::vector<SceneWaypoint> waypoints_;
-    std::vector<SceneFrame> frames_;
+    std::vector<WaypointMark> waypoints_;
+    std::vector<FrameMark> frames_;
     std::optional<SceneJog> jog_;
     std::deque<TracePoint> trace_;
     bool haveJoints_ = false;

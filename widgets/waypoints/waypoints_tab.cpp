@@ -2,13 +2,9 @@
 #include "widgets/waypoints/waypoints_tab.h"
 
 #include <QAction>
-#include <QApplication>
-#include <QComboBox>
 #include <QHBoxLayout>
 #include <QItemSelectionModel>
-#include <QKeyEvent>
 #include <QLabel>
-#include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
 #include <QStackedWidget>
@@ -16,45 +12,34 @@
 #include <QVBoxLayout>
 
 #include "robot/kinematics/arm_kinematics.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/format.h"
+#include "widgets/common/joint_name.h"
+#include "widgets/common/notation.h"
 #include "widgets/common/notice_bar.h"
-#include "widgets/common/text_entry.h"
 #include "widgets/project/project_document.h"
-#include "widgets/session/move_time.h"
-#include "widgets/session/texts.h"
+#include "widgets/waypoints/go_to_button.h"
 #include "widgets/waypoints/waypoint_details.h"
+#include "widgets/waypoints/waypoint_editing.h"
 #include "widgets/waypoints/waypoint_model.h"
 #include "widgets/waypoints/waypoint_motion.h"
 #include "widgets/waypoints/waypoint_table.h"
 
 namespace tiller {
 
-WaypointPort waypointPort(RobotSession& session) {
-    return {
-        .beginMove = [&session](const MoveRequest& request) { return session.beginMove(request); },
-        .hold = [&session](RobotSession::MotionId id) { return session.hold(id); },
-        .endMotion = [&session](RobotSession::MotionId id,
-                                control::StopCause cause) { session.endMotion(id, cause); },
-        .limits = [&session] { return session.limits(); },
-    };
-}
-
 WaypointsTab::WaypointsTab(RobotSession& session, ProjectDocument& document, QWidget* parent)
-    : WaypointsTab(session, document, waypointPort(session), parent) {}
+    : WaypointsTab(session, document, motionPort(session), parent) {}
 
-WaypointsTab::WaypointsTab(RobotSession& session, ProjectDocument& document, WaypointPort port,
-                           QWidget* parent)
+WaypointsTab::WaypointsTab(RobotSession& session, ProjectDocument& document, MotionPort port, QWidget* parent)
     : QWidget(parent)
     , session_(session)
-    , port_(std::move(port))
+    , limits_(port.limits)
     , state_(session.state())
     , document_(document)
     , model_(std::make_unique<WaypointModel>(document)) {
     setObjectName(QStringLiteral("waypoints"));
     setAccessibleName(tr("Waypoints"));
-    buildLayout();
+    buildLayout(std::move(port));
     buildActions();
-    setUpGoTo();
 
     // Figures that change sixty times a second cannot be read.
     detailsTimer_.setSingleShot(true);
@@ -67,10 +52,11 @@ WaypointsTab::WaypointsTab(RobotSession& session, ProjectDocument& document, Way
             [this](int first, int) { selectRow(first); });
     connect(&document_, &ProjectDocument::projectReplaced, this,
             [this] { selectRow(model_->rowCount() > 0 ? 0 : -1); });
-    connect(model_.get(), &WaypointModel::editRefused, this, &WaypointsTab::showProblem);
+    connect(model_.get(), &WaypointModel::editRefused, this,
+            [this](const QString& reason) { showProblem(reason); });
     connect(&document_, &ProjectDocument::documentChanged, this, [this] {
         pages_->setCurrentIndex(model_->rowCount() == 0 ? 0 : 1);
-        goTo_->guard().stop(control::StopCause::SelectionChanged);
+        goTo_->stop(control::StopCause::SelectionChanged);
         onSelection();
         updateAvailability();
         Q_EMIT marksChanged();
@@ -81,11 +67,10 @@ WaypointsTab::WaypointsTab(RobotSession& session, ProjectDocument& document, Way
 }
 
 WaypointsTab::~WaypointsTab() {
-    qApp->removeEventFilter(this);
-    goTo_->guard().stop(control::StopCause::WindowClosed);
+    goTo_->stop(control::StopCause::WindowClosed);
 }
 
-void WaypointsTab::buildLayout() {
+void WaypointsTab::buildLayout(MotionPort port) {
     teach_ = new QPushButton(tr("Teach here  T"));
     teach_->setObjectName(QStringLiteral("waypoint.teach"));
     teach_->setAccessibleName(tr("Teach here"));
@@ -93,9 +78,8 @@ void WaypointsTab::buildLayout() {
     touchUp_ = new QPushButton(tr("Touch up  U"));
     touchUp_->setObjectName(QStringLiteral("waypoint.touchUp"));
     touchUp_->setAccessibleName(tr("Touch up"));
-    goTo_ = new HoldButton(tr("Go to (hold)  G"));
-    goTo_->setObjectName(QStringLiteral("waypoint.goTo"));
-    goTo_->setAccessibleName(tr("Go to, hold"));
+    goTo_ = new GoToButton(std::move(port), [this] { return goToRequest(); });
+    goTo_->setState(state_);
     more_ = new QToolButton;
     more_->setObjectName(QStringLiteral("waypoint.more"));
     more_->setAccessibleName(tr("More"));
@@ -136,6 +120,21 @@ void WaypointsTab::buildLayout() {
 
     connect(teach_, &QPushButton::clicked, this, &WaypointsTab::teach);
     connect(touchUp_, &QPushButton::clicked, this, &WaypointsTab::touchUp);
+    connect(goTo_, &GoToButton::refused, this, [this](const QString& reason) {
+        showProblem(reason);
+        Q_EMIT message(Severity::Warning, reason);
+    });
+    connect(
+        &goTo_->guard(), &HoldGuard::ended, this,
+        [this] {
+            if (goTo_->hasFocus()) {
+                table_->setFocus();
+            }
+        },
+        Qt::QueuedConnection);
+    editing_ = new WaypointEditing(document_, *table_, this);
+    connect(editing_, &WaypointEditing::refused, this, &WaypointsTab::showProblem);
+    connect(editing_, &WaypointEditing::rowWanted, this, &WaypointsTab::selectRow);
 }
 
 void WaypointsTab::onState(const SessionState& state) {
@@ -147,7 +146,7 @@ void WaypointsTab::onState(const SessionState& state) {
     if (!detailsTimer_.isActive()) {
         detailsTimer_.start();
     }
-    goTo_->setConfirmed(goTo_->isHolding() && state.moving);
+    goTo_->setState(state);
     updateAvailability();
 }
 
@@ -160,7 +159,7 @@ void WaypointsTab::onSelection() {
         return;
     }
     lastSelected_ = id;
-    goTo_->guard().stop(control::StopCause::SelectionChanged);
+    goTo_->stop(control::StopCause::SelectionChanged);
     notice_->dismiss();
     updateAvailability();
     Q_EMIT selectionChanged(id);
@@ -190,19 +189,19 @@ void WaypointsTab::selectRow(int row) {
     onSelection();
 }
 
-std::optional<WaypointGhost> WaypointsTab::ghost() const {
+std::optional<Ghost> WaypointsTab::ghost() const {
     const int row = currentRow();
     if (row < 0) {
         return std::nullopt;
     }
     const project::Waypoint& point = document_.waypoints().at(row);
     const project::Reach& reach = document_.reach(row);
-    return WaypointGhost{point.name,
-                         reach.ok() ? reach.q : point.joints,
-                         point.move == project::MoveKind::Linear,
-                         reach.ok(),
-                         point.speed(),
-                         point.acceleration()};
+    return Ghost{point.name,
+                 reach.ok() ? reach.q : point.joints,
+                 point.move == project::MoveKind::Linear,
+                 reach.ok(),
+                 point.speed(),
+                 point.acceleration()};
 }
 
 std::vector<WaypointMark> WaypointsTab::marks() const {
@@ -263,114 +262,147 @@ void WaypointsTab::updateAvailability() {
     }
 }
 
-// ---- go to, while held -----------------------------------------------------------------------------
-
-void WaypointsTab::setUpGoTo() {
-    goTo_->setToolTip(tr("Moves the arm to the selected waypoint while the key is held (G)"));
-    goTo_->setMotion({
-        .begin = [this] { return beginGoTo(); },
-        .hold = [this](HoldMotion::Id id) { return port_.hold(id); },
-        .end = [this](HoldMotion::Id id, control::StopCause cause) { port_.endMotion(id, cause); },
-        .runsToEnd = {},
-        .bounds = [this] { return goToBounds_; },
-    });
-    connect(&goTo_->guard(), &HoldGuard::refused, this, [this](const Error& error) {
-        const QString text = error.code == ErrorCode::NoSolution || error.code == ErrorCode::Cancelled
-                                 ? error.context
-                                 : texts::errorText(error);
-        showProblem(text);
-        Q_EMIT message(Severity::Warning, text);
-    });
-    connect(
-        &goTo_->guard(), &HoldGuard::ended, this,
-        [this] {
-            if (goTo_->hasFocus()) {
-                table_->setFocus();
-            }
-        },
-        Qt::QueuedConnection);
-}
-
-Result<RobotSession::MotionId> WaypointsTab::beginGoTo() {
+Result<MoveRequest> WaypointsTab::goToRequest() {
     if (const QString obstacle = goToObstacle(); !obstacle.isEmpty()) {
         return Error{ErrorCode::NoSolution, obstacle, {}};
     }
     notice_->dismiss();
-    const Result<MoveRequest> request =
-        moveRequestFor(document_.robot(), document_.waypoints().at(currentRow()), document_.frames(),
-                       state_.q, state_.tcpOffset, port_.limits());
-    if (!request) {
-        return request.error();
-    }
-    const bool linear = request->kind == MoveRequest::Kind::MoveL;
-    goToBounds_ = {HoldBounds::longestOf(moveSeconds(*request, state_)),
-                   HoldRules::silenceAt(linear ? request->speed : 0, linear ? 0 : request->speed)};
-    return port_.beginMove(*request);
+    return moveRequestFor(document_.robot(), document_.waypoints().at(currentRow()), document_.frames(),
+                          state_.q, state_.tcpOffset, limits_());
 }
 
-bool WaypointsTab::typingSomewhere() const {
-    const QWidget* focus = QApplication::focusWidget();
-    const auto* box = qobject_cast<const QComboBox*>(focus);
-    return takesText(focus) || qobject_cast<const QLineEdit*>(focus) != nullptr || box != nullptr;
+QAction* WaypointsTab::addCommand(const QString& name, const QString& text, const QKeySequence& shortcut,
+                                  std::function<void()> run) {
+    auto* action = new QAction(text, this);
+    action->setObjectName(name);
+    action->setShortcut(shortcut);
+    action->setAutoRepeat(false);
+    connect(action, &QAction::triggered, this, [run = std::move(run)] { run(); });
+    actions_.append(action);
+    return action;
 }
 
-bool WaypointsTab::goToKey(const QKeyEvent& key) {
-    const KeyCode code = PhysicalKeys::codeOf(key);
-    const bool press = key.type() == QEvent::KeyPress;
-    if (!goToKey_.isEmpty() && !goToKey_.isDown(code)) {
-        // Another key than the one that holds: two hands on the keyboard are no hold, and a release nobody
-        // can place may have been that of the key itself.
-        if (!key.isAutoRepeat()) {
-            goTo_->guard().tell(press ? HoldNews::Kind::OtherKey : HoldNews::Kind::Unmatched);
-        }
-        return false;
+void WaypointsTab::buildActions() {
+    const auto onSelected = [](QAction* action) {
+        action->setProperty("needsSelection", true);
+        return action;
+    };
+    QAction* teach = addCommand("waypoint.action.teach", tr("Teach here"), QKeySequence(Qt::Key_T),
+                                [this] { this->teach(); });
+    QAction* touchUp = onSelected(addCommand("waypoint.action.touchUp", tr("Touch up"),
+                                             QKeySequence(Qt::Key_U), [this] { this->touchUp(); }));
+    // Everywhere in the window: the hand is on the jog pad while teaching.
+    addAction(teach);
+    addAction(touchUp);
+
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("waypoint.menu"));
+    const auto add = [&](QAction* action) {
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        menu->addAction(action);
+        addAction(action);
+    };
+    add(onSelected(addCommand("waypoint.action.rename", tr("Rename"), QKeySequence(Qt::Key_F2),
+                              [this] { table_->renameCurrent(); })));
+    add(onSelected(addCommand("waypoint.action.duplicate", tr("Duplicate"),
+                              QKeySequence(Qt::CTRL | Qt::Key_D), [this] { editing_->duplicate(); })));
+    add(onSelected(addCommand("waypoint.action.delete", tr("Delete"), QKeySequence(Qt::Key_Delete),
+                              [this] { editing_->remove(); })));
+    add(onSelected(addCommand("waypoint.action.up", tr("Move up"), QKeySequence(Qt::ALT | Qt::Key_Up),
+                              [this] { editing_->move(-1); })));
+    add(onSelected(addCommand("waypoint.action.down", tr("Move down"), QKeySequence(Qt::ALT | Qt::Key_Down),
+                              [this] { editing_->move(1); })));
+    menu->addSeparator();
+    add(onSelected(addCommand("waypoint.action.copy", tr("Copy as table"), QKeySequence(QKeySequence::Copy),
+                              [this] { editing_->copy(); })));
+    add(addCommand("waypoint.action.paste", tr("Paste"), QKeySequence(QKeySequence::Paste),
+                   [this] { editing_->paste(); }));
+    menu->addSeparator();
+    QUndoStack& undo = document_.undoStack();
+    for (QAction* action :
+         {undo.createUndoAction(this, tr("Undo")), undo.createRedoAction(this, tr("Redo"))}) {
+        const bool isUndo = actions_.last()->objectName() != QLatin1String("waypoint.action.undo");
+        action->setObjectName(isUndo ? QStringLiteral("waypoint.action.undo")
+                                     : QStringLiteral("waypoint.action.redo"));
+        action->setShortcuts(isUndo ? QList<QKeySequence>{QKeySequence(Qt::CTRL | Qt::Key_Z)}
+                                    : QList<QKeySequence>{QKeySequence(Qt::CTRL | Qt::Key_Y),
+                                                          QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z)});
+        actions_.append(action);
+        add(action);
     }
-    if (goToKey_.isDown(code)) {
-        // The key that holds, whatever modifier or layout it now comes with.
-        switch (goToKey_.take(key, Qt::Key_G)) {
-            case PhysicalKeys::Change::Up:
-                goTo_->guard().release();
-                break;
-            case PhysicalKeys::Change::DownAgain:
-                goTo_->guard().tell(HoldNews::Kind::Unmatched);
-                break;
-            default:
-                break;
-        }
-        return true;
-    }
-    if (!press || PhysicalKeys::keyOf(key) != Qt::Key_G || key.modifiers() != Qt::NoModifier ||
-        !window()->isActiveWindow() || QApplication::activeModalWidget() != nullptr ||
-        QApplication::activePopupWidget() != nullptr || typingSomewhere()) {
-        return false;
-    }
-    if (goToKey_.take(key, Qt::Key_G) == PhysicalKeys::Change::Down) {
-        goTo_->guard().press({Grip::By::Keys, {code}});
-    }
-    return true;
+    more_->setMenu(menu);
+    table_->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(table_, &QWidget::customContextMenuRequested, this,
+            [this, menu](const QPoint& position) { menu->popup(table_->viewport()->mapToGlobal(position)); });
 }
 
-bool WaypointsTab::eventFilter(QObject* watched, QEvent* event) {
-    const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease;
-    // A key passes the native window first and the widget then: once is enough.
-    if (isKey && watched->isWidgetType() && goToKey(*static_cast<QKeyEvent*>(event))) {
-        return true;
-    }
-    if (event->type() == QEvent::WindowDeactivate && watched == window()) {
-        goToKey_.clear();  // its release will not be seen
-    }
-    return QWidget::eventFilter(watched, event);
+void WaypointsTab::addToMenu(const QList<QAction*>& actions) {
+    more_->menu()->addSeparator();
+    more_->menu()->addActions(actions);
 }
 
-void WaypointsTab::showEvent(QShowEvent* event) {
-    qApp->installEventFilter(this);
-    QWidget::showEvent(event);
+// ---- teaching --------------------------------------------------------------------------------------
+
+void WaypointsTab::teach() {
+    if (const QString obstacle = teachObstacle(); !obstacle.isEmpty()) {
+        showProblem(obstacle);
+        return;
+    }
+    const int row = currentRow();
+    project::Waypoint point;
+    if (row >= 0) {
+        // A neighbour usually wants the same kind of move, frame and speed.
+        point = document_.waypoints().at(row);
+        point.extra = {};
+    }
+    point.id = QUuid::createUuid();
+    point.name = document_.waypoints().nextName(tr("waypoint"));
+    std::optional<project::Waypoint> taught =
+        project::taughtAt(point, state_.q, state_.tcpPose, state_.tcpOffset, document_.frames());
+    if (!taught) {
+        point.frame = QUuid();
+        taught = project::taughtAt(point, state_.q, state_.tcpPose, state_.tcpOffset, document_.frames());
+    }
+    document_.insertWaypoints(row < 0 ? model_->rowCount() : row + 1, {*taught},
+                              tr("Teach “%1”").arg(point.name));
 }
 
-void WaypointsTab::hideEvent(QHideEvent* event) {
-    qApp->removeEventFilter(this);
-    goToKey_.clear();
-    QWidget::hideEvent(event);
+void WaypointsTab::touchUp() {
+    const int row = currentRow();
+    const QString obstacle = row < 0 ? tr("Select a waypoint to touch up.") : teachObstacle();
+    if (!obstacle.isEmpty()) {
+        showProblem(obstacle);
+        return;
+    }
+    const project::Waypoint before = document_.waypoints().at(row);
+    const std::optional<project::Waypoint> after =
+        project::taughtAt(before, state_.q, state_.tcpPose, state_.tcpOffset, document_.frames());
+    if (!after) {
+        showProblem(
+            tr("The frame of “%1” is not in this project. Choose another frame first.").arg(before.name));
+        return;
+    }
+    const Pose old = kinematics::forwardTcp(
+        document_.robot().dh, document_.reach(row).ok() ? document_.reach(row).q : before.joints,
+        before.tcpOffset);
+    const project::PoseDifference by = project::poseDifference(old, state_.tcpPose);
+    const Vector6 turns = after->joints.values - before.joints.values;
+    int joint = 0;
+    turns.cwiseAbs().maxCoeff(&joint);
+    const QString text = tr("The live place is %1 away (%2, base frame). Largest joint change: %3 %4.")
+                             .arg(format::difference(by.distance, by.angle),
+                                  format::shift(state_.tcpPose.position - old.position), jointName(joint),
+                                  format::degrees(turns[joint], 1));
+    notice_->show(NoticeBar::Kind::Question, tr("Touch up “%1”?").arg(before.name), text, tr("Touch up"),
+                  [this, id = before.id, taught = *after] { replaceByTouchUp(id, taught); });
+}
+
+void WaypointsTab::replaceByTouchUp(const QUuid& id, const project::Waypoint& taught) {
+    // What was shown is what is kept, even if the arm has moved on since.
+    const int row = document_.waypoints().indexOf(id);
+    if (row >= 0) {
+        document_.changeWaypoint(row, taught, tr("Touch up “%1”").arg(taught.name));
+    }
 }
 
 void WaypointsTab::showNotice(const QString& title, const QString& text, const QString& accept,
@@ -378,8 +410,8 @@ void WaypointsTab::showNotice(const QString& title, const QString& text, const Q
     notice_->show(NoticeBar::Kind::Warning, title, text, accept, accepted);
 }
 
-void WaypointsTab::showProblem(const QString& text) {
-    notice_->show(NoticeBar::Kind::Warning, text, {});
+void WaypointsTab::showProblem(const QString& text, const QString& details) {
+    notice_->show(NoticeBar::Kind::Warning, text, details);
 }
 
 }  // namespace tiller

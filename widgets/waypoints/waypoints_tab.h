@@ -13,52 +13,23 @@
 #include <vector>
 
 #include "robot/project/waypoint_list.h"
-#include "widgets/common/hold_rules.h"
-#include "widgets/common/physical_keys.h"
-#include "widgets/session/robot_session.h"
+#include "widgets/session/motion_port.h"
+#include "widgets/session/scene_marks.h"
 
 class QAction;
-class QKeyEvent;
-class QLabel;
 class QPushButton;
 class QStackedWidget;
 class QToolButton;
 
 namespace tiller {
 
-class HoldButton;
+class GoToButton;
 class NoticeBar;
 class ProjectDocument;
 class WaypointDetails;
+class WaypointEditing;
 class WaypointModel;
 class WaypointTable;
-
-/// The few doors through which the tab moves the arm, so that it can be tried without a robot.
-struct WaypointPort {
-    std::function<Result<RobotSession::MotionId>(const MoveRequest&)> beginMove;
-    std::function<bool(RobotSession::MotionId)> hold;
-    std::function<void(RobotSession::MotionId, control::StopCause)> endMotion;
-    std::function<control::MotionLimits()> limits;
-};
-/// The doors of a session, which must outlive the port.
-WaypointPort waypointPort(RobotSession& session);
-
-/// The selected waypoint as a target to be shown before the arm goes there.
-struct WaypointGhost {
-    QString name;
-    JointPositions q;
-    bool linear = false;  ///< MoveL
-    bool reachable = true;
-    double speed = 0;         ///< [rad/s], or [m/s] when linear
-    double acceleration = 0;  ///< [rad/s2], or [m/s2]
-};
-
-/// A waypoint's place, for the 3D view.
-struct WaypointMark {
-    QString name;
-    Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the TCP, in the base frame [m]
-    bool selected = false;
-};
 
 class WaypointsTab : public QWidget {
     Q_OBJECT
@@ -67,7 +38,7 @@ public:
     /// document  must outlive the tab
     WaypointsTab(RobotSession& session, ProjectDocument& document, QWidget* parent = nullptr);
     /// For tests: moves go through `port`, states still come from the session.
-    WaypointsTab(RobotSession& session, ProjectDocument& document, WaypointPort port,
+    WaypointsTab(RobotSession& session, ProjectDocument& document, MotionPort port,
                  QWidget* parent = nullptr);
     ~WaypointsTab() override;
 
@@ -79,7 +50,7 @@ public:
     /// Adds what concerns the whole project to the end of the tab's own menu.
     void addToMenu(const QList<QAction*>& actions);
 
-    std::optional<WaypointGhost> ghost() const;
+    std::optional<Ghost> ghost() const;
     std::vector<WaypointMark> marks() const;
 
     /// Row of the selected waypoint; -1 for none.
@@ -106,53 +77,39 @@ Q_SIGNALS:
     /// Something the operator should be able to read again later.
     void message(tiller::Severity severity, const QString& text);
 
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-    void showEvent(QShowEvent* event) override;
-    void hideEvent(QHideEvent* event) override;
-
 private:
     void buildActions();
-    void buildLayout();
-    void setUpGoTo();
+    void buildLayout(MotionPort port);
     void onState(const SessionState& state);
     void onSelection();
     void refreshDetails();
     void updateAvailability();
     QString goToObstacle() const;
-    Result<RobotSession::MotionId> beginGoTo();
+    Result<MoveRequest> goToRequest();
     void replaceByTouchUp(const QUuid& id, const project::Waypoint& taught);
     QString teachObstacle() const;
-    void duplicateSelected();
-    void deleteSelected();
-    void moveSelected(int by);
-    void copySelected();
-    void paste();
-    void showProblem(const QString& text);
+    void showProblem(const QString& text, const QString& details = {});
     QAction* addCommand(const QString& name, const QString& text, const QKeySequence& shortcut,
                         std::function<void()> run);
-    bool typingSomewhere() const;
-    bool goToKey(const QKeyEvent& key);
 
     RobotSession& session_;
-    WaypointPort port_;
+    std::function<control::MotionLimits()> limits_;
     SessionState state_;
     ProjectDocument& document_;
     std::unique_ptr<WaypointModel> model_;
     QList<QAction*> actions_;
     QTimer detailsTimer_;
     QUuid lastSelected_;
-    HoldBounds goToBounds_;
-    PhysicalKeys goToKey_;  ///< the key that holds "Go to", while it is down
 
     QPushButton* teach_ = nullptr;
     QPushButton* touchUp_ = nullptr;
-    HoldButton* goTo_ = nullptr;
+    GoToButton* goTo_ = nullptr;
     QToolButton* more_ = nullptr;
     NoticeBar* notice_ = nullptr;
     QStackedWidget* pages_ = nullptr;
     WaypointTable* table_ = nullptr;
     WaypointDetails* details_ = nullptr;
+    WaypointEditing* editing_ = nullptr;
 };
 
 }  // namespace tiller

@@ -17,7 +17,7 @@ struct Arm {
     std::uint64_t next = 0;
     double speed = 0.35;
     QList<StopCause> ends;
-    JogPort port;
+    MotionPort port;
     BackTrack track{port, [this] { return speed; }};
     HoldMotion motion = track.motion();
 

@@ -12,6 +12,7 @@
 
 #include "tests/support/hands.h"
 #include "widgets/common/segmented_control.h"
+#include "widgets/jog/jog_selectors.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -451,7 +452,7 @@ private:
             }
             default:
                 done << QStringLiteral("speed");
-                return h.column->setSpeedClass(random.below(5));
+                return h.column->selectors().setSpeedClass(random.below(5));
         }
     }
 

@@ -8,6 +8,7 @@
 
 #include "tests/support/hands.h"
 #include "widgets/common/hold_rules.h"
+#include "widgets/jog/jog_selectors.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -582,7 +583,7 @@ private Q_SLOTS:
         QFETCH(int, speedClass);
         QFETCH(double, metresPerSecond);
         Hands hands;
-        hands.column->setSpeedClass(speedClass);
+        hands.column->selectors().setSpeedClass(speedClass);
         Holder holder(hands, kWays[7]);
         holder.prepare();
         holder.press();

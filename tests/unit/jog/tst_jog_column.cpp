@@ -6,6 +6,7 @@
 
 #include "tests/support/jog_scene.h"
 #include "widgets/common/theme.h"
+#include "widgets/jog/jog_selectors.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -72,7 +73,7 @@ private Q_SLOTS:
         s.release("jog.X+");
         QVERIFY(!s.column.findChild<QAbstractButton*>(QStringLiteral("jogFrame.2"))->isEnabled());
         const Eigen::Matrix3d R = rotationMatrix({0, 0, 1});
-        s.column.setViewRotation(R);
+        s.column.selectors().setViewRotation(R);
         s.choose("jogFrame", 2);
         s.press("jog.X+");
         QCOMPARE(s.session.jogs.last().frame, JogFrame::Custom);
@@ -85,14 +86,14 @@ private Q_SLOTS:
         auto* slot = s.column.findChild<QAbstractButton*>(QStringLiteral("jogFrame.3"));
         QVERIFY(!slot->isEnabled());
         QVERIFY(!slot->toolTip().isEmpty());
-        s.column.setTaughtFrames({{QStringLiteral("Tray A"), Pose(0, 0, 0, 0, 0, 0.5)}});
+        s.column.selectors().setTaughtFrames({{QStringLiteral("Tray A"), Pose(0, 0, 0, 0, 0, 0.5)}});
         QVERIFY(slot->isEnabled());
         QCOMPARE(slot->text(), QStringLiteral("Tray A"));
         s.choose("jogFrame", 3);
         s.press("jog.Y+");
         QCOMPARE(s.session.jogs.last().T_base_frame, Pose(0, 0, 0, 0, 0, 0.5));
         s.release("jog.Y+");
-        s.column.setTaughtFrames({});
+        s.column.selectors().setTaughtFrames({});
         QCOMPARE(s.column.selection().frame, FrameChoice::Base);
     }
 
@@ -117,12 +118,12 @@ private Q_SLOTS:
 
     void turningTheViewStopsAJogInIt() {
         JogScene s;
-        s.column.setViewRotation(Eigen::Matrix3d::Identity());
+        s.column.selectors().setViewRotation(Eigen::Matrix3d::Identity());
         s.choose("jogFrame", 2);
         s.press("jog.X+");
-        s.column.setViewRotation(Eigen::Matrix3d::Identity());
+        s.column.selectors().setViewRotation(Eigen::Matrix3d::Identity());
         QVERIFY(s.column.isHolding());
-        s.column.setViewRotation(rotationMatrix({0, 0, 0.1}));
+        s.column.selectors().setViewRotation(rotationMatrix({0, 0, 0.1}));
         QCOMPARE(s.session.ends, QList<StopCause>{StopCause::SelectionChanged});
         s.release("jog.X+");
     }
@@ -198,8 +199,8 @@ private Q_SLOTS:
 
     void untilContactIsSlowHeldAndNamesItsForce() {
         JogScene s;
-        s.column.setSpeedClass(4);
-        s.column.setUntilContact(15);
+        s.column.selectors().setSpeedClass(4);
+        s.column.selectors().setUntilContact(15);
         s.press("jog.Z-", Qt::ShiftModifier);
         QCOMPARE(s.session.jogs.size(), 1);
         QCOMPARE(s.session.jogs.last().contactForce, 15.0);
@@ -214,7 +215,7 @@ private Q_SLOTS:
 
     void aLongStepShowsItsGhostAndRunsOnlyWhileHeld() {
         JogScene s;
-        s.column.setFreeStep({0.05, 0.1});
+        s.column.selectors().setFreeStep({0.05, 0.1});
         QSignalSpy wanted(&s.column, &JogColumn::ghostWanted);
         QSignalSpy gone(&s.column, &JogColumn::ghostGone);
         QEnterEvent enter(QPointF(5, 5), QPointF(5, 5), QPointF(5, 5));

@@ -12,6 +12,7 @@
 #include "widgets/jog/joint_rows.h"
 #include "widgets/jog/limiter_line.h"
 #include "widgets/jog/pose_view.h"
+#include "widgets/jog/travel_watch.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -27,14 +28,14 @@ private Q_SLOTS:
     void theKeysSayWhatIsLeftTheirWay() {
         JogScene s;
         for (int i = 0; i < 12; ++i) {
-            s.column.lookAround();
+            s.column.travel().look();
         }
         const QString up = s.column.findChild<JogKey*>(QStringLiteral("jog.Z+"))->travel();
         QVERIFY2(up.endsWith(QStringLiteral(" mm")), qPrintable(up));
         QVERIFY(up.chopped(3).toDouble() > 10);
         s.state.link = LinkState::Lost;
         s.column.applyState(s.state);
-        s.column.lookAround();
+        s.column.travel().look();
         QVERIFY(s.column.findChild<JogKey*>(QStringLiteral("jog.Z+"))->travel().isEmpty());
     }
 
@@ -120,7 +121,7 @@ private Q_SLOTS:
 
     void refusalOfTheSessionIsShown() {
         FakeSession session;
-        JogPort port = session.port();
+        MotionPort port = session.port();
         port.beginJog = [](const JogTarget&) -> Result<RobotSession::MotionId> {
             return Error{ErrorCode::LimitExceeded, QStringLiteral("jog"), {}};
         };

@@ -23,7 +23,7 @@ struct Bench {
     std::uint64_t next = 0;
     QList<control::JogTarget> targets;
     QList<StopCause> ends;
-    JogPort port;
+    MotionPort port;
     JogSelection selection;
     VirtualClock clock;
     QWidget window;

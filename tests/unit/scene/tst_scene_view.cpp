@@ -152,7 +152,7 @@ private Q_SLOTS:
         view.setState(live(kStance));
         const QColor pale(157, 197, 219);
         const int before = countColor(picture(view), QColor(pale));
-        SceneGhost ghost;
+        Ghost ghost;
         ghost.name = "above tray";
         ghost.q = kStance;
         ghost.q[4] += 41 * M_PI / 180;

@@ -39,7 +39,7 @@ struct FakeArm {
     bool alive = true;
     Error refusal;
 
-    WaypointPort port() {
+    MotionPort port() {
         return {
             .beginMove = [this](const MoveRequest& request) -> Result<RobotSession::MotionId> {
                 if (refusal.code != ErrorCode::None) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/jog/jog_port.h"
+#include "widgets/session/motion_port.h"
 
 namespace tiller {
 
-JogPort sessionPort(RobotSession& session) {
+MotionPort motionPort(RobotSession& session) {
     return {
         .beginJog = [&session](const control::JogTarget& target) { return session.beginJog(target); },
         .beginMove = [&session](const MoveRequest& request) { return session.beginMove(request); },

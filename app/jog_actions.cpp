@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/jog_actions.h"
+
+#include "app/action_table.h"
+#include "widgets/common/notation.h"
+#include "widgets/jog/freedrive_axes.h"
+#include "widgets/jog/jog_column.h"
+#include "widgets/jog/jog_selectors.h"
+#include "widgets/jog/keyboard_jog.h"
+
+namespace tiller::app {
+namespace {
+
+constexpr double kContactForces[] = {10, 20, 50};
+
+QString stepId(const StepPreset& step) {
+    return QStringLiteral("jog.step.%1").arg(step.millimetres);
+}
+
+QString speedName(double tcpSpeed) {
+    return JogActions::tr("Jog speed %1").arg(format::speed(tcpSpeed));
+}
+
+QString stepName(const StepPreset& step) {
+    return JogActions::tr("Jog step %1, %2°")
+        .arg(format::shortLength(step.millimetres / 1e3))
+        .arg(step.degrees);
+}
+
+}  // namespace
+
+void JogActions::addTo(ActionTable& table, JogColumn& column, KeyboardJog& keyboard,
+                       const std::function<void()>& showTrainer) {
+    table.add({"jog.keyboard", tr("Arm or disarm the keyboard"),
+               tr("Armed, the arrow keys move the arm; a frame stands around the window. Ends by itself "
+                  "after half a minute."),
+               QKeySequence(Qt::CTRL | Qt::Key_J), [&keyboard] { keyboard.setArmed(!keyboard.isArmed()); }});
+    table.add({"jog.devices",
+               tr("Gamepad and SpaceMouse…"),
+               tr("What each device says now, and which way it will go."),
+               {},
+               showTrainer});
+    table.add({"jog.zero", tr("Zero here"),
+               tr("Counts the way of the TCP from where it is now; once more: since the press again."),
+               QKeySequence(Qt::Key_Z), [&column] { column.zeroHere(); }});
+    int index = 0;
+    for (const SpeedClass& choice : speedClasses()) {
+        table.add({QStringLiteral("jog.speed.%1").arg(index),
+                   speedName(choice.tcp),
+                   tr("Stops the arm; the next press has this speed."),
+                   {},
+                   [&column, index] { column.selectors().setSpeedClass(index); }});
+        ++index;
+    }
+    table.add({"jog.speed.slowest",
+               speedName(kSlowestJog),
+               tr("Stops the arm; the next press has this speed."),
+               {},
+               [&column] { column.selectors().setFreeSpeed(kSlowestJog); }});
+    for (const StepPreset& step : kStepPresets) {
+        table.add({stepId(step),
+                   stepName(step),
+                   step.millimetres > 10 || step.degrees > 10
+                       ? tr("Moves by this much, only while the key is held.")
+                       : tr("Moves by this much at each press."),
+                   {},
+                   [&column, step] { column.selectors().setFreeStep(step.size()); }});
+    }
+    for (const double force : kContactForces) {
+        table.add({QStringLiteral("jog.contact.%1").arg(force),
+                   tr("Jog until contact, %1 N").arg(force),
+                   tr("A held key moves slowly and ends when the tool meets this force."),
+                   {},
+                   [&column, force] { column.selectors().setUntilContact(force); }});
+    }
+    // As the last entries of the column's own menus, for those who have no second mouse button.
+    table.add({"jog.speed.other",
+               tr("Jog speed, other…"),
+               tr("Asks for the speed of the TCP; turns and joints in proportion."),
+               {},
+               [&column] { column.selectors().askFor(JogSelectors::Entry::Speed); }});
+    table.add({"jog.step.other",
+               tr("Jog step, other…"),
+               tr("Asks for the length of a step; turns make as many degrees as millimetres."),
+               {},
+               [&column] { column.selectors().askFor(JogSelectors::Entry::Step); }});
+    table.add({"jog.contact.other",
+               tr("Jog until contact, other force…"),
+               tr("Asks for the force in N at which the motion ends."),
+               {},
+               [&column] { column.selectors().askFor(JogSelectors::Entry::ContactForce); }});
+    index = 0;
+    for (const FreedriveAxes axes : kFreedriveAxes) {
+        table.add({QStringLiteral("jog.freedrive.%1").arg(index),
+                   tr("Freedrive: %1").arg(freedriveAxesText(axes)),
+                   tr("What the hand can move while Freedrive is held."),
+                   {},
+                   [&column, axes] { column.setFreedriveAxes(axes); }});
+        ++index;
+    }
+}
+
+void JogActions::rename(ActionTable& table) {
+    int index = 0;
+    for (const SpeedClass& choice : speedClasses()) {
+        table.find(QStringLiteral("jog.speed.%1").arg(index++))->setText(speedName(choice.tcp));
+    }
+    table.find("jog.speed.slowest")->setText(speedName(kSlowestJog));
+    for (const StepPreset& step : kStepPresets) {
+        table.find(stepId(step))->setText(stepName(step));
+    }
+}
+
+}  // namespace tiller::app

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/frames/frame_editing.h"
+
+#include "widgets/common/notation.h"
+#include "widgets/common/notice_bar.h"
+#include "widgets/frames/frame_model.h"
+#include "widgets/project/project_document.h"
+
+namespace tiller {
+namespace {
+
+QString movedText(int waypoints) {
+    return waypoints == 0 ? FrameEditing::tr("No waypoint moved with it.")
+                          : FrameEditing::tr("%n waypoints moved with it.", nullptr, waypoints);
+}
+
+QString outOfReachText(int waypoints) {
+    return waypoints == 0 ? QString()
+                          : FrameEditing::tr("%n of them are out of reach there.", nullptr, waypoints);
+}
+
+}  // namespace
+
+FrameEditing::FrameEditing(ProjectDocument& document, FrameModel& model, NoticeBar& notice, QObject* parent)
+    : QObject(parent), document_(document), model_(model), notice_(notice) {}
+
+void FrameEditing::insert(const Pose& T_base_frame) {
+    project::Frame frame;
+    frame.id = QUuid::createUuid();
+    frame.name = model_.frames().nextName(tr("frame"));
+    frame.T_base_frame = T_base_frame;
+    document_.insertFrame(model_.rowCount(), frame, tr("Teach “%1”").arg(frame.name));
+}
+
+void FrameEditing::askToMove(const QUuid& id, const Pose& T_base_frame) {
+    const int row = model_.rowOf(id);
+    if (row < 0) {
+        return;
+    }
+    const project::Frame frame = model_.frames().at(static_cast<std::size_t>(row));
+    const project::PoseDifference by = project::poseDifference(frame.T_base_frame, T_base_frame);
+    const FrameUse use = model_.use(id, T_base_frame);
+    QStringList lines = {tr("It moves by %1 (%2, base frame).")
+                             .arg(format::difference(by.distance, by.angle),
+                                  format::shift(T_base_frame.position - frame.T_base_frame.position)),
+                         use.waypoints == 0 ? tr("No waypoint is given in it.")
+                                            : tr("%n waypoints move with it.", nullptr, use.waypoints)};
+    if (use.outOfReach > 0) {
+        lines << outOfReachText(use.outOfReach);
+    }
+    notice_.show(NoticeBar::Kind::Question, tr("Touch up “%1”?").arg(frame.name),
+                 lines.join(QLatin1Char(' ')), tr("Touch up"), [this, id, T_base_frame, name = frame.name] {
+                     // What was shown is what is kept, even if the arm has moved on since.
+                     const QString moved = move(id, T_base_frame, tr("Touch up “%1”").arg(name));
+                     const QString done = tr("“%1” is touched up").arg(name);
+                     notice_.show(NoticeBar::Kind::Question, done, moved);
+                     Q_EMIT message(Severity::Info, done + QStringLiteral(". ") + moved);
+                 });
+}
+
+QString FrameEditing::move(const QUuid& id, const Pose& T_base_frame, const QString& step) {
+    const int row = model_.rowOf(id);
+    if (row < 0) {
+        return {};
+    }
+    project::Frame frame = model_.frames().at(static_cast<std::size_t>(row));
+    frame.T_base_frame = T_base_frame;
+    document_.changeFrame(row, frame, step);
+    const FrameUse use = model_.use(frame);
+    QString text = movedText(use.waypoints);
+    if (use.outOfReach > 0) {
+        text += QLatin1Char(' ') + outOfReachText(use.outOfReach);
+    }
+    return text;
+}
+
+void FrameEditing::place(const project::Frame& frame, const Pose& T_base_frame) {
+    // The hand is in the figures and wants the next one: said below, not in between.
+    const QString moved = move(frame.id, T_base_frame, tr("Set the place of “%1”").arg(frame.name));
+    Q_EMIT message(Severity::Info, tr("“%1” is set in figures. %2").arg(frame.name, moved));
+}
+
+void FrameEditing::duplicate(const project::Frame& frame) {
+    project::Frame copy = frame;
+    copy.id = QUuid::createUuid();
+    copy.name = model_.frames().uniqueName(frame.name);
+    document_.insertFrame(model_.rowOf(frame.id) + 1, copy, tr("Duplicate “%1”").arg(frame.name));
+}
+
+void FrameEditing::remove(const project::Frame& frame) {
+    const int waypoints = model_.use(frame).waypoints;
+    if (waypoints == 0) {
+        document_.removeFrame(model_.rowOf(frame.id));
+        return;
+    }
+    notice_.show(
+        NoticeBar::Kind::Question, tr("Delete “%1”?").arg(frame.name),
+        tr("%n waypoints are given in it. They stay where they are, given in Base.", nullptr, waypoints),
+        tr("Delete frame"), [this, id = frame.id] {
+            if (const int row = model_.rowOf(id); row >= 0) {
+                document_.removeFrame(row);
+            }
+        });
+}
+
+}  // namespace tiller

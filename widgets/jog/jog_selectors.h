@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The three rows at the top of the jog column: frame, motion and speed of the next press, chosen by a key, from
+// a menu behind it, or entered by hand.
+
+#include <QVector>
+#include <QWidget>
+#include <functional>
+
+#include "widgets/jog/jog_motion.h"
+
+class QMenu;
+
+namespace tiller {
+
+class SegmentedControl;
+
+class JogSelectors : public QWidget {
+    Q_OBJECT
+
+public:
+    /// limits  asked for the greatest speed that can be entered
+    explicit JogSelectors(std::function<control::MotionLimits()> limits, QWidget* parent = nullptr);
+
+    const JogSelection& selection() const { return selection_; }
+
+    /// The view's axes in the base frame. The frame "View" can be chosen once this was called.
+    void setViewRotation(const Eigen::Matrix3d& R_base_view);
+    /// The frames the fourth key of "Frame" offers.
+    void setTaughtFrames(const QVector<TaughtFrame>& frames);
+    /// Chooses one of them, as the fourth key of "Frame" does.
+    void chooseTaughtFrame(const QUuid& frame);
+    /// index  into speedClasses()
+    void setSpeedClass(int index);
+    /// A TCP speed entered by hand [m/s]; turns and joints in proportion.
+    void setFreeSpeed(double tcpSpeed);
+    /// A step entered by hand. Longer than 10 mm or 10 deg it runs only while the key is held.
+    void setFreeStep(const StepSize& step);
+    /// Moves until the tool touches something with this force [N].
+    void setUntilContact(double force);
+    enum class Entry { Step, Speed, ContactForce };
+    /// Opens the field in which the operator enters one of these by hand.
+    void askFor(Entry entry);
+
+    /// Lower keys, for a low window.
+    void setCompact(bool compact);
+    /// Writes every figure again: the operator chose other units.
+    void refreshTexts();
+
+Q_SIGNALS:
+    /// The selection is about to change, or something opens: no motion may go on.
+    void changing(tiller::control::StopCause cause);
+
+private:
+    void connectControls();
+    void chooseFrame(int segment);
+    void showFrames();
+    void offerChoices(SegmentedControl* control, int segment, std::function<void(QMenu&)> fill);
+    void fillStepMenu(QMenu& menu);
+    void fillSpeedMenu(QMenu& menu);
+    void askForNumber(const QString& text, double value, double least, double most, int digits,
+                      std::function<void(double)> use);
+
+    std::function<control::MotionLimits()> limits_;
+    JogSelection selection_;
+    QVector<TaughtFrame> frames_;
+    bool hasView_ = false;
+    SegmentedControl* frame_ = nullptr;
+    SegmentedControl* motion_ = nullptr;
+    SegmentedControl* speed_ = nullptr;
+};
+
+}  // namespace tiller

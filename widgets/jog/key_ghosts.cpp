@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/jog/key_ghosts.h"
+
+#include <QEvent>
+
+#include "robot/kinematics/arm_kinematics.h"
+#include "widgets/common/hold_button.h"
+
+namespace tiller {
+
+void KeyGhosts::offer(HoldButton& key, const QString& name, Target target) {
+    offers_.insert(&key, {name, std::move(target)});
+    key.installEventFilter(this);
+    connect(&key.guard(), &HoldGuard::began, this, [this, &key] { show(offers_.value(&key)); });
+    connect(&key.guard(), &HoldGuard::ended, this, &KeyGhosts::gone);
+}
+
+void KeyGhosts::show(const Offer& offer) {
+    const std::optional<MoveRequest> target = state_.canMove() ? offer.target() : std::nullopt;
+    if (!target) {
+        return;
+    }
+    Ghost ghost{.name = offer.name,
+                .q = target->q,
+                .linear = target->kind == MoveRequest::Kind::MoveL,
+                .reachable = true,
+                .speed = target->speed,
+                .acceleration = target->acceleration};
+    if (ghost.linear) {
+        const auto q =
+            kinematics::inverseNearest(robotModel(state_.model).dh, target->pose, state_.tcpOffset, state_.q);
+        ghost.reachable = q.has_value();
+        ghost.q = q.value_or(state_.q);
+    }
+    Q_EMIT wanted(ghost);
+}
+
+bool KeyGhosts::eventFilter(QObject* watched, QEvent* event) {
+    const bool enter = event->type() == QEvent::Enter;
+    if (enter || event->type() == QEvent::Leave) {
+        const auto offer = offers_.constFind(watched);
+        const auto* key = qobject_cast<const HoldButton*>(watched);
+        if (offer != offers_.constEnd() && key != nullptr && !key->isHolding()) {
+            if (enter) {
+                show(*offer);
+            } else {
+                Q_EMIT gone();
+            }
+        }
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+}  // namespace tiller

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Shows where a key would bring the arm, while the pointer is on it or it is held.
+
+#include <QHash>
+#include <QObject>
+#include <functional>
+#include <optional>
+
+#include "widgets/session/robot_session.h"
+#include "widgets/session/scene_marks.h"
+
+namespace tiller {
+
+class HoldButton;
+
+class KeyGhosts : public QObject {
+    Q_OBJECT
+
+public:
+    using Target = std::function<std::optional<MoveRequest>()>;
+
+    explicit KeyGhosts(QObject* parent = nullptr) : QObject(parent) {}
+
+    /// target  of a press now; nothing when the key goes to no place
+    void offer(HoldButton& key, const QString& name, Target target);
+    void setState(const SessionState& state) { state_ = state; }
+
+Q_SIGNALS:
+    void wanted(const tiller::Ghost& ghost);
+    void gone();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    struct Offer {
+        QString name;
+        Target target;
+    };
+    void show(const Offer& offer);
+
+    SessionState state_;
+    QHash<QObject*, Offer> offers_;
+};
+
+}  // namespace tiller

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/jog/travel_watch.h"
+
+#include "robot/core/angles.h"
+#include "widgets/common/format.h"
+#include "widgets/common/joint_name.h"
+#include "widgets/common/notation.h"
+#include "widgets/jog/jog_pad.h"
+
+namespace tiller {
+namespace {
+
+constexpr int kLookMs = 40;
+constexpr double kSamePlace = 0.002;  ///< [rad] of the joint that moved most
+
+QString textOf(const Travel& travel, bool turns) {
+    if (travel.end == Travel::End::Open) {
+        return {};
+    }
+    return turns ? format::number(toDegrees(travel.left), 0) + QStringLiteral("°")
+                 : format::length(travel.left, 0);
+}
+
+}  // namespace
+
+TravelWatch::TravelWatch(JogPad& pad, const JogSelection& selection, QObject* parent)
+    : QObject(parent), pad_(pad), selection_(selection) {
+    timer_.setInterval(kLookMs);
+    connect(&timer_, &QTimer::timeout, this, &TravelWatch::look);
+    timer_.start();
+}
+
+void TravelWatch::reset() {
+    for (JogKey* key : pad_.keys()) {
+        key->setTravel({}, false);
+    }
+    travel_ = {};
+    lookedIn_.setZero();
+}
+
+void TravelWatch::look() {
+    const QVector<JogKey*>& keys = pad_.keys();
+    if (!state_.hasData() || !state_.canMove()) {
+        reset();
+        left_ = 0;
+        return;
+    }
+    const Eigen::Matrix3d axes = frameAxes(selection_, state_.tcpPose);
+    if ((state_.q.values - lookedFrom_.values).cwiseAbs().maxCoeff() > kSamePlace ||
+        !axes.isApprox(lookedIn_, 1e-6)) {
+        lookedFrom_ = state_.q;
+        lookedIn_ = axes;
+        left_ = static_cast<int>(keys.size());
+    }
+    if (left_ == 0) {
+        return;
+    }
+    --left_;
+    const auto index = static_cast<std::size_t>(next_++ % keys.size());
+    JogKey* key = keys[static_cast<qsizetype>(index)];
+    const bool turns = key->key().axis >= 3;
+    Vector6 direction = Vector6::Zero();
+    direction.segment<3>(turns ? 3 : 0) = axes.col(key->key().axis % 3) * key->key().direction;
+    const Travel travel = travelLeft(robotModel(state_.model).dh, state_.q, state_.tcpOffset, direction);
+    travel_.at(index) = travel;
+    const bool little = travel.end != Travel::End::Open && travel.left < (turns ? toRadians(10) : 0.03);
+    key->setTravel(textOf(travel, turns), little);
+}
+
+QString TravelWatch::heldText() const {
+    for (qsizetype i = 0; i < pad_.keys().size(); ++i) {
+        const JogKey* key = pad_.keys()[i];
+        const Travel& travel = travel_.at(static_cast<std::size_t>(i));
+        if (!key->isHolding() || key->travel().isEmpty()) {
+            continue;
+        }
+        return travel.end == Travel::End::JointLimit
+                   ? tr("%1: %2 left, then %3 is at its limit")
+                         .arg(key->text(), key->travel(), jointName(travel.joint))
+                   : tr("%1: %2 left, then the end of the reach or a singularity")
+                         .arg(key->text(), key->travel());
+    }
+    return {};
+}
+
+}  // namespace tiller

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The doors through which panels move the arm, so that each can be tried without a robot.
+
+#include <functional>
+
+#include "robot/control/compliance.h"
+#include "widgets/session/robot_session.h"
+
+namespace tiller {
+
+struct MotionPort {
+    using Id = RobotSession::MotionId;
+
+    std::function<Result<Id>(const control::JogTarget&)> beginJog = {};
+    std::function<Result<Id>(const MoveRequest&)> beginMove;
+    /// Keeps a motion alive; false once it has been stopped or has arrived.
+    std::function<bool(Id)> hold;
+    std::function<void(Id, control::StopCause)> endMotion;
+    std::function<control::MotionLimits()> limits;
+    std::function<Result<Id>(const control::Freedrive&)> beginFreedrive = {};
+    /// Keeps a jog alive with another target; false once it has been stopped.
+    std::function<bool(Id, const control::JogTarget&)> holdWith = {};
+};
+
+/// The doors of a session, which must outlive the port.
+MotionPort motionPort(RobotSession& session);
+
+}  // namespace tiller

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/waypoints/go_to_button.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QKeyEvent>
+#include <QLineEdit>
+
+#include "widgets/common/text_entry.h"
+#include "widgets/session/move_time.h"
+#include "widgets/session/texts.h"
+
+namespace tiller {
+namespace {
+
+bool typingSomewhere() {
+    const QWidget* focus = QApplication::focusWidget();
+    return takesText(focus) || qobject_cast<const QLineEdit*>(focus) != nullptr ||
+           qobject_cast<const QComboBox*>(focus) != nullptr;
+}
+
+}  // namespace
+
+GoToButton::GoToButton(MotionPort port, Target target, QWidget* parent)
+    : HoldButton(tr("Go to (hold)  G"), parent), port_(std::move(port)), target_(std::move(target)) {
+    setObjectName(QStringLiteral("waypoint.goTo"));
+    setAccessibleName(tr("Go to, hold"));
+    setToolTip(tr("Moves the arm to the selected waypoint while the key is held (G)"));
+    setMotion({
+        .begin = [this] { return begin(); },
+        .hold = [this](HoldMotion::Id id) { return port_.hold(id); },
+        .end = [this](HoldMotion::Id id, control::StopCause cause) { port_.endMotion(id, cause); },
+        .runsToEnd = {},
+        .bounds = [this] { return bounds_; },
+    });
+    connect(&guard(), &HoldGuard::refused, this, [this](const Error& error) {
+        const bool said = error.code == ErrorCode::NoSolution || error.code == ErrorCode::Cancelled;
+        Q_EMIT refused(said ? error.context : texts::errorText(error));
+    });
+}
+
+GoToButton::~GoToButton() {
+    stop(control::StopCause::WindowClosed);
+}
+
+void GoToButton::setState(const SessionState& state) {
+    state_ = state;
+    setConfirmed(isHolding() && state.moving);
+}
+
+Result<MotionPort::Id> GoToButton::begin() {
+    const Result<MoveRequest> request = target_();
+    if (!request) {
+        return request.error();
+    }
+    const bool linear = request->kind == MoveRequest::Kind::MoveL;
+    bounds_ = {HoldBounds::longestOf(moveSeconds(*request, state_)),
+               HoldRules::silenceAt(linear ? request->speed : 0, linear ? 0 : request->speed)};
+    return port_.beginMove(*request);
+}
+
+bool GoToButton::takeKey(const QKeyEvent& key) {
+    const KeyCode code = PhysicalKeys::codeOf(key);
+    const bool press = key.type() == QEvent::KeyPress;
+    if (!key_.isEmpty() && !key_.isDown(code)) {
+        // Another key than the one that holds: two hands on the keyboard are no hold, and a release nobody
+        // can place may have been that of the key itself.
+        if (!key.isAutoRepeat()) {
+            guard().tell(press ? HoldNews::Kind::OtherKey : HoldNews::Kind::Unmatched);
+        }
+        return false;
+    }
+    if (key_.isDown(code)) {
+        // The key that holds, whatever modifier or layout it now comes with.
+        switch (key_.take(key, Qt::Key_G)) {
+            case PhysicalKeys::Change::Up:
+                guard().release();
+                break;
+            case PhysicalKeys::Change::DownAgain:
+                guard().tell(HoldNews::Kind::Unmatched);
+                break;
+            default:
+                break;
+        }
+        return true;
+    }
+    if (!press || PhysicalKeys::keyOf(key) != Qt::Key_G || key.modifiers() != Qt::NoModifier ||
+        !window()->isActiveWindow() || QApplication::activeModalWidget() != nullptr ||
+        QApplication::activePopupWidget() != nullptr || typingSomewhere()) {
+        return false;
+    }
+    if (key_.take(key, Qt::Key_G) == PhysicalKeys::Change::Down) {
+        guard().press({Grip::By::Keys, {code}});
+    }
+    return true;
+}
+
+bool GoToButton::eventFilter(QObject* watched, QEvent* event) {
+    const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease;
+    // A key passes the native window first and the widget then: once is enough.
+    if (isKey && watched->isWidgetType() && takeKey(*static_cast<QKeyEvent*>(event))) {
+        return true;
+    }
+    if (event->type() == QEvent::WindowDeactivate && watched == window()) {
+        key_.clear();  // its release will not be seen
+    }
+    return HoldButton::eventFilter(watched, event);
+}
+
+void GoToButton::showEvent(QShowEvent* event) {
+    qApp->installEventFilter(this);
+    HoldButton::showEvent(event);
+}
+
+void GoToButton::hideEvent(QHideEvent* event) {
+    qApp->removeEventFilter(this);
+    key_.clear();
+    HoldButton::hideEvent(event);
+}
+
+}  // namespace tiller
