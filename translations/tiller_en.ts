@@ -661,6 +661,93 @@
     </message>
 </context>
 <context>
+    <name>JogActions</name>
+    <message>
+        <source>Jog speed %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog step %1, %2°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm or disarm the keyboard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Armed, the arrow keys move the arm; a frame stands around the window. Ends by itself after half a minute.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What each device says now, and which way it will go.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zero here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counts the way of the TCP from where it is now; once more: since the press again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops the arm; the next press has this speed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves by this much, only while the key is held.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves by this much at each press.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog until contact, %1 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A held key moves slowly and ends when the tool meets this force.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog speed, other…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks for the speed of the TCP; turns and joints in proportion.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog step, other…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks for the length of a step; turns make as many degrees as millimetres.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog until contact, other force…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks for the force in N at which the motion ends.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Freedrive: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the hand can move while Freedrive is held.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>JogColumn</name>
     <message>
         <source>Base</source>
@@ -672,10 +759,6 @@
     </message>
     <message>
         <source>View</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1, turns %2°</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2037,6 +2120,93 @@ Right click or F2 to rename and scale.</source>
     </message>
 </context>
 <context>
+    <name>tiller::FrameEditing</name>
+    <message>
+        <source>No waypoint moved with it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints moved with it.</source>
+        <translation type="unfinished">
+            <numerusform>%n waypoint moved with it.</numerusform>
+            <numerusform>%n waypoints moved with it.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them are out of reach there.</source>
+        <translation type="unfinished">
+            <numerusform>%n of them is out of reach there.</numerusform>
+            <numerusform>%n of them are out of reach there.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It moves by %1 (%2, base frame).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No waypoint is given in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints move with it.</source>
+        <translation type="unfinished">
+            <numerusform>%n waypoint moves with it.</numerusform>
+            <numerusform>%n waypoints move with it.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is touched up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the place of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is set in figures. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete “%1”?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints are given in it. They stay where they are, given in Base.</source>
+        <translation type="unfinished">
+            <numerusform>%n waypoint is given in it. It stays where it is, given in Base.</numerusform>
+            <numerusform>%n waypoints are given in it. They stay where they are, given in Base.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::FrameModel</name>
     <message>
         <source>A frame needs a name.</source>
@@ -2245,14 +2415,6 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Set the place of “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>“%1” is set in figures. %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>new frame</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2279,24 +2441,6 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
     <message>
         <source>Select a frame to touch up.</source>
         <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No waypoint moved with it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n waypoints moved with it.</source>
-        <translation>
-            <numerusform>%n waypoint moved with it.</numerusform>
-            <numerusform>%n waypoints moved with it.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n of them are out of reach there.</source>
-        <translation>
-            <numerusform>%n of them is out of reach there.</numerusform>
-            <numerusform>%n of them are out of reach there.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Teach frame from the TCP</source>
@@ -2362,55 +2506,20 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <source>Make frame</source>
         <translation type="unfinished"></translation>
     </message>
+</context>
+<context>
+    <name>tiller::GoToButton</name>
     <message>
-        <source>frame</source>
+        <source>Go to (hold)  G</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Teach “%1”</source>
+        <source>Go to, hold</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It moves by %1 (%2, base frame).</source>
+        <source>Moves the arm to the selected waypoint while the key is held (G)</source>
         <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No waypoint is given in it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n waypoints move with it.</source>
-        <translation>
-            <numerusform>%n waypoint moves with it.</numerusform>
-            <numerusform>%n waypoints move with it.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Touch up “%1”?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Touch up “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>“%1” is touched up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Duplicate “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Delete “%1”?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n waypoints are given in it. They stay where they are, given in Base.</source>
-        <translation>
-            <numerusform>%n waypoint is given in it. It stays where it is, given in Base.</numerusform>
-            <numerusform>%n waypoints are given in it. They stay where they are, given in Base.</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -2638,50 +2747,6 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Base</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tool</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Frame</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hold</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Motion</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Moves while the key is held</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Axes of the picture: X right, Y away from you, Z up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Needs the 3D view</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No frame taught yet. Teach one in the tab Frames.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The arm has not moved yet.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2726,14 +2791,6 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: %2 left, then %3 is at its limit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1: %2 left, then the end of the reach or a singularity</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Last stop: %1, standstill after %2 ms, %3</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2747,6 +2804,87 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Freedrive…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the payload first (until the next connection)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>let go and press again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends in %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogKey</name>
+    <message>
+        <source>%1 left this way</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogPad</name>
+    <message>
+        <source>Jog keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogSelectors</name>
+    <message>
+        <source>%1, turns %2°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves while the key is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axes of the picture: X right, Y away from you, Z up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Needs the 3D view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No frame taught yet. Teach one in the tab Frames.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2786,10 +2924,6 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Check the payload first (until the next connection)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Step in %1 (turns: as many degrees as millimetres)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2799,32 +2933,6 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Force that ends the motion, in N</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>let go and press again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ends in %1 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>tiller::JogKey</name>
-    <message>
-        <source>%1 left this way</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>tiller::JogPad</name>
-    <message>
-        <source>Jog keys</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Jog %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3731,6 +3839,17 @@ not an e-stop</source>
     </message>
 </context>
 <context>
+    <name>tiller::TravelWatch</name>
+    <message>
+        <source>%1: %2 left, then %3 is at its limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 left, then the end of the reach or a singularity</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::WaypointDetails</name>
     <message>
         <source>Selected waypoint</source>
@@ -3766,6 +3885,35 @@ not an e-stop</source>
     <message>
         <source>pose rules</source>
         <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointEditing</name>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n waypoints</source>
+        <translation type="unfinished">
+            <numerusform>Duplicate %n waypoint</numerusform>
+            <numerusform>Duplicate %n waypoints</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing was pasted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are no waypoints on the clipboard.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Paste %n waypoints</source>
+        <translation type="unfinished">
+            <numerusform>Paste %n waypoint</numerusform>
+            <numerusform>Paste %n waypoints</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3933,14 +4081,6 @@ not an e-stop</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Go to (hold)  G</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Go to, hold</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>More</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3975,10 +4115,6 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
     <message>
         <source>Select a waypoint to touch up.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Moves the arm to the selected waypoint while the key is held (G)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4040,32 +4176,6 @@ Jog the arm to a place and press Teach here (T).</source>
     <message>
         <source>Touch up “%1”</source>
         <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Duplicate “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>Duplicate %n waypoints</source>
-        <translation>
-            <numerusform>Duplicate %n waypoint</numerusform>
-            <numerusform>Duplicate %n waypoints</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Nothing was pasted</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>There are no waypoints on the clipboard.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>Paste %n waypoints</source>
-        <translation>
-            <numerusform>Paste %n waypoint</numerusform>
-            <numerusform>Paste %n waypoints</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -4689,90 +4799,6 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
     <message>
         <source>Speed cap %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Jog speed %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Jog step %1, %2°</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Arm or disarm the keyboard</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Armed, the arrow keys move the arm; a frame stands around the window. Ends by itself after half a minute.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Gamepad and SpaceMouse…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What each device says now, and which way it will go.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Zero here</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Counts the way of the TCP from where it is now; once more: since the press again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stops the arm; the next press has this speed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Moves by this much, only while the key is held.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Moves by this much at each press.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Jog until contact, %1 N</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A held key moves slowly and ends when the tool meets this force.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Jog speed, other…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Asks for the speed of the TCP; turns and joints in proportion.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Jog step, other…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Asks for the length of a step; turns make as many degrees as millimetres.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Jog until contact, other force…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Asks for the force in N at which the motion ends.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Freedrive: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What the hand can move while Freedrive is held.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
