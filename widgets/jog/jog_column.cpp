@@ -231,7 +231,7 @@ void JogColumn::arrange() {
     const bool jointsChosen = detailTab_->currentIndex() == 1;
     joints_->setCompact(compact_);
     detailTab_->setVisible(compact_);
-    detailTab_->setFixedHeight(28);
+    detailTab_->setFixedHeight(30);
     pose_->setVisible(!compact_ || !jointsChosen);
     joints_->setVisible(!compact_ || jointsChosen);
     selectors_->setCompact(compact_);
