@@ -12,10 +12,10 @@ namespace {
 
 // What may still happen after the moment a motion was ended: one package on its way, the next control
 // period, then braking at 2 m/s2; and what may happen before a silent holder is found out.
-constexpr double kReaction = 0.010;  // [s]
+constexpr double kReaction = 0.010;     // [s]
 constexpr double kHoldSeconds = 0.100;  // [s]
-constexpr double kBraking = 2.0;     // [m/s2]
-constexpr double kSlack = 0.0003;    // [m]
+constexpr double kBraking = 2.0;        // [m/s2]
+constexpr double kSlack = 0.0003;       // [m]
 
 }  // namespace
 
