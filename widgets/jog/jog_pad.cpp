@@ -20,12 +20,14 @@ void JogKey::paintEvent(QPaintEvent*) {
     paintSurface(painter);
     painter.setFont(textFont(19, QFont::Bold));
     painter.setPen(textColor());
-    const int bar = height() >= 68 ? 49 : height() * 49 / 72;
-    painter.drawText(QRect(0, 0, width(), bar + 13), Qt::AlignCenter, text());
+    // On a low key the bar stands below the letters, with no room for the travel.
+    const bool high = height() >= 68;
+    const int bar = high ? 49 : height() - 10;
+    painter.drawText(QRect(0, 0, width(), high ? bar + 13 : bar), Qt::AlignCenter, text());
     painter.setPen(Qt::NoPen);
     painter.setBrush(isEnabled() ? theme.axis(key_.axis % 3) : theme.border);
     painter.drawRoundedRect(QRectF(13, bar, width() - 26, 4), 2, 2);
-    if (height() >= 68 && isEnabled() && !travel_.isEmpty()) {
+    if (high && isEnabled() && !travel_.isEmpty()) {
         painter.setFont(textFont(13, near_ ? QFont::Bold : QFont::Normal));
         painter.setPen(near_ ? theme.warning : theme.secondary);
         painter.drawText(QRect(0, bar + 5, width(), height() - bar - 6), Qt::AlignCenter, travel_);
