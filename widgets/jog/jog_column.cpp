@@ -480,8 +480,8 @@ void JogColumn::fillFreedriveMenu(QMenu& menu) {
 }
 
 void JogColumn::changeEvent(QEvent* event) {
-    // Not before the column is built: back_ comes last.
-    if (event->type() == QEvent::StyleChange && back_ != nullptr) {
+    // Not before the column is built: travel_ comes last.
+    if (event->type() == QEvent::StyleChange && travel_ != nullptr) {
         selectors_->refreshTexts();  // other units
         travel_->reset();
         showReason();
