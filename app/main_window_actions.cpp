@@ -436,7 +436,7 @@ void MainWindow::showHelp() {
         tr("<h2>Moving the arm</h2><p>The arm moves while a key of the pad is held, and stops when it is let "
            "go. It also stops when</p><ul>"
            "<li>the pointer leaves the key, a second button is pressed, or another hand joins in;</li>"
-           "<li>another key or modifier goes down beside a held key of the keyboard;</li>"
+           "<li>a modifier, or a key that contradicts, goes down beside a held key of the keyboard;</li>"
            "<li>the window loses the focus, anything opens over it, or another frame, speed, step or tab is "
            "chosen;</li>"
            "<li>data from the robot are late, this program hangs, the robot leaves Running, or its safety "
