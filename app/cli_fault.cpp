@@ -3,8 +3,8 @@
 #include <QTcpSocket>
 
 #include "app/cli_command.h"
-#include "robot/simulator/controller.h"
 #include "robot/simulator/faults.h"
+#include "robot/simulator/simulator.h"
 
 namespace tiller::app {
 

@@ -6,9 +6,9 @@
 
 #include "app/cli_command.h"
 #include "app/termination.h"
-#include "robot/simulator/controller.h"
+#include "robot/simulator/box/personality.h"
 #include "robot/simulator/faults.h"
-#include "robot/simulator/personality.h"
+#include "robot/simulator/simulator.h"
 
 namespace tiller::app {
 
@@ -50,7 +50,7 @@ QString modelNames() {
     return names.join(QStringLiteral(", "));
 }
 
-QString readyLine(const simulator::Controller& controller) {
+QString readyLine(const simulator::Simulator& controller) {
     const simulator::Ports ports = controller.ports();
     const std::pair<const char*, std::uint16_t> named[] = {
         {"dashboard", ports.dashboard},
@@ -75,9 +75,9 @@ QString readyLine(const simulator::Controller& controller) {
     return line;
 }
 
-int runController(const simulator::ControllerOptions& options, const QStringList& faults) {
+int runController(const simulator::SimulatorOptions& options, const QStringList& faults) {
     holdTerminationSignals();
-    simulator::Controller controller(options);
+    simulator::Simulator controller(options);
     if (const Result<void> started = controller.start(); !started) {
         const Error error = started.error();
         const QString words = error.controllerMessage.isEmpty()
@@ -154,7 +154,7 @@ int simulate(const QStringList& arguments) {
         return wrongArguments(QStringLiteral("'%1' is too much").arg(parser.positionalArguments().first()));
     }
 
-    simulator::ControllerOptions options;
+    simulator::SimulatorOptions options;
     options.listenAddress = parser.value(listen);
     if (QHostAddress(options.listenAddress).isNull()) {
         return wrongArguments(QStringLiteral("--listen takes an IP address such as 127.0.0.2, not '%1'")

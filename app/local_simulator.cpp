@@ -16,9 +16,9 @@ Result<RobotAddress> LocalSimulator::start() {
     }
     Error lastError;
     for (int last = 1; last <= kAddressesToTry; ++last) {
-        simulator::ControllerOptions options;
+        simulator::SimulatorOptions options;
         options.listenAddress = QStringLiteral("127.0.0.%1").arg(last);
-        auto controller = std::make_unique<simulator::Controller>(options);
+        auto controller = std::make_unique<simulator::Simulator>(options);
         const Result<void> started = controller->start();
         if (started) {
             controller_ = std::move(controller);

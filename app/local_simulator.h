@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "robot/core/result.h"
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 #include "widgets/session/robot_session.h"
 
 namespace tiller::app {
@@ -19,10 +19,10 @@ public:
     /// Errors   Rejected when no loopback address has the ports free; AddressInvalid
     Result<RobotAddress> start();
     void stop();
-    simulator::Controller* controller() { return controller_.get(); }
+    simulator::Simulator* controller() { return controller_.get(); }
 
 private:
-    std::unique_ptr<simulator::Controller> controller_;
+    std::unique_ptr<simulator::Simulator> controller_;
     RobotAddress address_;
 };
 

@@ -9,6 +9,9 @@ set(ur_rtde_headers async_operation_status.h dashboard_client.h dashboard_enums.
     rtde.h rtde_control_interface.h rtde_export.h rtde_io_interface.h rtde_path.h rtde_receive_interface.h
     rtde_utility.h script_client.h)
 
+# Of the simulated controller, what starts one in a process and steps it.
+set(simulator_headers assumptions.h simulator.h arm/arm_state.h arm/environment.h box/personality.h)
+
 set(tiller_rooms core realtime rtde receive script dashboard control io kinematics project recording doctor)
 add_library(tiller_robot INTERFACE)
 add_library(tiller::robot ALIAS tiller_robot)
@@ -32,7 +35,15 @@ install(TARGETS tiller_robot ${tiller_room_libraries} tiller_simulator tiller_ur
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/tiller
     INCLUDES DESTINATION include/tiller)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/robot/ DESTINATION include/tiller/robot COMPONENT development
-    FILES_MATCHING PATTERN "*.h" PATTERN "python" EXCLUDE PATTERN "detail" EXCLUDE PATTERN "examples" EXCLUDE)
+    FILES_MATCHING PATTERN "*.h" PATTERN "python" EXCLUDE PATTERN "detail" EXCLUDE PATTERN "examples" EXCLUDE
+    PATTERN "simulator" EXCLUDE PATTERN "ur_rtde" EXCLUDE)
+foreach(room ur_rtde simulator)
+    foreach(header ${${room}_headers})
+        cmake_path(GET header PARENT_PATH folder)
+        install(FILES ${CMAKE_SOURCE_DIR}/robot/${room}/${header} DESTINATION include/tiller/robot/${room}/${folder}
+            COMPONENT development)
+    endforeach()
+endforeach()
 install(EXPORT tillerTargets NAMESPACE tiller:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/tiller
     COMPONENT development)
 configure_package_config_file(${CMAKE_SOURCE_DIR}/packaging/cmake/tillerConfig.cmake.in

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "robot/python/docstrings.h"
-#include "robot/ur_rtde/waiting.h"
+#include "robot/ur_rtde/detail/waiting.h"
 
 namespace tiller::python {
 

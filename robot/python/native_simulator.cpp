@@ -5,8 +5,8 @@
 #include <thread>
 
 #include "robot/python/native_objects.h"
-#include "robot/simulator/controller.h"
-#include "robot/simulator/personality.h"
+#include "robot/simulator/box/personality.h"
+#include "robot/simulator/simulator.h"
 
 namespace tiller::python {
 
@@ -26,7 +26,7 @@ void makeApplication() {
 /// The robot and, in virtual time, the clock that it shares with its clients.
 class NativeSimulator {
 public:
-    explicit NativeSimulator(const simulator::ControllerOptions& options)
+    explicit NativeSimulator(const simulator::SimulatorOptions& options)
         : clock_(options.time == simulator::Time::Virtual ? std::make_shared<VirtualClock>() : nullptr)
         , robot(options) {}
     ~NativeSimulator() { robot.stop(); }
@@ -105,7 +105,7 @@ private:
     std::vector<std::weak_ptr<NativeController>> controllers_;
 
 public:
-    simulator::Controller robot;
+    simulator::Simulator robot;
     std::atomic<bool> isEnding{false};
 };
 
@@ -136,7 +136,7 @@ void defineSimulator(py::module_& module) {
                          bool inVirtualTime, bool poweredOn, const std::optional<Six>& start,
                          bool remoteControl, const std::string& programs) {
                  makeApplication();
-                 simulator::ControllerOptions options;
+                 simulator::SimulatorOptions options;
                  const auto id = robotModelByName(model);
                  if (!id) {
                      raise({ErrorCode::InvalidArgument, QStringLiteral("make a simulator"),

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "robot/python/module_support.h"
-#include "robot/ur_rtde/waiting.h"
+#include "robot/ur_rtde/detail/waiting.h"
 
 using namespace tiller::python;
 using ur_rtde::AsyncOperationStatus;

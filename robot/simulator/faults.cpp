@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "robot/core/angles.h"
-#include "robot/simulator/machine.h"
-#include "robot/simulator/program_runner.h"
-#include "robot/simulator/script_host.h"
+#include "robot/simulator/control_box.h"
+#include "robot/simulator/host/script_host.h"
+#include "robot/simulator/programs/program_runner.h"
 
 namespace tiller::simulator {
 
@@ -79,31 +79,31 @@ struct Verb {
     const char* arguments;
     const char* help;
     /// Reads all words first and acts only if they are good().
-    QString (*run)(Machine& machine, Words& words);
+    QString (*run)(ControlBox& controlBox, Words& words);
 };
 
 constexpr double kMilli = 1e-3;
 
 template <SafetySystem::Input input>
-QString safetyInput(Machine& machine, Words& words) {
+QString safetyInput(ControlBox& controlBox, Words& words) {
     const bool active = words.on();
     if (words.good()) {
-        machine.plant.safety().set(input, active);
+        controlBox.plant.safety().set(input, active);
     }
     return {};
 }
 
 template <class Change>
-QString changeLink(Machine& machine, Words& words, Change change) {
-    LinkConditions conditions = machine.services.link().conditions();
+QString changeLink(ControlBox& controlBox, Words& words, Change change) {
+    LinkConditions conditions = controlBox.services.link().conditions();
     change(conditions, words);
     if (words.good()) {
-        machine.services.link().set(conditions);
+        controlBox.services.link().set(conditions);
     }
     return {};
 }
 
-QString holdRegisters(Machine& machine, Words& words) {
+QString holdRegisters(ControlBox& controlBox, Words& words) {
     const QString given = words.word();
     if (!words.good()) {
         return {};
@@ -118,48 +118,48 @@ QString holdRegisters(Machine& machine, Words& words) {
     } else {
         names = given.split(',', Qt::SkipEmptyParts);
     }
-    if (!machine.services.rtde().holdInputs(names)) {
+    if (!controlBox.services.rtde().holdInputs(names)) {
         words.complain(QStringLiteral("not all of these inputs exist here and are free"));
     }
     return {};
 }
 
-QString jointNearLimit(Machine& machine, Words& words) {
+QString jointNearLimit(ControlBox& controlBox, Words& words) {
     const int joint = words.integer(1, kJointCount);
     const double margin = toRadians(words.numberOr(1.0, -10.0, 360.0));
     if (words.good()) {
-        machine.plant.programs().stopNow();
-        JointPositions q = machine.plant.arm().state().actualQ;
+        controlBox.plant.programs().stopNow();
+        JointPositions q = controlBox.plant.arm().state().actualQ;
         q[joint - 1] = kJointPositionLimit - margin;
-        machine.plant.arm().setJointPositions(q);
-        machine.plant.safety().set(SafetySystem::Input::Recovery, margin < 0);
+        controlBox.plant.arm().setJointPositions(q);
+        controlBox.plant.safety().set(SafetySystem::Input::Recovery, margin < 0);
     }
     return {};
 }
 
-QString hand(Machine& machine, Words& words) {
+QString hand(ControlBox& controlBox, Words& words) {
     Vector6 wrench = Vector6::Zero();
     for (int i = 0; i < 6; ++i) {
         wrench[i] = i < 3 ? words.number(-1e4, 1e4) : words.numberOr(0, -1e4, 1e4);
     }
     if (words.good()) {
-        machine.plant.arm().environment().setHandWrench(Wrench::fromVector(wrench));
+        controlBox.plant.arm().environment().setHandWrench(Wrench::fromVector(wrench));
     }
     return {};
 }
 
 constexpr double kFar = 10;  ///< [m]
 
-QString plane(Machine& machine, Words& words) {
+QString plane(ControlBox& controlBox, Words& words) {
     arm::ContactPlane plane;
     plane.point.z() = words.number(-kFar, kFar);
-    if (words.good() && !machine.plant.arm().environment().addPlane(plane)) {
+    if (words.good() && !controlBox.plant.arm().environment().addPlane(plane)) {
         words.complain(QStringLiteral("there are too many planes"));
     }
     return {};
 }
 
-QString box(Machine& machine, Words& words) {
+QString box(ControlBox& controlBox, Words& words) {
     arm::ContactBox box;
     for (int i = 0; i < 3; ++i) {
         box.T_base_box.position[i] = words.number(-kFar, kFar);
@@ -167,13 +167,13 @@ QString box(Machine& machine, Words& words) {
     for (int i = 0; i < 3; ++i) {
         box.size[i] = words.number(0.001, kFar);
     }
-    if (words.good() && !machine.plant.arm().environment().addBox(box)) {
+    if (words.good() && !controlBox.plant.arm().environment().addBox(box)) {
         words.complain(QStringLiteral("there are too many boxes"));
     }
     return {};
 }
 
-QString load(Machine& machine, Words& words) {
+QString load(ControlBox& controlBox, Words& words) {
     std::optional<arm::Payload> carried;
     if (words.peek() == QLatin1String("none")) {
         words.word();
@@ -185,23 +185,23 @@ QString load(Machine& machine, Words& words) {
         }
     }
     if (words.good()) {
-        machine.plant.arm().environment().setLoad(carried);
+        controlBox.plant.arm().environment().setLoad(carried);
     }
     return {};
 }
 
-QString conveyor(Machine& machine, Words& words) {
+QString conveyor(ControlBox& controlBox, Words& words) {
     const int encoder = words.integer(0, 1);
     const double speed = words.number(-1e6, 1e6);
     if (words.good()) {
-        machine.plant.arm().environment().setConveyorSpeed(encoder, speed);
+        controlBox.plant.arm().environment().setConveyorSpeed(encoder, speed);
     }
     return {};
 }
 
-QString answer(Machine& machine, Words& words) {
+QString answer(ControlBox& controlBox, Words& words) {
     using urscript::RequestKind;
-    ScriptHost& host = machine.plant.scriptHost();
+    ScriptHost& host = controlBox.plant.scriptHost();
     const auto asked = host.asked();
     if (!asked) {
         words.complain(QStringLiteral("no program asks for a value"));
@@ -240,7 +240,7 @@ std::vector<std::int32_t> modbusValues(Words& words) {
     return values;
 }
 
-QString modbusMemory(Machine& machine, Words& words) {
+QString modbusMemory(ControlBox& controlBox, Words& words) {
     using Kind = ModbusDevice::Kind;
     static const std::pair<const char*, Kind> kKinds[] = {{"input", Kind::Input},
                                                           {"coil", Kind::Coil},
@@ -256,7 +256,7 @@ QString modbusMemory(Machine& machine, Words& words) {
     const int address = words.integer(0, 65535);
     const std::vector<std::int32_t> values = modbusValues(words);
     if (words.good()) {
-        machine.plant.scriptHost().modbus().write(kind->second, address, values);
+        controlBox.plant.scriptHost().modbus().write(kind->second, address, values);
     }
     return {};
 }
@@ -267,25 +267,25 @@ void complainOf(const Result<void>& outcome, Words& words) {
     }
 }
 
-QString modbusSignal(Machine& machine, Words& words) {
+QString modbusSignal(ControlBox& controlBox, Words& words) {
     const std::string name = words.word().toStdString();
     const std::vector<std::int32_t> values = modbusValues(words);
     if (words.good()) {
-        complainOf(machine.plant.scriptHost().modbus().writeSignal(name, values), words);
+        complainOf(controlBox.plant.scriptHost().modbus().writeSignal(name, values), words);
     }
     return {};
 }
 
-QString modbusError(Machine& machine, Words& words) {
+QString modbusError(ControlBox& controlBox, Words& words) {
     const std::string name = words.word().toStdString();
     const int code = words.integer(0, 255);
     if (words.good()) {
-        complainOf(machine.plant.scriptHost().modbus().setDeviceError(name, code), words);
+        complainOf(controlBox.plant.scriptHost().modbus().setDeviceError(name, code), words);
     }
     return {};
 }
 
-QString operationalMode(Machine& machine, Words& words) {
+QString operationalMode(ControlBox& controlBox, Words& words) {
     const QString mode = words.word();
     const bool manual = mode == QLatin1String("manual");
     const bool automatic = mode == QLatin1String("automatic");
@@ -293,38 +293,38 @@ QString operationalMode(Machine& machine, Words& words) {
         words.complain(QStringLiteral("'%1' is neither manual, automatic nor none").arg(mode));
     }
     if (words.good()) {
-        machine.plant.safety().setOperationalMode(manual      ? OperationalMode::Manual
-                                                  : automatic ? OperationalMode::Automatic
-                                                              : OperationalMode::None);
+        controlBox.plant.safety().setOperationalMode(manual      ? OperationalMode::Manual
+                                                     : automatic ? OperationalMode::Automatic
+                                                                 : OperationalMode::None);
     }
     return {};
 }
 
-QString status(Machine& machine, Words&) {
-    const Telemetry& t = machine.plant.telemetry();
-    const LinkConditions& link = machine.services.link().conditions();
+QString status(ControlBox& controlBox, Words&) {
+    const Telemetry& t = controlBox.plant.telemetry();
+    const LinkConditions& link = controlBox.services.link().conditions();
     return QStringLiteral(
                "robot_mode=%1 safety_mode=%2 runtime_state=%3 remote=%4 timestamp=%5 silence=%6 link=%7 "
                "delay=%8 "
                "jitter=%9 split=%10 coalesce=%11 half_open=%12")
         .arg(robotModeName(t.robotMode), safetyModeName(t.safetyMode), runtimeStateName(t.runtimeState))
-        .arg(machine.plant.isRemoteControl() ? "yes" : "no")
+        .arg(controlBox.plant.isRemoteControl() ? "yes" : "no")
         .arg(t.timestamp, 0, 'f', 3)
-        .arg(machine.silent ? "on" : "off", link.lost ? "lost" : "up")
+        .arg(controlBox.silent ? "on" : "off", link.lost ? "lost" : "up")
         .arg(link.delay / kMilli)
         .arg(link.jitter / kMilli)
         .arg(link.splitAt)
         .arg(link.coalesce / kMilli)
-        .arg(machine.services.link().buried());
+        .arg(controlBox.services.link().buried());
 }
 
-QString clear(Machine& machine, Words& words) {
+QString clear(ControlBox& controlBox, Words& words) {
     if (words.good()) {
-        machine.services.link().set({});
-        machine.services.link().unbury();
-        machine.services.rtde().releaseHeldInputs();
-        machine.silent = false;
-        machine.plant.setCalibrationError(0);
+        controlBox.services.link().set({});
+        controlBox.services.link().unbury();
+        controlBox.services.rtde().releaseHeldInputs();
+        controlBox.silent = false;
+        controlBox.plant.setCalibrationError(0);
     }
     return {};
 }
@@ -334,7 +334,7 @@ using Input = SafetySystem::Input;
 // clang-format off
 const Verb kVerbs[] = {
     {"protective-stop", "[CODE [JOINT]]", "the controller stops the arm (error code, default 157: collision; joint 1 to 6)",
-     [](Machine& m, Words& w) {
+     [](ControlBox& m, Words& w) {
          constexpr double kCollision = 157;
          const auto code = static_cast<std::int32_t>(w.numberOr(kCollision, 0, 9999));
          const int joint = w.has() ? w.integer(1, kJointCount) : 0;
@@ -348,52 +348,52 @@ const Verb kVerbs[] = {
     {"reduced", "on|off", "the reduced-mode input", &safetyInput<Input::Reduced>},
     {"recovery", "on|off", "a joint outside its safety limits", &safetyInput<Input::Recovery>},
     {"violation", "", "a safety limit is violated: power off, restart safety needed",
-     [](Machine& m, Words& w) { if (w.good()) { m.plant.safety().violation(); } return QString(); }},
+     [](ControlBox& m, Words& w) { if (w.good()) { m.plant.safety().violation(); } return QString(); }},
     {"fault", "", "the safety system finds a fault: power off, restart safety needed",
-     [](Machine& m, Words& w) { if (w.good()) { m.plant.safety().fault(); } return QString(); }},
+     [](ControlBox& m, Words& w) { if (w.good()) { m.plant.safety().fault(); } return QString(); }},
     {"power-loss", "", "the arm's supply fails",
-     [](Machine& m, Words& w) { if (w.good()) { m.plant.losePower(); } return QString(); }},
+     [](ControlBox& m, Words& w) { if (w.good()) { m.plant.losePower(); } return QString(); }},
     {"restart", "[SECONDS] [unconfirmed]", "the controller starts anew, slowly (default 20 s); unconfirmed: waits in CONFIRM_SAFETY",
-     [](Machine& m, Words& w) {
+     [](ControlBox& m, Words& w) {
          const double seconds = w.numberOr(20, 0, 3600);
          const bool unconfirmed = w.has() && w.choice("unconfirmed", "confirmed");
          if (w.good()) { m.plant.restart(seconds, unconfirmed); m.services.closeClients(); }
          return QString(); }},
     {"confirm-safety", "", "the operator confirms the safety configuration",
-     [](Machine& m, Words& w) { if (w.good()) { m.plant.power().confirmSafety(); } return QString(); }},
+     [](ControlBox& m, Words& w) { if (w.good()) { m.plant.power().confirmSafety(); } return QString(); }},
     {"backdrive", "on|off", "joints moved by hand with the brakes overridden, from IDLE",
-     [](Machine& m, Words& w) { const bool on = w.on(); if (w.good()) { m.plant.setBackdrive(on); } return QString(); }},
+     [](ControlBox& m, Words& w) { const bool on = w.on(); if (w.good()) { m.plant.setBackdrive(on); } return QString(); }},
     {"script-error", "[TEXT]", "the running program fails with a runtime exception",
-     [](Machine& m, Words& w) {
+     [](ControlBox& m, Words& w) {
          const QString text = w.has() ? w.rest() : QStringLiteral("injected_runtime_error");
          m.plant.failProgram(text.toStdString());
          return QString(); }},
     {"popup", "TEXT", "a popup on the pendant, which blocks `play`",
-     [](Machine& m, Words& w) {
+     [](ControlBox& m, Words& w) {
          const QString text = w.has() ? w.rest() : w.word();
          if (w.good()) { m.plant.showPopup(text.toStdString(), true); }
          return QString(); }},
     {"close-popup", "", "the button of the newest popup is pressed",
-     [](Machine& m, Words& w) { if (w.good()) { m.plant.popups().closeNewest(); } return QString(); }},
+     [](ControlBox& m, Words& w) { if (w.good()) { m.plant.popups().closeNewest(); } return QString(); }},
     {"answer", "VALUE", "a person answers what a program asks primary clients for: true|false, a number, a text", &answer},
     {"hold-registers", "lower|upper|NAME,NAME...", "RTDE inputs owned by somebody else", &holdRegisters},
     {"release-registers", "", "and free again",
-     [](Machine& m, Words& w) { if (w.good()) { m.services.rtde().releaseHeldInputs(); } return QString(); }},
+     [](ControlBox& m, Words& w) { if (w.good()) { m.services.rtde().releaseHeldInputs(); } return QString(); }},
     {"link", "lost|back", "the cable out, or in again: nothing passes, connections stay",
-     [](Machine& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) { c.lost = r.choice("lost", "back"); }); }},
+     [](ControlBox& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) { c.lost = r.choice("lost", "back"); }); }},
     {"silence", "on|off", "a mute controller: time goes on, nothing is read or sent",
-     [](Machine& m, Words& w) { const bool on = w.on(); if (w.good()) { m.silent = on; } return QString(); }},
+     [](ControlBox& m, Words& w) { const bool on = w.on(); if (w.good()) { m.silent = on; } return QString(); }},
     {"delay", "MS [JITTER]", "each way, with so much more at random; 0: none",
-     [](Machine& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
+     [](ControlBox& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
          c.delay = r.number(0, 60'000) * kMilli; c.jitter = r.numberOr(0, 0, 60'000) * kMilli; }); }},
     {"split", "BYTES", "what is sent arrives in two pieces, the first of so many bytes; 0: whole",
-     [](Machine& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
+     [](ControlBox& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
          c.splitAt = static_cast<std::size_t>(r.integer(0, 65'536)); }); }},
     {"coalesce", "MS", "what is sent within so much time arrives together; 0: as sent",
-     [](Machine& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
+     [](ControlBox& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
          c.coalesce = r.number(0, 60'000) * kMilli; }); }},
     {"half-open", "", "the controller forgets all connections and tells no client",
-     [](Machine& m, Words& w) {
+     [](ControlBox& m, Words& w) {
          if (w.good()) {
              m.services.link().setForgetting(true);
              m.services.closeClients();
@@ -401,32 +401,32 @@ const Verb kVerbs[] = {
          }
          return QString(); }},
     {"close-clients", "", "all connections end in good order",
-     [](Machine& m, Words& w) { if (w.good()) { m.services.closeClients(); } return QString(); }},
+     [](ControlBox& m, Words& w) { if (w.good()) { m.services.closeClients(); } return QString(); }},
     {"joint-near-limit", "JOINT [DEGREES]", "joint 1 to 6 stands so far from the end of its range (default 1); below 0: beyond, RECOVERY", &jointNearLimit},
     {"calibration", "SIZE", "the reported kinematics differ from the arm's by up to SIZE mm and mrad; 0: not",
-     [](Machine& m, Words& w) { const double size = w.number(0, 1000); if (w.good()) { m.plant.setCalibrationError(size); } return QString(); }},
+     [](ControlBox& m, Words& w) { const double size = w.number(0, 1000); if (w.good()) { m.plant.setCalibrationError(size); } return QString(); }},
     {"remote", "on|off", "the pendant's Local/Remote switch",
-     [](Machine& m, Words& w) { const bool on = w.on(); if (w.good()) { m.setRemoteControl(on); } return QString(); }},
+     [](ControlBox& m, Words& w) { const bool on = w.on(); if (w.good()) { m.setRemoteControl(on); } return QString(); }},
     {"operational-mode", "manual|automatic|none", "", &operationalMode},
     {"freedrive-button", "on|off", "",
-     [](Machine& m, Words& w) { const bool on = w.on(); if (w.good()) { m.plant.setFreedriveButton(on); } return QString(); }},
+     [](ControlBox& m, Words& w) { const bool on = w.on(); if (w.good()) { m.plant.setFreedriveButton(on); } return QString(); }},
     {"digital-input", "NUMBER on|off", "0-7 standard, 8-15 configurable, 16-17 tool",
-     [](Machine& m, Words& w) {
+     [](ControlBox& m, Words& w) {
          const int pin = w.integer(0, kDigitalPins - 1);
          const bool on = w.on();
          if (w.good()) { Pins::setBit(m.plant.pins().digitalInputs, pin, on); }
          return QString(); }},
     {"speed", "FRACTION", "the speed slider, 0 to 1",
-     [](Machine& m, Words& w) { const double f = w.number(0, 1); if (w.good()) { m.plant.setSpeedSlider(f); } return QString(); }},
+     [](ControlBox& m, Words& w) { const double f = w.number(0, 1); if (w.good()) { m.plant.setSpeedSlider(f); } return QString(); }},
     {"hand", "FX FY FZ [TX TY TZ]", "a hand on the tool [N, Nm], base frame; zeros let go", &hand},
     {"plane", "HEIGHT", "a horizontal surface at that height [m], base frame", &plane},
     {"box", "X Y Z SX SY SZ", "a box about that point [m], base frame, with these edges", &box},
     {"no-surfaces", "", "neither planes nor boxes",
-     [](Machine& m, Words& w) { if (w.good()) { m.plant.arm().environment().clearSurfaces(); } return QString(); }},
+     [](ControlBox& m, Words& w) { if (w.good()) { m.plant.arm().environment().clearSurfaces(); } return QString(); }},
     {"load", "KG [X Y Z]|none", "what the tool really carries, and its centre [m], flange frame; none: what the controller was told", &load},
     {"conveyor", "0|1 TICKS", "what that encoder counts in a second", &conveyor},
     {"gripper-object", "POSITION|none", "something between the gripper's fingers stops them at 0 to 255",
-     [](Machine& m, Words& w) {
+     [](ControlBox& m, Words& w) {
          const QString given = w.word();
          bool ok = false;
          const int position = given.toInt(&ok);
@@ -438,9 +438,9 @@ const Verb kVerbs[] = {
     {"modbus-memory", "KIND ADDRESS VALUE...", "the same by its address; KIND input, coil, input-register or register", &modbusMemory},
     {"modbus-error", "NAME CODE", "the device's answer to that signal: 0 none, 1 illegal function, 2 address, 3 value, 4 failure, 6 busy", &modbusError},
     {"modbus-link", "on|off", "off: the Modbus device cannot be reached",
-     [](Machine& m, Words& w) { const bool on = w.on(); if (w.good()) { m.plant.scriptHost().modbus().setConnected(on); } return QString(); }},
+     [](ControlBox& m, Words& w) { const bool on = w.on(); if (w.good()) { m.plant.scriptHost().modbus().setConnected(on); } return QString(); }},
     {"assume", "NAME=VALUE", "the controller behaves so from now on; see 'tiller-cli simulate --assume help'",
-     [](Machine& m, Words& w) {
+     [](ControlBox& m, Words& w) {
          const QString words = w.word();
          if (w.good()) {
              if (const Result<void> done = assume(m.plant.assumptions(), words); !done) { w.complain(done.error().context); } }
@@ -452,7 +452,7 @@ const Verb kVerbs[] = {
 
 }  // namespace
 
-Result<QString> injectFault(Machine& machine, const QString& line) {
+Result<QString> injectFault(ControlBox& controlBox, const QString& line) {
     QStringList words = line.simplified().split(' ', Qt::SkipEmptyParts);
     if (words.isEmpty()) {
         return Error{ErrorCode::InvalidArgument, QStringLiteral("a word is missing; 'help' lists them"), {}};
@@ -466,7 +466,7 @@ Result<QString> injectFault(Machine& machine, const QString& line) {
             continue;
         }
         Words given(words);
-        const QString answer = verb.run(machine, given);
+        const QString answer = verb.run(controlBox, given);
         if (!given.good()) {
             return Error{ErrorCode::InvalidArgument,
                          QStringLiteral("%1: %2; usage: %1 %3")
@@ -479,9 +479,9 @@ Result<QString> injectFault(Machine& machine, const QString& line) {
         ErrorCode::InvalidArgument, QStringLiteral("'%1' is not known; 'help' lists all").arg(name), {}};
 }
 
-std::string answerFaultLine(Machine& machine, std::string_view line) {
+std::string answerFaultLine(ControlBox& controlBox, std::string_view line) {
     const Result<QString> done =
-        injectFault(machine, QString::fromUtf8(line.data(), static_cast<qsizetype>(line.size())));
+        injectFault(controlBox, QString::fromUtf8(line.data(), static_cast<qsizetype>(line.size())));
     if (!done) {
         return "error: " + done.error().context.toStdString() + '\n';
     }

@@ -2,7 +2,7 @@
 #pragma once
 
 // Everything that can go wrong, or that a hand can do, on demand: one line of words each. The same words are
-// taken by Controller::inject(), by the fault port and by `tiller-cli simulate --fault`.
+// taken by Simulator::inject(), by the fault port and by `tiller-cli simulate --fault`.
 //
 //     protective-stop          safeguard on          link lost          delay 20 5
 //
@@ -16,15 +16,15 @@
 
 namespace tiller::simulator {
 
-struct Machine;
+struct ControlBox;
 
 /// Does what a line says.
 /// Returns  what was asked for, usually nothing
 /// Errors   InvalidArgument, with the reason
 /// Threads  the simulator's
-Result<QString> injectFault(Machine& machine, const QString& line);
+Result<QString> injectFault(ControlBox& controlBox, const QString& line);
 /// The same as the fault port speaks, newline included.
-std::string answerFaultLine(Machine& machine, std::string_view line);
+std::string answerFaultLine(ControlBox& controlBox, std::string_view line);
 /// All lines there are, one paragraph of text.
 QString faultHelp();
 

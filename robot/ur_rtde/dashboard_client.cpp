@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "robot/dashboard/dashboard_client.h"
-#include "robot/ur_rtde/arguments.h"
-#include "robot/ur_rtde/waiting.h"
+#include "robot/ur_rtde/detail/arguments.h"
+#include "robot/ur_rtde/detail/waiting.h"
 
 namespace ur_rtde {
 

@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "robot/core/tcp_connect.h"
-#include "robot/ur_rtde/arguments.h"
-#include "robot/ur_rtde/waiting.h"
+#include "robot/ur_rtde/detail/arguments.h"
+#include "robot/ur_rtde/detail/waiting.h"
 
 namespace ur_rtde {
 

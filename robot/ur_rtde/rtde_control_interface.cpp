@@ -4,9 +4,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "robot/ur_rtde/arguments.h"
-#include "robot/ur_rtde/control_private.h"
-#include "robot/ur_rtde/waiting.h"
+#include "robot/ur_rtde/detail/arguments.h"
+#include "robot/ur_rtde/detail/control_private.h"
+#include "robot/ur_rtde/detail/waiting.h"
 
 namespace ur_rtde {
 

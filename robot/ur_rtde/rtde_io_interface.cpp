@@ -9,8 +9,8 @@
 #include "robot/realtime/thread_priority.h"
 #include "robot/rtde/connection.h"
 #include "robot/rtde/fields.h"
-#include "robot/ur_rtde/arguments.h"
-#include "robot/ur_rtde/waiting.h"
+#include "robot/ur_rtde/detail/arguments.h"
+#include "robot/ur_rtde/detail/waiting.h"
 
 namespace ur_rtde {
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "robot/ur_rtde/arguments.h"
+#include "robot/ur_rtde/detail/arguments.h"
 
 namespace ur_rtde {
 

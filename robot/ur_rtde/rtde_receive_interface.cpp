@@ -9,10 +9,10 @@
 
 #include "robot/core/modes.h"
 #include "robot/rtde/fields.h"
-#include "robot/ur_rtde/arguments.h"
-#include "robot/ur_rtde/receive_fields.h"
-#include "robot/ur_rtde/receive_private.h"
-#include "robot/ur_rtde/waiting.h"
+#include "robot/ur_rtde/detail/arguments.h"
+#include "robot/ur_rtde/detail/receive_fields.h"
+#include "robot/ur_rtde/detail/receive_private.h"
+#include "robot/ur_rtde/detail/waiting.h"
 
 namespace ur_rtde {
 

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "robot/realtime/thread_priority.h"
-#include "robot/ur_rtde/waiting.h"
+#include "robot/ur_rtde/detail/waiting.h"
 
 #ifdef __linux__
 #include <sys/mman.h>

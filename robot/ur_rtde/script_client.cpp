@@ -11,8 +11,8 @@
 
 #include "robot/control/programs.h"
 #include "robot/script/script_client.h"
-#include "robot/ur_rtde/arguments.h"
-#include "robot/ur_rtde/waiting.h"
+#include "robot/ur_rtde/detail/arguments.h"
+#include "robot/ur_rtde/detail/waiting.h"
 
 namespace ur_rtde {
 

@@ -34,7 +34,7 @@
 #include <unistd.h>
 
 #include "app/main_window.h"
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 #include "widgets/common/hold_button.h"
 #include "widgets/jog/jog_column.h"
 
@@ -217,11 +217,11 @@ int main(int argc, char* argv[]) {
                        {"json", "One JSON object instead of a table."}});
     parser.process(application);
 
-    simulator::ControllerOptions options;
+    simulator::SimulatorOptions options;
     options.listenAddress = QString::fromLatin1(kRobot);
     options.poweredOn = true;
     options.priority = 95;
-    simulator::Controller robot(options);
+    simulator::Simulator robot(options);
     QTextStream err(stderr);
     if (const Result<void> started = robot.start(); !started) {
         err << started.error().toString() << '\n';

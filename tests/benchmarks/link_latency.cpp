@@ -18,7 +18,7 @@
 #include "robot/control/motions.h"
 #include "robot/receive/receiver.h"
 #include "robot/recording/recorder.h"
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 
 using namespace tiller;
 using namespace std::chrono_literals;
@@ -89,11 +89,11 @@ int main(int argc, char* argv[]) {
                        {"json", "One JSON object instead of a table."}});
     parser.process(application);
 
-    simulator::ControllerOptions options;
+    simulator::SimulatorOptions options;
     options.listenAddress = QStringLiteral("127.0.7.1");
     options.poweredOn = true;
     options.priority = 95;
-    simulator::Controller robot(options);
+    simulator::Simulator robot(options);
     QTextStream err(stderr);
     if (const Result<void> started = robot.start(); !started) {
         err << started.error().toString() << '\n';

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "robot/simulator/urscript/interpreter.h"
-#include "tests/unit/urscript/fake_host.h"
+#include "tests/unit/robot/simulator/urscript/fake_host.h"
 
 using namespace tiller::simulator::urscript;
 

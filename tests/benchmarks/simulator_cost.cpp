@@ -26,7 +26,7 @@
 #include "robot/realtime/histogram.h"
 #include "robot/receive/receiver.h"
 #include "robot/script/primary_client.h"
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 #include "tests/benchmarks/bare_timer.h"
 
 using namespace tiller;
@@ -62,7 +62,7 @@ struct Cell {
         options.listenAddress = QStringLiteral("127.0.8.%1").arg(number);
         options.poweredOn = true;
         options.priority = priority;
-        robot = std::make_unique<simulator::Controller>(options);
+        robot = std::make_unique<simulator::Simulator>(options);
         const Result<void> started = robot->start();
         if (!started) {
             error = started.error().toString();
@@ -88,8 +88,8 @@ struct Cell {
         }
     }
 
-    simulator::ControllerOptions options;
-    std::unique_ptr<simulator::Controller> robot;
+    simulator::SimulatorOptions options;
+    std::unique_ptr<simulator::Simulator> robot;
     std::vector<std::unique_ptr<receive::Receiver>> receivers;
     std::unique_ptr<script::PrimaryClient> primary;
     QString error;

@@ -8,18 +8,18 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "robot/simulator/plant.h"
-#include "robot/simulator/program_store.h"
-#include "robot/simulator/servers/dashboard_commands.h"
-#include "robot/simulator/servers/gripper.h"
-#include "robot/simulator/urp_file.h"
+#include "robot/simulator/box/plant.h"
+#include "robot/simulator/equipment/gripper.h"
+#include "robot/simulator/programs/program_store.h"
+#include "robot/simulator/programs/urp_file.h"
+#include "robot/simulator/servers/service/dashboard_commands.h"
 
 using namespace tiller;
 using namespace tiller::simulator;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static Plant plant{[] {
-        ControllerOptions options;
+        SimulatorOptions options;
         options.poweredOn = true;
         options.fastTransitions = true;
         return options;

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "robot/simulator/urp_file.h"
+#include "robot/simulator/programs/urp_file.h"
 #include "robot/simulator/urscript/program.h"
 
 using namespace tiller::simulator;

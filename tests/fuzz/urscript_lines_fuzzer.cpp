@@ -10,7 +10,7 @@
 
 #include "robot/simulator/urscript/interpreter.h"
 #include "robot/simulator/urscript/interpreter_mode.h"
-#include "tests/unit/urscript/fake_host.h"
+#include "tests/unit/robot/simulator/urscript/fake_host.h"
 
 using namespace tiller::simulator::urscript;
 

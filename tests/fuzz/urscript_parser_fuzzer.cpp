@@ -10,7 +10,7 @@
 #include "robot/simulator/urscript/interpreter.h"
 #include "robot/simulator/urscript/source_splitter.h"
 #include "robot/simulator/urscript/xml_rpc.h"
-#include "tests/unit/urscript/fake_host.h"
+#include "tests/unit/robot/simulator/urscript/fake_host.h"
 
 using namespace tiller::simulator::urscript;
 

@@ -34,7 +34,7 @@ double untilStill(tiller::test::FaceCell& cell) {
 int main(int argc, char** argv) {
     QCoreApplication app(argc, argv);
     const bool real = argc > 1 && std::string(argv[1]) == "real";
-    tiller::test::FaceCell cell([real](tiller::simulator::ControllerOptions& options) {
+    tiller::test::FaceCell cell([real](tiller::simulator::SimulatorOptions& options) {
         options.time = real ? tiller::simulator::Time::Real : tiller::simulator::Time::Virtual;
     });
     std::cout << cell.host() << std::endl;

@@ -9,7 +9,7 @@
 #include <random>
 #include <span>
 
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 
 namespace tiller::test {
 

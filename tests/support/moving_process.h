@@ -14,7 +14,7 @@
 
 #include "robot/control/detail/registers.h"
 #include "robot/rtde/connection.h"
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 
 namespace tiller::test {
 
@@ -22,7 +22,7 @@ namespace tiller::test {
 class ArmWatcher {
 public:
     /// registers  which of them the moving process commands the arm with
-    ArmWatcher(const simulator::Controller& robot, control::RegisterRange registers) {
+    ArmWatcher(const simulator::Simulator& robot, control::RegisterRange registers) {
         rtde::ConnectionOptions options;
         options.host = robot.listenAddress();
         options.port = robot.ports().rtde;
@@ -85,7 +85,7 @@ private:
 
 /// Where nobody hears anything any more the robot itself is asked, until then [s]: for how long it was seen
 /// moving after `since`, or after it last heard of anybody [s].
-inline double movesOn(const simulator::Controller& robot, double since, double until) {
+inline double movesOn(const simulator::Simulator& robot, double since, double until) {
     double moved = since;
     std::uint64_t heard = robot.inputPackages();
     for (simulator::Truth now = robot.truth(); now.timestamp < until; now = robot.truth()) {

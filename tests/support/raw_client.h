@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 
 namespace tiller::test {
 
@@ -206,19 +206,19 @@ public:
 
 /// A controller in virtual time on free ports, powered and quick.
 struct VirtualRobot {
-    static simulator::ControllerOptions options() {
-        simulator::ControllerOptions options;
+    static simulator::SimulatorOptions options() {
+        simulator::SimulatorOptions options;
         options.anyFreePorts = true;
         options.time = simulator::Time::Virtual;
         options.poweredOn = true;
         return options;
     }
-    static simulator::ControllerOptions poweredOff() {
+    static simulator::SimulatorOptions poweredOff() {
         auto options = VirtualRobot::options();
         options.poweredOn = false;
         return options;
     }
-    explicit VirtualRobot(const simulator::ControllerOptions& given = options()) : controller(given) {
+    explicit VirtualRobot(const simulator::SimulatorOptions& given = options()) : controller(given) {
         started = controller.start().ok();
     }
     QString host() const { return controller.listenAddress(); }
@@ -241,7 +241,7 @@ struct VirtualRobot {
     }
     RuntimeState programState() const { return controller.truth().runtimeState; }
 
-    simulator::Controller controller;
+    simulator::Simulator controller;
     bool started = false;
 };
 

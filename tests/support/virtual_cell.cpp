@@ -19,8 +19,8 @@ constexpr std::chrono::seconds kPatience{20};
 
 }  // namespace
 
-simulator::ControllerOptions VirtualCell::options() {
-    simulator::ControllerOptions options;
+simulator::SimulatorOptions VirtualCell::options() {
+    simulator::SimulatorOptions options;
     // Its own loopback address, so that tests may run side by side.
     const auto pid = static_cast<unsigned>(QCoreApplication::applicationPid());
     options.listenAddress = QStringLiteral("127.%1.%2.1").arg(10 + pid % 200).arg((pid / 200) % 250);
@@ -30,7 +30,7 @@ simulator::ControllerOptions VirtualCell::options() {
     return options;
 }
 
-VirtualCell::VirtualCell(VirtualClock& c, RobotSession& s, const simulator::ControllerOptions& r)
+VirtualCell::VirtualCell(VirtualClock& c, RobotSession& s, const simulator::SimulatorOptions& r)
     : clock(c), session(s), robot(r), portOffset_(r.portOffset) {}
 
 VirtualCell::~VirtualCell() {

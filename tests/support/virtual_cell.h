@@ -9,7 +9,7 @@
 
 #include "robot/core/clock.h"
 #include "robot/receive/sample.h"
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 #include "widgets/session/robot_session.h"
 
 namespace tiller::test {
@@ -19,9 +19,9 @@ public:
     /// Both must outlive the cell; the session must have been made with the clock.
     /// robot  what it shall be like; options() with whatever is to be different
     VirtualCell(VirtualClock& clock, RobotSession& session,
-                const simulator::ControllerOptions& robot = options());
+                const simulator::SimulatorOptions& robot = options());
     /// A UR5e, powered, brakes released, in virtual time, at a loopback address of this process.
-    static simulator::ControllerOptions options();
+    static simulator::SimulatorOptions options();
     ~VirtualCell();
 
     /// Starts the robot and connects to it.
@@ -45,7 +45,7 @@ public:
 
     VirtualClock& clock;
     RobotSession& session;
-    simulator::Controller robot;
+    simulator::Simulator robot;
 
     simulator::Truth truth() const { return robot.truth(); }
 

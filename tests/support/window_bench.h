@@ -19,7 +19,7 @@ struct WindowBench {
     app::MainWindow window{app::Settings(file), clock};
     VirtualCell cell;
 
-    explicit WindowBench(const simulator::ControllerOptions& robot = VirtualCell::options())
+    explicit WindowBench(const simulator::SimulatorOptions& robot = VirtualCell::options())
         : cell(clock, window.session(), robot) {}
 
     /// Brings the window to the front, at its own size where none is given.

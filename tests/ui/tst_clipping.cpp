@@ -233,10 +233,10 @@ private Q_SLOTS:
 
     void noWayBackFromAStopIsCutOff_data() { densities(); }
     void noWayBackFromAStopIsCutOff() {
-        const std::pair<const char*, void (*)(simulator::Controller&)> stops[] = {
-            {"protective", [](simulator::Controller& robot) { robot.protectiveStop(); }},
-            {"emergency", [](simulator::Controller& robot) { robot.emergencyStop(true); }},
-            {"fault", [](simulator::Controller& robot) { robot.fault(); }}};
+        const std::pair<const char*, void (*)(simulator::Simulator&)> stops[] = {
+            {"protective", [](simulator::Simulator& robot) { robot.protectiveStop(); }},
+            {"emergency", [](simulator::Simulator& robot) { robot.emergencyStop(true); }},
+            {"fault", [](simulator::Simulator& robot) { robot.fault(); }}};
         for (const auto& [name, stop] : stops) {
             Bench bench;
             QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));

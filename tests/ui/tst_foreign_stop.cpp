@@ -68,7 +68,7 @@ struct Bench : WindowBench {
     QStringList& errors = *said;
     std::unique_ptr<script::ScriptClient> pendant;
 
-    explicit Bench(const simulator::ControllerOptions& robot = VirtualCell::options()) : WindowBench(robot) {
+    explicit Bench(const simulator::SimulatorOptions& robot = VirtualCell::options()) : WindowBench(robot) {
         QObject::connect(&window.session(), &RobotSession::message, &window,
                          [all = said](Severity severity, const QString& text) {
                              if (severity == Severity::Error) {
@@ -150,8 +150,8 @@ struct Bench : WindowBench {
 };
 
 /// The dashboard's port taken by somebody who never says a word: PolyScope X has no dashboard of its own.
-simulator::ControllerOptions withoutDashboard() {
-    simulator::ControllerOptions options = VirtualCell::options();
+simulator::SimulatorOptions withoutDashboard() {
+    simulator::SimulatorOptions options = VirtualCell::options();
     options.software = {10, 12, 0, 0};
     options.portOffset = 20'000;
     return options;
@@ -403,7 +403,7 @@ private Q_SLOTS:
     }
 
     void aRobotInLocalIsNamed() {
-        simulator::ControllerOptions options = VirtualCell::options();
+        simulator::SimulatorOptions options = VirtualCell::options();
         options.gateLocalControl = true;
         options.gateLoopbackClients = true;
         Bench bench(options);

@@ -14,7 +14,7 @@
 
 #include "app/main_window.h"
 #include "resources/resources.h"
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/jog/limiter_line.h"

@@ -17,7 +17,7 @@
 #include <optional>
 
 #include "robot/rtde/connection.h"
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 #include "tests/support/raw_peer.h"
 #include "widgets/common/theme.h"
 #include "widgets/status/preflight_page.h"
@@ -36,8 +36,8 @@ int closedPort() {
 
 /// A robot with the way to it, and whatever stands in the way.
 struct Cell {
-    simulator::ControllerOptions options;
-    std::unique_ptr<simulator::Controller> robot;
+    simulator::SimulatorOptions options;
+    std::unique_ptr<simulator::Simulator> robot;
     std::unique_ptr<test::RawPeer> other;
     std::optional<Result<std::unique_ptr<rtde::Connection>>> rival;
     doctor::Patient patient;
@@ -48,7 +48,7 @@ struct Cell {
         options.fastTransitions = true;
     }
     bool begin() {
-        robot = std::make_unique<simulator::Controller>(options);
+        robot = std::make_unique<simulator::Simulator>(options);
         if (!robot->start().ok()) {
             return false;
         }

@@ -11,7 +11,7 @@
 #include "app/action_table.h"
 #include "app/main_window.h"
 #include "resources/resources.h"
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 #include "widgets/common/state_chip.h"
 #include "widgets/common/theme.h"
 
@@ -22,7 +22,7 @@ class TestPrograms : public QObject {
 
 private:
     QTemporaryDir folder_;
-    std::unique_ptr<simulator::Controller> robot_;
+    std::unique_ptr<simulator::Simulator> robot_;
     std::unique_ptr<app::MainWindow> window_;
     QStringList errors_;
 
@@ -54,7 +54,7 @@ private:
         window_.reset();
         robot_.reset();
         errors_.clear();
-        simulator::ControllerOptions options;
+        simulator::SimulatorOptions options;
         if (software) {
             options.software = *software;
             options.portOffset = 20'000;  // port 80 is not everybody's
@@ -63,7 +63,7 @@ private:
         options.poweredOn = true;
         options.fastTransitions = true;
         options.programsFolder = folder_.path();
-        robot_ = std::make_unique<simulator::Controller>(options);
+        robot_ = std::make_unique<simulator::Simulator>(options);
         QVERIFY(robot_->start().ok());
         window_ = std::make_unique<app::MainWindow>(app::Settings(folder_.filePath("settings.ini")));
         window_->show();

@@ -99,8 +99,8 @@ struct Bench : WindowBench {
 };
 
 /// PolyScope X has no dashboard: the window finds its Robot API by itself.
-simulator::ControllerOptions polyScopeX(const SoftwareVersion& software = {10, 12, 0, 0}) {
-    simulator::ControllerOptions options = VirtualCell::options();
+simulator::SimulatorOptions polyScopeX(const SoftwareVersion& software = {10, 12, 0, 0}) {
+    simulator::SimulatorOptions options = VirtualCell::options();
     options.software = software;
     options.poweredOn = false;
     options.portOffset = 20'000;  // port 80 is not everybody's

@@ -5,14 +5,14 @@
 #include <thread>
 
 #include "robot/control/motions.h"
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 
 using namespace tiller;
 using namespace std::chrono_literals;
 
 int main(int argc, char** argv) {
     QCoreApplication application(argc, argv);  // for the sockets of the robot
-    simulator::Controller robot({.listenAddress = "127.0.0.9", .poweredOn = true, .fastTransitions = true});
+    simulator::Simulator robot({.listenAddress = "127.0.0.9", .poweredOn = true, .fastTransitions = true});
     robot.start().value();
     control::Controller controller({.host = "127.0.0.9"});
     controller.takeControl(Deadline::after(5s)).value();

@@ -3,8 +3,8 @@
 
 #include <map>
 
-#include "robot/simulator/plant.h"
-#include "robot/simulator/script_host.h"
+#include "robot/simulator/box/plant.h"
+#include "robot/simulator/host/script_host.h"
 
 namespace tiller::simulator {
 
@@ -49,7 +49,7 @@ Services::Services(Plant& plant, FaultServer::Handler faults)
 }
 
 Result<void> Services::openOne(const Entry& entry, const QHostAddress& address,
-                               const ControllerOptions& options) {
+                               const SimulatorOptions& options) {
     const Ports standard;
     const auto at = [&](int port) -> Result<void> {
         if (port < 0 || port > 65535) {
@@ -72,7 +72,7 @@ Result<void> Services::openOne(const Entry& entry, const QHostAddress& address,
                : at(kOtherWebPort + options.portOffset);
 }
 
-Result<void> Services::open(const ControllerOptions& options) {
+Result<void> Services::open(const SimulatorOptions& options) {
     const QHostAddress address(options.listenAddress);
     if (address.isNull()) {
         return Error{ErrorCode::AddressInvalid,

@@ -6,17 +6,17 @@
 
 #include <vector>
 
-#include "robot/simulator/controller.h"
-#include "robot/simulator/program_store.h"
-#include "robot/simulator/servers/dashboard_server.h"
-#include "robot/simulator/servers/fault_server.h"
-#include "robot/simulator/servers/gripper_server.h"
-#include "robot/simulator/servers/interpreter_server.h"
-#include "robot/simulator/servers/link.h"
-#include "robot/simulator/servers/primary_server.h"
-#include "robot/simulator/servers/realtime_server.h"
-#include "robot/simulator/servers/robot_api_server.h"
-#include "robot/simulator/servers/rtde_server.h"
+#include "robot/simulator/equipment/gripper_server.h"
+#include "robot/simulator/programs/program_store.h"
+#include "robot/simulator/servers/net/link.h"
+#include "robot/simulator/servers/primary/primary_server.h"
+#include "robot/simulator/servers/primary/realtime_server.h"
+#include "robot/simulator/servers/rtde/rtde_server.h"
+#include "robot/simulator/servers/service/dashboard_server.h"
+#include "robot/simulator/servers/service/fault_server.h"
+#include "robot/simulator/servers/service/interpreter_server.h"
+#include "robot/simulator/servers/service/robot_api_server.h"
+#include "robot/simulator/simulator.h"
 
 namespace tiller::simulator {
 
@@ -27,7 +27,7 @@ public:
     Services(Plant& plant, FaultServer::Handler faults);
 
     /// Opens all ports or none. Errors as Listener::open().
-    Result<void> open(const ControllerOptions& options);
+    Result<void> open(const SimulatorOptions& options);
     void close();
     Ports ports() const;
 
@@ -52,7 +52,7 @@ private:
         std::uint16_t Ports::*port;
         const char* name;
     };
-    Result<void> openOne(const Entry& entry, const QHostAddress& address, const ControllerOptions& options);
+    Result<void> openOne(const Entry& entry, const QHostAddress& address, const SimulatorOptions& options);
 
     Plant& plant_;
     Link link_;

@@ -3,7 +3,7 @@
 #include <QScopeGuard>
 
 #include "robot/ur_rtde/custom/custom_control.h"
-#include "robot/ur_rtde/waiting.h"
+#include "robot/ur_rtde/detail/waiting.h"
 
 namespace tiller::urrtde {
 

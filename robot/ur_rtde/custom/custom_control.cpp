@@ -5,8 +5,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "robot/ur_rtde/arguments.h"
-#include "robot/ur_rtde/waiting.h"
+#include "robot/ur_rtde/detail/arguments.h"
+#include "robot/ur_rtde/detail/waiting.h"
 
 namespace tiller::urrtde {
 

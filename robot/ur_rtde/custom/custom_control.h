@@ -4,8 +4,8 @@
 // Carries out the commands of RTDEControlInterface through a program of the user's, by ur_rtde's registers.
 // What ends a motion there is that program's own affair. Private to this room.
 
-#include "robot/ur_rtde/control_session.h"
 #include "robot/ur_rtde/custom/register_link.h"
+#include "robot/ur_rtde/detail/control_session.h"
 #include "robot/ur_rtde/script_client.h"
 
 #include "robot/core/turn.h"

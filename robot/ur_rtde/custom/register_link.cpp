@@ -3,7 +3,7 @@
 
 #include "robot/realtime/thread_priority.h"
 #include "robot/rtde/fields.h"
-#include "robot/ur_rtde/waiting.h"
+#include "robot/ur_rtde/detail/waiting.h"
 
 namespace tiller::urrtde {
 

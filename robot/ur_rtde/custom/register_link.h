@@ -17,7 +17,7 @@
 #include "robot/core/modes.h"
 #include "robot/core/result.h"
 #include "robot/rtde/connection.h"
-#include "robot/ur_rtde/control_backend.h"
+#include "robot/ur_rtde/detail/control_backend.h"
 
 namespace tiller::urrtde {
 

@@ -22,7 +22,7 @@
 #include "robot/receive/receiver.h"
 #include "robot/rtde/fields.h"
 #include "robot/rtde/values.h"
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 #include "tests/benchmarks/backend/report.h"
 
 namespace tiller::benchmark {
@@ -268,10 +268,10 @@ void measureCosts(Report& report) {
     }
     report.add(QStringLiteral("decodes or ticks that failed"), good ? 0 : 1, QString(), 0.0);
 
-    simulator::ControllerOptions options;
+    simulator::SimulatorOptions options;
     options.listenAddress = QStringLiteral("127.0.8.100");
     options.poweredOn = true;
-    simulator::Controller robot(options);
+    simulator::Simulator robot(options);
     if (const auto started = robot.start(); !started) {
         report.cannot(QStringLiteral("receiving"), started.error().toString());
         return;

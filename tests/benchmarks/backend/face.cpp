@@ -9,7 +9,7 @@
 
 #include "robot/core/clock.h"
 #include "robot/receive/receiver.h"
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 #include "tests/benchmarks/backend/report.h"
 
 namespace tiller::benchmark {
@@ -92,11 +92,11 @@ Spans circle(Face& face, const receive::Receiver& receiver, double seconds) {
 void measureFace(Report& report, const Wishes& wishes) {
     report.begin(QStringLiteral("the ur_rtde interface"));
     QTextStream(stderr) << "the ur_rtde interface...\n";
-    simulator::ControllerOptions options;
+    simulator::SimulatorOptions options;
     options.listenAddress = QStringLiteral("127.0.8.120");
     options.poweredOn = true;
     options.fastTransitions = true;
-    simulator::Controller robot(options);
+    simulator::Simulator robot(options);
     if (const auto started = robot.start(); !started) {
         report.cannot(QStringLiteral("the simulated controller"), started.error().toString());
         return;

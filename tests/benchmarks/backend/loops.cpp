@@ -17,7 +17,7 @@
 #include "robot/realtime/periodic_timer.h"
 #include "robot/realtime/realtime_report.h"
 #include "robot/receive/receiver.h"
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 #include "tests/benchmarks/backend/report.h"
 #include "tests/benchmarks/bare_timer.h"
 #include "tests/support/hot_threads.h"
@@ -269,11 +269,11 @@ struct Condition {
 void measure(Report& report, const Wishes& wishes, const Condition& condition, const QString& address) {
     report.begin(QString::fromLatin1(condition.name));
     QTextStream(stderr) << condition.name << "...\n";
-    simulator::ControllerOptions options;
+    simulator::SimulatorOptions options;
     options.listenAddress = address;
     options.poweredOn = true;
     options.priority = 95;
-    simulator::Controller robot(options);
+    simulator::Simulator robot(options);
     const Places stay = condition.realtime ? places() : Places();
     Result<void> started;
     std::thread starting([&] {  // what it starts stays where it is

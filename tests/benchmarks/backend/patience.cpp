@@ -118,11 +118,11 @@ void ends(Report& report) {
         std::this_thread::sleep_for(50ms);
         measure("~ServiceWorker while it asks", [&] { worker.reset(); });
     }
-    simulator::ControllerOptions options;
+    simulator::SimulatorOptions options;
     options.listenAddress = QStringLiteral("127.0.8.101");
     options.poweredOn = true;
     options.fastTransitions = true;
-    simulator::Controller robot(options);
+    simulator::Simulator robot(options);
     if (const auto started = robot.start(); !started) {
         report.cannot(QStringLiteral("ends of the ur_rtde interface"), started.error().toString());
         return;

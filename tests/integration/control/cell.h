@@ -13,7 +13,7 @@
 
 #include "robot/control/motions.h"
 #include "robot/core/clock.h"
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 
 namespace tiller::test {
 
@@ -58,7 +58,7 @@ private:
 
 class Cell {
 public:
-    explicit Cell(std::function<void(simulator::ControllerOptions&)> adjust = {},
+    explicit Cell(std::function<void(simulator::SimulatorOptions&)> adjust = {},
                   control::RegisterRange range = control::RegisterRange::Upper,
                   const control::MotionLimits& limits = {})
         : robot(robotOptions(adjust)) {
@@ -211,14 +211,14 @@ public:
     Pose tcp() const { return robot.truth().tcpPose; }
 
     CellClock clock;
-    simulator::Controller robot;
+    simulator::Simulator robot;
     std::unique_ptr<control::Controller> controller;
     std::function<void()> everyTick;
 
 private:
-    static simulator::ControllerOptions robotOptions(
-        const std::function<void(simulator::ControllerOptions&)>& adjust) {
-        simulator::ControllerOptions options;
+    static simulator::SimulatorOptions robotOptions(
+        const std::function<void(simulator::SimulatorOptions&)>& adjust) {
+        simulator::SimulatorOptions options;
         options.anyFreePorts = true;
         options.time = simulator::Time::Virtual;
         options.poweredOn = true;

@@ -352,7 +352,7 @@ const std::vector<ContractEvent>& shortPauses() {
 ContractCell::ContractCell(const simulator::Assumptions& assumptions, double slider,
                            const SoftwareVersion& software)
     : robot([&] {
-        simulator::ControllerOptions options;
+        simulator::SimulatorOptions options;
         options.software = software;
         if (software.isCb3()) {
             options.model = RobotModelId::UR5;

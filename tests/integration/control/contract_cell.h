@@ -21,7 +21,7 @@
 #include "robot/control/programs.h"
 #include "robot/core/clock.h"
 #include "robot/script/script_client.h"
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 
 namespace tiller::test {
 
@@ -107,7 +107,7 @@ struct ContractOutcome {
 class ContractCell {
 public:
     ContractCell(const simulator::Assumptions& assumptions, double slider,
-                 const SoftwareVersion& software = simulator::ControllerOptions().software);
+                 const SoftwareVersion& software = simulator::SimulatorOptions().software);
     ~ContractCell();
 
     ContractOutcome run(const ContractMotion& motion, const ContractEvent& event);
@@ -148,7 +148,7 @@ public:
     }
 
     FreezingClock clock;
-    simulator::Controller robot;
+    simulator::Simulator robot;
     std::unique_ptr<control::Controller> controller;
     control::Motion motion;
     control::Jog jog;

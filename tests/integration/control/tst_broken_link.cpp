@@ -12,7 +12,7 @@
 #include "robot/io/outputs.h"
 #include "robot/receive/receiver.h"
 #include "robot/script/program_stopper.h"
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 #include "tests/support/waiting.h"
 
 using namespace tiller;
@@ -24,8 +24,8 @@ namespace {
 
 constexpr int kBreaks = 12;
 
-simulator::ControllerOptions robotOptions() {
-    simulator::ControllerOptions options;
+simulator::SimulatorOptions robotOptions() {
+    simulator::SimulatorOptions options;
     options.anyFreePorts = true;
     options.poweredOn = true;
     options.fastTransitions = true;
@@ -71,7 +71,7 @@ private Q_SLOTS:
     }
     void everybodyLearnsOfABreak() {
         QFETCH(QString, fault);
-        simulator::Controller robot(robotOptions());
+        simulator::Simulator robot(robotOptions());
         QVERIFY(robot.start().ok());
 
         receive::ReceiverOptions receiving;

@@ -203,12 +203,12 @@ const std::map<ErrorCode, std::function<Error()>>& provocations() {
          }},
         {ErrorCode::UnsafeState,
          [] {
-             Cell cell([](simulator::ControllerOptions& o) { o.poweredOn = false; });
+             Cell cell([](simulator::SimulatorOptions& o) { o.poweredOn = false; });
              return cell.takeControl().error();
          }},
         {ErrorCode::RemoteControlRequired,
          [] {
-             Cell cell([](simulator::ControllerOptions& o) {
+             Cell cell([](simulator::SimulatorOptions& o) {
                  o.remoteControl = false;
                  o.gateLocalControl = true;
              });

@@ -193,7 +193,7 @@ private Q_SLOTS:
     void rotatingBy90DegreesLeavesTheTcpInPlace() {
         QFETCH(int, axis);
         QFETCH(double, speed);
-        Cell cell([](simulator::ControllerOptions& options) {
+        Cell cell([](simulator::SimulatorOptions& options) {
             options.startJoints =
                 JointPositions(-90 * kDeg, -80 * kDeg, -120 * kDeg, -20 * kDeg, 60 * kDeg, 0);
         });
@@ -267,9 +267,8 @@ private Q_SLOTS:
     }
 
     void aJointJogStopsBeforeTheLimitAndNamesIt() {
-        Cell cell([](simulator::ControllerOptions& options) {
-            options.startJoints[5] = kJointPositionLimit - 0.5;
-        });
+        Cell cell(
+            [](simulator::SimulatorOptions& options) { options.startJoints[5] = kJointPositionLimit - 0.5; });
         QVERIFY(cell.takeControl().ok());
         const auto jog = cell.motions().startJog(jointJog(5, 30 * kDeg));
         QVERIFY(jog.ok());

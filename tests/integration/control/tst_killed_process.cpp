@@ -77,11 +77,11 @@ private Q_SLOTS:
         QFETCH(double, fast);
         QFETCH(bool, hand);
         QFETCH(ScriptState, end);
-        simulator::ControllerOptions options;
+        simulator::SimulatorOptions options;
         options.anyFreePorts = true;
         options.poweredOn = true;
         options.startJoints = JointPositions(-1.57, -1.2, -2.3, -1.2, 1.57, 0);
-        simulator::Controller robot(options);
+        simulator::Simulator robot(options);
         QVERIFY(robot.start().ok());
         robot.changeWorld([](simulator::arm::Environment& world) { world.setConveyorSpeed(0, 1000); });
         test::ArmWatcher watcher(robot, control::ControllerOptions().registers);

@@ -429,7 +429,7 @@ private Q_SLOTS:
 
     void anOldControllerAt125HzWorksToo() {
         Cell cell(
-            [](simulator::ControllerOptions& options) {
+            [](simulator::SimulatorOptions& options) {
                 options.model = RobotModelId::UR5;
                 options.software = {3, 15, 8, 106339};
             },

@@ -86,7 +86,7 @@ class TestStopContract : public QObject {
 
     static void check(const ContractMotion& motion, const ContractEvent& event, const QString& words,
                       double slider, QStringList& problems,
-                      const SoftwareVersion& software = simulator::ControllerOptions().software) {
+                      const SoftwareVersion& software = simulator::SimulatorOptions().software) {
         // Where forces go on in a pause, and the process dies in it, nobody is left who could end them: the
         // program stands still and the PC is gone.
         if (motion.yields && event.losesBoth && words.contains(QLatin1String("pause=frees"))) {

@@ -15,10 +15,10 @@
 #include "robot/control/programs.h"
 #include "robot/control/tool_setup.h"
 #include "robot/rtde/connection.h"
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 #include "tests/support/raw_peer.h"
 #include "tests/support/rtde_peer.h"
-#include "tests/unit/script/primary_bytes.h"
+#include "tests/unit/robot/script/primary_bytes.h"
 
 using namespace tiller;
 using namespace tiller::control;
@@ -39,14 +39,14 @@ ControllerOptions to(int primary, int rtde) {
     return options;
 }
 
-simulator::ControllerOptions robotOptions() {
-    simulator::ControllerOptions options;
+simulator::SimulatorOptions robotOptions() {
+    simulator::SimulatorOptions options;
     options.anyFreePorts = true;
     options.poweredOn = true;
     return options;
 }
 
-ControllerOptions to(const simulator::Controller& robot) {
+ControllerOptions to(const simulator::Simulator& robot) {
     return to(robot.ports().primary, robot.ports().rtde);
 }
 
@@ -92,12 +92,12 @@ class TestTakeControl : public QObject {
 private Q_SLOTS:
     // One deprecated name that a controller does not know would cost the whole program.
     void namesTheControllerDoesNotKnowAreDoneWithout() {
-        simulator::ControllerOptions options = robotOptions();
+        simulator::SimulatorOptions options = robotOptions();
         for (const char* name : {"teach_mode", "servoc", "is_within_safety_limits", "set_payload_mass",
                                  "enable_external_ft_sensor"}) {
             QVERIFY(simulator::assume(options.assumptions, QString::fromLatin1(name) + "=missing").ok());
         }
-        simulator::Controller robot(options);
+        simulator::Simulator robot(options);
         QVERIFY(robot.start().ok());
         Controller controller(to(robot));
         const auto taken = controller.takeControl(soon());
@@ -127,7 +127,7 @@ private Q_SLOTS:
 #else
         const int cpu = ::sched_getcpu();
         QVERIFY(cpu >= 0);
-        simulator::Controller robot(robotOptions());
+        simulator::Simulator robot(robotOptions());
         QVERIFY(robot.start().ok());
         ControllerOptions options = to(robot);
         options.cpus = {cpu};
@@ -146,7 +146,7 @@ private Q_SLOTS:
     }
 
     void aRunningRobotIsTakenInRealTime() {
-        simulator::Controller robot(robotOptions());
+        simulator::Simulator robot(robotOptions());
         QVERIFY(robot.start().ok());
         Controller controller(to(robot));
         QCOMPARE(controller.status().loss, ControlLoss::NotTaken);
@@ -162,7 +162,7 @@ private Q_SLOTS:
     }
 
     void registersInUseAreExplainedAndTheOtherRangeWorks() {
-        simulator::Controller robot(robotOptions());
+        simulator::Simulator robot(robotOptions());
         QVERIFY(robot.start().ok());
         rtde::ConnectionOptions owner;
         owner.host = robot.listenAddress();
@@ -187,7 +187,7 @@ private Q_SLOTS:
     }
 
     void twoControllersCannotHoldTheSameRegisters() {
-        simulator::Controller robot(robotOptions());
+        simulator::Simulator robot(robotOptions());
         QVERIFY(robot.start().ok());
         Controller first(to(robot));
         QVERIFY(first.takeControl(soon()).ok());
@@ -218,9 +218,9 @@ private Q_SLOTS:
     }
 
     void anArmThatIsOffIsNotTaken() {
-        simulator::ControllerOptions options = robotOptions();
+        simulator::SimulatorOptions options = robotOptions();
         options.poweredOn = false;
-        simulator::Controller robot(options);
+        simulator::Simulator robot(options);
         QVERIFY(robot.start().ok());
         Controller controller(to(robot));
         const Error error = controller.takeControl(soon()).error();
@@ -230,10 +230,10 @@ private Q_SLOTS:
     }
 
     void aRobotInLocalSaysSo() {
-        simulator::ControllerOptions options = robotOptions();
+        simulator::SimulatorOptions options = robotOptions();
         options.remoteControl = false;
         options.gateLocalControl = true;
-        simulator::Controller robot(options);
+        simulator::Simulator robot(options);
         QVERIFY(robot.start().ok());
         Controller controller(to(robot));
         const Error error = controller.takeControl(soon()).error();
@@ -315,7 +315,7 @@ private Q_SLOTS:
     }
 
     void aControllerThatHangsUpIsALostLink() {
-        simulator::Controller robot(robotOptions());
+        simulator::Simulator robot(robotOptions());
         QVERIFY(robot.start().ok());
         Controller controller(to(robot));
         QVERIFY(controller.takeControl(soon()).ok());

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "robot/dashboard/recovery.h"
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 #include "tests/support/raw_peer.h"
 
 using namespace tiller;
@@ -17,8 +17,8 @@ Deadline patience() {
     return Deadline::after(std::chrono::seconds(60));
 }
 
-simulator::ControllerOptions polyScopeX() {
-    simulator::ControllerOptions options;
+simulator::SimulatorOptions polyScopeX() {
+    simulator::SimulatorOptions options;
     options.software = {10, 12, 0, 0};
     options.anyFreePorts = true;
     options.fastTransitions = true;
@@ -26,7 +26,7 @@ simulator::ControllerOptions polyScopeX() {
 }
 
 struct Robot {
-    explicit Robot(const simulator::ControllerOptions& options = polyScopeX()) : controller(options) {
+    explicit Robot(const simulator::SimulatorOptions& options = polyScopeX()) : controller(options) {
         const auto started = controller.start();
         if (!started) {
             qFatal("%s", qPrintable(started.error().toString()));
@@ -35,7 +35,7 @@ struct Robot {
     RobotApiClient client() const {
         return RobotApiClient(controller.listenAddress(), controller.ports().robotApi);
     }
-    simulator::Controller controller;
+    simulator::Simulator controller;
 };
 
 /// Answers each request with the next of these.

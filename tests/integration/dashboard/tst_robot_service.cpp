@@ -6,7 +6,7 @@
 #include <QTest>
 
 #include "robot/dashboard/robot_service.h"
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 #include "tests/support/raw_peer.h"
 
 using namespace tiller;
@@ -23,7 +23,7 @@ Deadline patience() {
 struct Robot {
     explicit Robot(const SoftwareVersion& software, bool poweredOn = false)
         : controller([&] {
-            simulator::ControllerOptions options;
+            simulator::SimulatorOptions options;
             options.software = software;
             options.model = software.isCb3() ? RobotModelId::UR5 : RobotModelId::UR5e;
             options.anyFreePorts = true;
@@ -59,7 +59,7 @@ struct Robot {
     Result<void> perform(RobotCommand command) { return service->perform(command, patience()); }
 
     QTemporaryDir programs;
-    simulator::Controller controller;
+    simulator::Simulator controller;
     std::unique_ptr<RobotService> service;
 };
 

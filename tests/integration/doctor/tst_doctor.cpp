@@ -20,7 +20,7 @@
 
 #include "robot/doctor/examination.h"
 #include "robot/rtde/connection.h"
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 #include "tests/support/raw_peer.h"
 #include "tests/support/rtde_peer.h"
 
@@ -98,19 +98,19 @@ class TestDoctor : public QObject {
     Q_OBJECT
 
 private:
-    std::unique_ptr<simulator::Controller> robot_;
+    std::unique_ptr<simulator::Simulator> robot_;
     Patient patient_;
     QSet<QString> usual_;  ///< what is found on a healthy robot: this PC's lack of privilege, no payload
 
-    static simulator::ControllerOptions options() {
-        simulator::ControllerOptions options;
+    static simulator::SimulatorOptions options() {
+        simulator::SimulatorOptions options;
         options.anyFreePorts = true;
         options.poweredOn = true;
         options.fastTransitions = true;
         return options;
     }
-    void begin(const simulator::ControllerOptions& wanted) {
-        robot_ = std::make_unique<simulator::Controller>(wanted);
+    void begin(const simulator::SimulatorOptions& wanted) {
+        robot_ = std::make_unique<simulator::Simulator>(wanted);
         QVERIFY(robot_->start().ok());
         const simulator::Ports ports = robot_->ports();
         patient_.host = QStringLiteral("127.0.0.1");
@@ -227,7 +227,7 @@ private Q_SLOTS:
         expectOnly("safety.stopped");
     }
     void theArmIsOff() {
-        simulator::ControllerOptions off = options();
+        simulator::SimulatorOptions off = options();
         off.poweredOn = false;
         begin(off);
         expectOnly("power.not-running", Verdict::Attention);
@@ -291,7 +291,7 @@ private Q_SLOTS:
     }
 
     void theCommandLineSaysTheSame() {
-        simulator::ControllerOptions here;
+        simulator::SimulatorOptions here;
         here.listenAddress = QStringLiteral("127.77.%1.1").arg(QCoreApplication::applicationPid() % 250);
         here.poweredOn = true;
         here.fastTransitions = true;

@@ -14,7 +14,7 @@
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/recording/csv_reader.h"
 #include "robot/simulator/arm/environment.h"
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 
 using namespace tiller;
 
@@ -28,13 +28,13 @@ struct Outcome {
 };
 
 /// A robot on an address of its own, at the standard ports.
-std::unique_ptr<simulator::Controller> robotAt(int number) {
-    simulator::ControllerOptions options;
+std::unique_ptr<simulator::Simulator> robotAt(int number) {
+    simulator::SimulatorOptions options;
     options.listenAddress =
         QStringLiteral("127.%1.%2.%3").arg(10 + getpid() % 200).arg(getpid() / 200 % 250).arg(20 + number);
     options.poweredOn = true;
     options.fastTransitions = true;
-    auto robot = std::make_unique<simulator::Controller>(options);
+    auto robot = std::make_unique<simulator::Simulator>(options);
     if (const auto started = robot->start(); !started) {
         qFatal("%s", qPrintable(started.error().toString()));
     }
@@ -42,7 +42,7 @@ std::unique_ptr<simulator::Controller> robotAt(int number) {
 }
 
 struct Cell {
-    std::vector<std::unique_ptr<simulator::Controller>> robots;
+    std::vector<std::unique_ptr<simulator::Simulator>> robots;
     simulator::Truth before;
     QTemporaryDir folder;
 
@@ -52,7 +52,7 @@ struct Cell {
         }
         before = robot().truth();
     }
-    simulator::Controller& robot(std::size_t i = 0) const { return *robots.at(i); }
+    simulator::Simulator& robot(std::size_t i = 0) const { return *robots.at(i); }
     simulator::Truth truth(std::size_t i = 0) const { return robots.at(i)->truth(); }
     double rise() const { return truth().tcpPose.position.z() - before.tcpPose.position.z(); }
 };

@@ -46,7 +46,7 @@ struct MotionSample {
 
 class RecordedRobot {
 public:
-    explicit RecordedRobot(const simulator::ControllerOptions& options = VirtualRobot::options())
+    explicit RecordedRobot(const simulator::SimulatorOptions& options = VirtualRobot::options())
         : robot(options)
         , rtde(robot.rtde())
         , script(robot.primary())

@@ -15,7 +15,7 @@
 #include "robot/recording/recorder.h"
 #include "robot/rtde/connection.h"
 #include "robot/rtde/fields.h"
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 
 using namespace tiller;
 using namespace std::chrono_literals;
@@ -37,8 +37,8 @@ bool eventually(Condition condition) {
     return true;
 }
 
-simulator::ControllerOptions standingStill(simulator::Time time = simulator::Time::Virtual) {
-    simulator::ControllerOptions options;
+simulator::SimulatorOptions standingStill(simulator::Time time = simulator::Time::Virtual) {
+    simulator::SimulatorOptions options;
     options.anyFreePorts = true;
     options.time = time;
     options.poweredOn = true;
@@ -47,7 +47,7 @@ simulator::ControllerOptions standingStill(simulator::Time time = simulator::Tim
 
 /// A simulated robot and a receiver on it that share one virtual time.
 struct Cell {
-    explicit Cell(const simulator::ControllerOptions& options = standingStill()) : robot(options) {
+    explicit Cell(const simulator::SimulatorOptions& options = standingStill()) : robot(options) {
         if (!robot.start().ok()) {
             qFatal("the simulated controller does not start");
         }
@@ -77,7 +77,7 @@ struct Cell {
     }
 
     VirtualClock clock;
-    simulator::Controller robot;
+    simulator::Simulator robot;
     std::unique_ptr<receive::Receiver> receiver;
 };
 
@@ -182,7 +182,7 @@ void TestReceiveSimulator::streamsWithoutLossAt125Hz() {
 }
 
 void TestReceiveSimulator::refusedCpusAreTold() {
-    simulator::Controller robot(standingStill(simulator::Time::Real));
+    simulator::Simulator robot(standingStill(simulator::Time::Real));
     QVERIFY(robot.start().ok());
     receive::ReceiverOptions to;
     to.host = QStringLiteral("127.0.0.1");
@@ -197,7 +197,7 @@ void TestReceiveSimulator::refusedCpusAreTold() {
 }
 
 void TestReceiveSimulator::realTimeStreamAddsUp() {
-    simulator::Controller robot(standingStill(simulator::Time::Real));
+    simulator::Simulator robot(standingStill(simulator::Time::Real));
     QVERIFY(robot.start().ok());
     receive::ReceiverOptions to;
     to.host = QStringLiteral("127.0.0.1");

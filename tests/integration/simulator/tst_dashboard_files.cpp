@@ -35,7 +35,7 @@ QByteArray gzipped(const QByteArray& content) {
 
 /// A robot ready to play wait_program.urp, which never ends.
 struct Played {
-    static simulator::ControllerOptions options(const QString& folder) {
+    static simulator::SimulatorOptions options(const QString& folder) {
         QFile file(folder + "/wait_program.urp");
         if (file.open(QIODevice::WriteOnly)) {
             file.write("def wait_program():\n  while True:\n    sleep(1)\n  end\nend\n");

@@ -52,7 +52,7 @@ struct Cell {
     QByteArray state() { return dashboard.ask("programState"); }
     quint64 outputs() const { return robot.controller.truth().digitalOutputs; }
 
-    static simulator::ControllerOptions options(const QString& programs) {
+    static simulator::SimulatorOptions options(const QString& programs) {
         auto options = VirtualRobot::options();
         options.time = simulator::Time::Real;
         options.programsFolder = programs;

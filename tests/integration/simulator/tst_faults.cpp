@@ -146,7 +146,7 @@ private Q_SLOTS:
         console.send("clear\n");
         QCOMPARE(console.line(), QByteArray("ok\n"));
         QCOMPARE(robot.dashboard().ask("robotmode"), QByteArray("Robotmode: RUNNING\n"));
-        QVERIFY(!simulator::Controller().inject("status").ok());  // one that does not run says so
+        QVERIFY(!simulator::Simulator().inject("status").ok());  // one that does not run says so
     }
 
     void aDelayHoldsEveryPackageForItsTime() {

@@ -179,7 +179,7 @@ private Q_SLOTS:
         QCOMPARE(i.ask("\nb = 1"), QByteArray("ack: 1: b = 1\n"));
     }
     void inLocalControlAGatedRobotTakesNoStatements() {
-        simulator::ControllerOptions options = VirtualRobot::options();
+        simulator::SimulatorOptions options = VirtualRobot::options();
         options.remoteControl = false;
         options.gateLocalControl = true;
         VirtualRobot robot(options);
@@ -188,7 +188,7 @@ private Q_SLOTS:
         QCOMPARE(client.line(), QByteArray("discard: the robot is in local control: a = 1\n"));
     }
     void softwareWithoutTheModeHasNoSuchPort() {
-        simulator::ControllerOptions options = VirtualRobot::options();
+        simulator::SimulatorOptions options = VirtualRobot::options();
         options.software = {5, 9, 4, 0};
         VirtualRobot robot(options);
         QVERIFY(robot.started);

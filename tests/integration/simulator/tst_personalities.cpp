@@ -7,7 +7,7 @@
 #include <QSet>
 #include <QTest>
 
-#include "robot/simulator/personality.h"
+#include "robot/simulator/box/personality.h"
 #include "tests/support/raw_client.h"
 
 using namespace tiller;
@@ -136,7 +136,7 @@ private Q_SLOTS:
         QVERIFY(!simulator::checkSoftware(RobotModelId::UR18, {10, 10, 0, 0}).ok());
         auto options = VirtualRobot::options();
         options.model = RobotModelId::UR10;
-        simulator::Controller controller(options);
+        simulator::Simulator controller(options);
         const Result<void> refused = controller.start();
         QVERIFY(!refused.ok());
         QVERIFY(refused.error().context.contains("UR10"));

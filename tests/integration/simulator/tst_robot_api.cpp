@@ -53,7 +53,7 @@ struct Web : RawClient {
     }
 };
 
-simulator::ControllerOptions polyScopeX(quint32 minor = 12) {
+simulator::SimulatorOptions polyScopeX(quint32 minor = 12) {
     auto options = VirtualRobot::options();
     options.software = {10, minor, 0, 0};
     return options;

@@ -23,7 +23,7 @@ QByteArray command(qint32 number) {
 
 /// A robot whose program reads commands in a loop without sync() and shows the last in a register.
 struct Cell {
-    explicit Cell(const simulator::ControllerOptions& options = VirtualRobot::options()) : robot(options) {
+    explicit Cell(const simulator::SimulatorOptions& options = VirtualRobot::options()) : robot(options) {
         server.listen(QHostAddress::LocalHost);
         primary.send("def p():\n  socket_open(\"127.0.0.1\", " + QByteArray::number(server.serverPort()) +
                      ")\n  while True:\n    c = socket_read_binary_integer(8, timeout=0)\n    if c[0] == 8:\n"

@@ -11,7 +11,7 @@
 #include <functional>
 #include <thread>
 
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 
 namespace tiller::test {
 
@@ -22,7 +22,7 @@ inline QString ownAddress(int number = 1) {
 
 class FaceCell {
 public:
-    explicit FaceCell(const std::function<void(simulator::ControllerOptions&)>& adjust = {})
+    explicit FaceCell(const std::function<void(simulator::SimulatorOptions&)>& adjust = {})
         : robot(optionsOf(adjust)) {
         if (const auto started = robot.start(); !started) {
             qFatal("%s", qPrintable(started.error().toString()));
@@ -62,12 +62,12 @@ public:
         return done;
     }
 
-    simulator::Controller robot;
+    simulator::Simulator robot;
 
 private:
-    static simulator::ControllerOptions optionsOf(
-        const std::function<void(simulator::ControllerOptions&)>& adjust) {
-        simulator::ControllerOptions options;
+    static simulator::SimulatorOptions optionsOf(
+        const std::function<void(simulator::SimulatorOptions&)>& adjust) {
+        simulator::SimulatorOptions options;
         options.listenAddress = ownAddress();
         options.time = simulator::Time::Virtual;
         options.poweredOn = true;

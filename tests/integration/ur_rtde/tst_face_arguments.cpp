@@ -295,8 +295,7 @@ private Q_SLOTS:
     // still, so an end that waited for it would be the end of the test too. How long they take is measured by
     // tests/benchmarks/backend_performance.
     void endsAreQuickWithARobotThatHangs() {
-        test::FaceCell hanging(
-            [](simulator::ControllerOptions& o) { o.listenAddress = test::ownAddress(2); });
+        test::FaceCell hanging([](simulator::SimulatorOptions& o) { o.listenAddress = test::ownAddress(2); });
         auto control = std::make_unique<RTDEControlInterface>(hanging.host());
         auto receive = std::make_unique<RTDEReceiveInterface>(hanging.host());
         auto io = std::make_unique<RTDEIOInterface>(hanging.host());

@@ -33,8 +33,8 @@ private:
     QTemporaryDir folder_;
 
     std::unique_ptr<test::FaceCell> cell(
-        const std::function<void(simulator::ControllerOptions&)>& adjust = {}) {
-        return std::make_unique<test::FaceCell>([&](simulator::ControllerOptions& options) {
+        const std::function<void(simulator::SimulatorOptions&)>& adjust = {}) {
+        return std::make_unique<test::FaceCell>([&](simulator::SimulatorOptions& options) {
             options.programsFolder = folder_.path();
             if (adjust) {
                 adjust(options);
@@ -97,7 +97,7 @@ private Q_SLOTS:
     }
 
     void dashboardBringsTheRobotUpAndDown() {
-        const auto robot = cell([](simulator::ControllerOptions& o) { o.poweredOn = false; });
+        const auto robot = cell([](simulator::SimulatorOptions& o) { o.poweredOn = false; });
         DashboardClient dashboard(robot->host());
         dashboard.connect();
         const auto becomes = [&](RobotMode mode) {
@@ -129,7 +129,7 @@ private Q_SLOTS:
     }
 
     void userRolesAreForCb3() {
-        const auto robot = cell([](simulator::ControllerOptions& options) {
+        const auto robot = cell([](simulator::SimulatorOptions& options) {
             options.model = RobotModelId::UR5;
             options.software = {3, 15, 8, 0};
         });
@@ -147,7 +147,7 @@ private Q_SLOTS:
 
         // An e-Series has none, and says so.
         const auto later =
-            cell([](simulator::ControllerOptions& o) { o.listenAddress = test::ownAddress(2); });
+            cell([](simulator::SimulatorOptions& o) { o.listenAddress = test::ownAddress(2); });
         DashboardClient other(later->host());
         other.connect();
         QVERIFY_EXCEPTION_THROWN(other.setUserRole(ur_rtde::UserRole::OPERATOR), std::logic_error);

@@ -108,7 +108,7 @@ private Q_SLOTS:
     void withoutASenseOfTouchNothingMoves() {
         control_.reset();
         cell_.reset();
-        cell_ = std::make_unique<test::FaceCell>([](simulator::ControllerOptions& options) {
+        cell_ = std::make_unique<test::FaceCell>([](simulator::SimulatorOptions& options) {
             options.model = RobotModelId::UR5;
             options.software = {3, 15, 8, 0};
         });

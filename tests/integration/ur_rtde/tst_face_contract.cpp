@@ -129,7 +129,7 @@ private Q_SLOTS:
         QFETCH(QByteArray, end);
         QFETCH(QString, assumption);
         const Way& moving = kWays[way];
-        test::FaceCell cell([&](simulator::ControllerOptions& options) {
+        test::FaceCell cell([&](simulator::SimulatorOptions& options) {
             options.time = isInRealTime(end, moving.name) ? simulator::Time::Real : simulator::Time::Virtual;
             options.assumptions = assumptionsOf(assumption);
             options.startJoints = JointPositions(-1.57, -1.2, -2.3, -1.2, 1.57, 0);

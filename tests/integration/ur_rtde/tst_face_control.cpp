@@ -9,7 +9,7 @@
 #include <fstream>
 #include <future>
 
-#include "robot/ur_rtde/waiting.h"
+#include "robot/ur_rtde/detail/waiting.h"
 #include "tests/support/face_control_test.h"
 
 using namespace tiller;

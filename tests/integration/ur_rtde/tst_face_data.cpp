@@ -62,17 +62,17 @@ private Q_SLOTS:
 
     // A robot that is being started again, say: the interface comes back with it.
     void aFailedReconnectDoesNotEndTheAutomaticOne() {
-        simulator::ControllerOptions options;
+        simulator::SimulatorOptions options;
         options.listenAddress = test::ownAddress(7);
         options.poweredOn = true;
-        auto robot = std::make_unique<simulator::Controller>(options);
+        auto robot = std::make_unique<simulator::Simulator>(options);
         QVERIFY(robot->start().ok());
         RTDEReceiveInterface receive(options.listenAddress.toStdString());
         QVERIFY(receive.isConnected());
         robot.reset();
         QVERIFY(!receive.reconnect());
         QVERIFY(!receive.isConnected());
-        robot = std::make_unique<simulator::Controller>(options);
+        robot = std::make_unique<simulator::Simulator>(options);
         QVERIFY(robot->start().ok());
         QTRY_VERIFY_WITH_TIMEOUT(receive.isConnected(), 30'000);
     }
@@ -139,7 +139,7 @@ private Q_SLOTS:
     }
 
     void stopsAreSeen() {
-        test::FaceCell other([](simulator::ControllerOptions& o) { o.listenAddress = test::ownAddress(2); });
+        test::FaceCell other([](simulator::SimulatorOptions& o) { o.listenAddress = test::ownAddress(2); });
         RTDEReceiveInterface receive(other.host(), 125.0, {"safety_status_bits", "runtime_state"});
         other.robot.protectiveStop();
         QVERIFY(other.until([&](const simulator::Truth&) { return receive.isProtectiveStopped(); }));

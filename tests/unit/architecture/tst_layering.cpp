@@ -45,11 +45,11 @@ const QList<Room>& rooms() {
         {"robot/python",
          {"robot/ur_rtde", "robot/core", "robot/realtime", "robot/receive", "robot/recording",
           "robot/control", "robot/io", "robot/dashboard", "robot/doctor", "robot/kinematics",
-          "robot/simulator/controller.h", "robot/simulator/personality.h"},
+          "robot/simulator/simulator.h", "robot/simulator/box/personality.h"},
          kGui},
         {"robot/examples",
          {"robot/core", "robot/receive", "robot/recording", "robot/control", "robot/io",
-          "robot/simulator/controller.h"},
+          "robot/simulator/simulator.h"},
          kGui},
         {"robot/simulator/urscript", {"robot/core", "robot/kinematics"}, kGui},
         {"robot/simulator/arm", {"robot/core", "robot/kinematics"}, kGui},
@@ -132,10 +132,10 @@ private Q_SLOTS:
         QVERIFY(receive != nullptr);
         QVERIFY(!isAllowed(*receive, "robot/control/controller.h"));
         QVERIFY(isAllowed(*receive, "robot/rtde/codec.h"));
-        QVERIFY(!isAllowed(*roomOf("robot/simulator/controller.cpp"), "robot/rtde/session.h"));
-        QVERIFY(!isAllowed(*roomOf("widgets/jog/jog_column.cpp"), "robot/simulator/controller.h"));
+        QVERIFY(!isAllowed(*roomOf("robot/simulator/simulator.cpp"), "robot/rtde/session.h"));
+        QVERIFY(!isAllowed(*roomOf("widgets/jog/jog_column.cpp"), "robot/simulator/simulator.h"));
         for (const char* outside :
-             {"widgets/session/robot_session.cpp", "app/main.cpp", "robot/ur_rtde/native_control.cpp",
+             {"widgets/session/robot_session.cpp", "app/main.cpp", "robot/ur_rtde/detail/native_control.cpp",
               "robot/python/native_control.cpp", "robot/io/outputs.cpp"}) {
             QVERIFY2(!isAllowed(*roomOf(outside), "robot/control/detail/mailbox.h"), outside);
         }

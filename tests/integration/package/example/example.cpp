@@ -11,15 +11,15 @@
 
 #include "robot/receive/receiver.h"
 #include "robot/receive/robot_state.h"
-#include "robot/simulator/controller.h"
+#include "robot/simulator/simulator.h"
 
 int main(int argc, char** argv) {
     QCoreApplication application(argc, argv);  // for the sockets of the robot
-    tiller::simulator::ControllerOptions options;
+    tiller::simulator::SimulatorOptions options;
     options.listenAddress = QStringLiteral("127.%1.%2.1").arg(10 + getpid() % 200).arg(getpid() / 200 % 250);
     options.poweredOn = true;
     options.fastTransitions = true;
-    tiller::simulator::Controller robot(options);
+    tiller::simulator::Simulator robot(options);
     if (const auto started = robot.start(); !started) {
         std::cerr << started.error().toString().toStdString() << std::endl;
         return EXIT_FAILURE;

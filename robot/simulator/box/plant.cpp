@@ -1,0 +1,439 @@
+// SPDX-License-Identifier: MIT
+#include "robot/simulator/box/plant.h"
+
+#include <QLoggingCategory>
+#include <cmath>
+#include <utility>
+
+#include "robot/simulator/host/script_host.h"
+#include "robot/simulator/programs/program_runner.h"
+
+namespace tiller::simulator {
+
+Q_LOGGING_CATEGORY(simulatorLog, "tiller.simulator")
+
+namespace {
+
+/// Stop category 1: power goes when the arm stands, at the latest after this time [s].
+constexpr double kEmergencyStopTime = 0.5;
+constexpr double kEmergencyDeceleration = 15.0;  ///< [rad/s2]
+/// In reduced mode the program is slowed to this [m/s]. What an installation sets it to is its own affair.
+constexpr double kReducedToolSpeed = 0.75;
+/// While a joint stands outside its safety limits [m/s]. Source: User Manual, "Recovery mode"
+constexpr double kRecoveryToolSpeed = 0.25;
+
+arm::ArmOptions armOptions(const SimulatorOptions& options) {
+    arm::ArmOptions arm;
+    arm.period = options.software.controlPeriod();
+    arm.seed = options.seed;
+    arm.start = options.startJoints;
+    return arm;
+}
+
+/// Numbers as the vendor's error code manual gives them; C153, C157, C158 and C159 are named in the RTDE
+/// guide too. The words are ours.
+struct StopMessage {
+    std::int32_t code;
+    const char* text;
+};
+StopMessage stopMessage(arm::StopReason reason) {
+    switch (reason) {
+        case arm::StopReason::JointPositionLimit:
+            return {150, "a joint came to the end of its range"};
+        case arm::StopReason::PoseUnreachable:
+            return {154, "the path leaves the arm's reach"};
+        case arm::StopReason::Singularity:
+            return {154, "the path runs into a singular position"};
+        case arm::StopReason::JointSpeedLimit:
+            return {153, "the path is faster than a joint can follow"};
+        case arm::StopReason::Overload:
+            return {155, "the arm cannot hold its position, check the payload"};
+        case arm::StopReason::WrongPayload:
+            return {156, "wrong payload, or something pushes the arm as freedrive begins"};
+        case arm::StopReason::TcpForceLimit:
+            return {158, "the tool touched something hard"};
+        case arm::StopReason::PathDeviation:
+            return {159, "force mode left the programmed path by more than its limits allow"};
+    }
+    return {153, ""};
+}
+
+/// A robot's real-time thread is busy for so long [ms]; the same in each run.
+double executionTime(std::uint64_t tick, bool programActive) {
+    const auto scatter = static_cast<double>(tick * 2654435761U >> 8U & 0xFFU) / 255.0;
+    return (programActive ? 0.52 : 0.45) + 0.06 * scatter;
+}
+
+arm::DriveState driveState(const PowerSystem& power) {
+    if (power.mode() == RobotMode::Running || power.mode() == RobotMode::Backdrive) {
+        return arm::DriveState::Running;
+    }
+    return power.isPowered() ? arm::DriveState::Braked : arm::DriveState::Off;
+}
+
+JointMode jointMode(const PowerSystem& power) {
+    if (!power.isPowered()) {
+        return JointMode::PowerOff;
+    }
+    switch (power.mode()) {
+        case RobotMode::Running:
+            return JointMode::Running;
+        case RobotMode::Idle:
+            return JointMode::Idle;
+        case RobotMode::Backdrive:
+            return JointMode::Backdrive;
+        case RobotMode::PowerOn:
+        case RobotMode::Booting:
+            return JointMode::Booting;
+        default:
+            return JointMode::PowerOff;
+    }
+}
+
+}  // namespace
+
+Plant::Plant(const SimulatorOptions& options)
+    : options_(options)
+    , arm_(robotModel(options.model), armOptions(options))
+    , reported_(robotModel(options.model))
+    , power_(options.poweredOn)
+    , host_(std::make_unique<ScriptHost>(*this))
+    , programs_(std::make_unique<ProgramRunner>(*this, *host_))
+    , startTime_(options.startTime)
+    , remoteControl_(options.remoteControl) {
+    if (options.fastTransitions) {
+        power_.setTimes(kFastPowerTimes);
+    }
+    if (options.bootTime > 0 || options.safetyUnconfirmed) {
+        power_.boot(options.bootTime, options.safetyUnconfirmed);
+        startTime_ = 0;
+    }
+    setCalibrationError(options.calibrationError);
+    arm_.setDriveState(driveState(power_));
+    refreshTelemetry();
+}
+
+Plant::~Plant() {
+    programs_->endAll();  // they still speak to the host, which asks this object
+}
+
+double Plant::timestamp() const {
+    return startTime_ + static_cast<double>(tick_ - startTick_) * stepTime();
+}
+
+void Plant::step() {
+    const double dt = stepTime();
+    safety_.step(dt);
+    reactToSafety();
+    stepPower();
+    stepWatchdogs();
+    host_->beginPeriod();
+    programs_->step();
+    reactToSafety();  // a script may have asked for a protective stop
+    stepArm();
+    ++tick_;
+    reactToArm();
+    refreshTelemetry();
+}
+
+void Plant::stepArm() {
+    host_->stepConveyors();
+    arm_.setExternalForce(externalSensor_ ? std::optional(externalForce_) : std::nullopt);
+    arm_.setToolSpeedLimit(safety_.mode() == SafetyMode::Recovery ? std::optional(kRecoveryToolSpeed)
+                           : safety_.isReduced()                  ? std::optional(kReducedToolSpeed)
+                                                                  : std::nullopt);
+    arm_.setSpeedFraction(speedSlider_);
+    const Assumptions& a = options_.assumptions;
+    arm_.setReadings({a.stops == Assumptions::Time::Scaled, a.programStops == Assumptions::Time::Scaled,
+                      a.speedCommands == Assumptions::SpeedCommands::Scaled,
+                      a.pause == Assumptions::Pause::Frees});
+    arm_.step();
+}
+
+void Plant::stepPower() {
+    if (safety_.mode() == SafetyMode::Violation || safety_.mode() == SafetyMode::Fault) {
+        power_.cut();
+    } else if (safety_.isEmergencyStopped() && power_.isPowered()) {
+        emergencyTime_ += stepTime();
+        const bool standing = arm_.state().isStandstill();
+        if ((standing && emergencyTime_ > 2 * stepTime()) || emergencyTime_ >= kEmergencyStopTime) {
+            power_.cut();
+        }
+    }
+    power_.step(stepTime());
+    followBoot();
+    if (driveState(power_) != arm_.driveState()) {
+        const bool pauses = safety_.isEmergencyStopped() &&
+                            options_.assumptions.emergencyStop == Assumptions::EmergencyStop::Pauses;
+        if (arm_.driveState() == arm::DriveState::Running && !pauses) {
+            programs_->stopNow();
+        }
+        arm_.setDriveState(driveState(power_));
+    }
+}
+
+void Plant::stepWatchdogs() {
+    const auto action = watchdogs_.step(stepTime());
+    if (!action) {
+        return;
+    }
+    if (*action == urscript::WatchdogAction::Stop) {
+        programs_->requestStop();
+    } else if (*action == urscript::WatchdogAction::Pause) {
+        programs_->pause();
+    }
+}
+
+void Plant::reactToSafety() {
+    const SafetyMode now = safety_.mode();
+    if (now == lastSafetyMode_) {
+        return;
+    }
+    const SafetyMode before = std::exchange(lastSafetyMode_, now);
+    publish(primary::safetyMode(timestampNs(), now));
+    switch (now) {
+        case SafetyMode::ProtectiveStop:
+            arm_.compliance().endForceMode();
+            arm_.compliance().endFreedrive();
+            programs_->haltForProtectiveStop();
+            pausedBySafeguard_ = false;
+            break;
+        case SafetyMode::SafeguardStop:
+            if (options_.assumptions.safeguard == Assumptions::Safeguard::Runs) {
+                heldBySafeguard_ = true;
+                arm_.hold();
+                break;
+            }
+            pausedBySafeguard_ = programs_->state() == RuntimeState::Playing;
+            programs_->pause();
+            break;
+        case SafetyMode::RobotEmergencyStop:
+        case SafetyMode::SystemEmergencyStop:
+            if (options_.assumptions.emergencyStop == Assumptions::EmergencyStop::Pauses) {
+                emergencyTime_ = 0;
+                pausedBySafeguard_ = false;
+                programs_->pause();
+                break;
+            }
+            [[fallthrough]];
+        case SafetyMode::Violation:
+        case SafetyMode::Fault:
+            emergencyTime_ = 0;
+            programs_->stopNow();
+            arm_.abort(kEmergencyDeceleration);
+            pausedBySafeguard_ = false;
+            break;
+        default:
+            break;
+    }
+    if (before == SafetyMode::ProtectiveStop && !safety_.isProtectiveStopped()) {
+        arm_.clearProtectiveStop();
+        if (options_.assumptions.protectiveStop == Assumptions::ProtectiveStop::Resumes &&
+            allowsMotion(now)) {
+            programs_->resume();
+        }
+    }
+    if (before == SafetyMode::SafeguardStop && std::exchange(heldBySafeguard_, false)) {
+        arm_.resume();
+    }
+    if (before == SafetyMode::SafeguardStop && allowsMotion(now) &&
+        std::exchange(pausedBySafeguard_, false) &&
+        options_.assumptions.safeguardReset == Assumptions::Reset::Resumes) {
+        programs_->resume();
+    }
+}
+
+void Plant::reactToArm() {
+    while (arm_.takeWarning()) {
+        // Shown on a pendant; no client waits for it.
+    }
+    if (arm_.protectiveStop() && !safety_.isProtectiveStopped()) {
+        const arm::ProtectiveStop& stop = *arm_.protectiveStop();
+        const StopMessage message = stopMessage(stop.reason);
+        protectiveStop({message.code, stop.joint + 1, primary::ReportLevel::Warning, message.text});
+    }
+    reactToSafety();
+    if (arm_.protectiveStop() && safety_.mode() == SafetyMode::Normal) {
+        arm_.clearProtectiveStop();
+    }
+}
+
+void Plant::powerOn() {
+    if (!safety_.blocksPower()) {
+        power_.powerOn();
+    }
+}
+
+void Plant::releaseBrakes() {
+    if (!safety_.blocksPower()) {
+        power_.releaseBrakes();
+    }
+}
+
+void Plant::losePower() {
+    programs_->stopNow();
+    power_.cut();
+}
+
+void Plant::restart(double seconds, bool safetyUnconfirmed) {
+    losePower();
+    safety_.restart();
+    arm_.clearProtectiveStop();
+    power_.boot(seconds, safetyUnconfirmed);
+    startTick_ = tick_;
+    startTime_ = 0;
+    disconnected_ = true;
+}
+
+void Plant::followBoot() {
+    // Half way through a start the RTDE service comes up anew and time begins again. Source: urcl's waiting.
+    const bool was = std::exchange(disconnected_, power_.mode() == RobotMode::Disconnected);
+    if (was && !disconnected_) {
+        startTick_ = tick_;
+        startTime_ = 0;
+        ++boots_;
+    }
+}
+
+void Plant::setBackdrive(bool active) {
+    power_.setBackdrive(active);
+    if (power_.mode() == RobotMode::Backdrive) {
+        arm_.setDriveState(driveState(power_));
+        arm_.compliance().startFreedrive();
+    } else {
+        arm_.compliance().endFreedrive();
+    }
+}
+
+void Plant::failProgram(const std::string& why) {
+    publish(primary::runtimeException(timestampNs(), static_cast<std::int32_t>(programs_->currentLine()), 1,
+                                      why));
+    programs_->stopNow();
+}
+
+void Plant::setRemoteControl(bool remote) {
+    controlEpoch_ += remote == remoteControl_ ? 0 : 1;
+    remoteControl_ = remote;
+}
+
+void Plant::setCalibrationError(double size) {
+    reported_ = arm_.model();
+    DhParameters& dh = reported_.dh;
+    for (std::size_t i = 0; i < dh.a.size(); ++i) {
+        // Any fixed pattern will do; it has to be the same each time, because clients make a hash of it.
+        const double wave = std::sin(1.0 + 2.0 * static_cast<double>(i));
+        dh.theta[i] += size * 1e-3 * wave;
+        dh.a[i] += size * 1e-3 * wave;
+        dh.d[i] -= size * 1e-3 * wave;
+        dh.alpha[i] -= size * 1e-3 * wave;
+    }
+    ++identity_;
+}
+
+void Plant::restartSafety() {
+    programs_->stopNow();
+    safety_.restart();
+    power_.cut();
+    arm_.clearProtectiveStop();
+}
+
+void Plant::protectiveStop(const primary::ErrorCode& cause) {
+    if (safety_.isProtectiveStopped()) {
+        return;
+    }
+    publish(primary::errorCode(timestampNs(), cause));
+    safety_.protectiveStop();
+    constexpr std::size_t kMostStops = 50;
+    constexpr double kWithin = 8 * 3600.0;
+    if (cause.argument < 1 || cause.argument > kJointCount) {
+        return;
+    }
+    std::deque<double>& stops = jointStops_[static_cast<std::size_t>(cause.argument - 1)];
+    stops.push_back(elapsed());
+    while (stops.front() < elapsed() - kWithin) {
+        stops.pop_front();
+    }
+    if (stops.size() >= kMostStops) {
+        stops.clear();
+        constexpr std::int32_t kTooManyStops = 163;
+        publish(primary::errorCode(timestampNs(),
+                                   {kTooManyStops, cause.argument, primary::ReportLevel::Fault, ""}));
+        safety_.fault();
+    }
+}
+
+void Plant::setSpeedSlider(double fraction) {
+    if (!std::isnan(fraction)) {
+        speedSlider_ = std::clamp(fraction, 0.0, 1.0);
+    }
+}
+
+void Plant::setFreedriveButton(bool pressed) {
+    freedriveButton_ = pressed;
+    if (!pressed) {
+        arm_.compliance().endFreedrive();
+    } else if (!programs_->isActive() && allowsMotion(safety_.mode())) {
+        arm_.compliance().startFreedrive();
+    }
+}
+
+int Plant::showPopup(const std::string& text, bool blocking) {
+    const int id = popups_.open(blocking);
+    publish(
+        primary::popup(timestampNs(), {static_cast<std::uint32_t>(id), false, false, blocking, "", text}));
+    return id;
+}
+
+void Plant::tellLog(const std::string& text) {
+    qCWarning(simulatorLog).noquote() << QString::fromStdString(text);
+    publish(primary::text(timestampNs(), text));
+}
+
+std::vector<primary::Bytes> Plant::takeOutbox() {
+    return std::exchange(outbox_, {});
+}
+
+void Plant::refreshTelemetry() {
+    Telemetry& t = telemetry_;
+    t.arm = &arm_.state();
+    t.registers = &registers_;
+    if (options_.assumptions.outputs == Assumptions::Outputs::NextPeriod) {
+        shown_ = registers_;
+        shown_.output = std::exchange(lastOutput_, registers_.output);
+        t.registers = &shown_;
+    }
+    t.pins = &pins_;
+    t.model = &reported_;
+    t.identity = identity_;
+    t.boots = boots_;
+    t.software = options_.software;
+    t.tick = tick_;
+    t.timestamp = timestamp();
+    t.executionTime = executionTime(tick_, programs_->isActive());
+    t.robotMode = power_.mode();
+    t.safetyMode = safety_.mode();
+    t.safetyStatus = safety_.status();
+    t.operationalMode = safety_.operationalMode();
+    t.safetyStatusBits = safety_.statusBits();
+    t.runtimeState = programs_->state();
+    t.programPaused = programs_->isPaused();
+    t.powered = power_.isPowered();
+    t.protectiveStopped = safety_.isProtectiveStopped();
+    t.emergencyStopped = safety_.isEmergencyStopped();
+    t.reduced = safety_.isReduced();
+    t.freedriveButton = freedriveButton_;
+    t.freedrive = arm_.compliance().isFreedrive();
+    t.forceMode = arm_.compliance().isForceMode();
+    t.jointMode = jointMode(power_);
+    t.speedSlider = speedSlider_;
+    t.speedScaling = programs_->isActive() ? t.arm->speedScaling : 0.0;
+    t.timeScaleSource = programs_->isActive() ? t.arm->scaledBy : arm::TimeScaleSource::NoProgram;
+    t.scriptLine = programs_->currentLine();
+    t.encoders = {host_->encoders().raw(0), host_->encoders().raw(1)};
+    t.tcpOffset = arm_.tcp();
+    t.payload = arm_.payload();
+    t.gravity = arm_.gravity();
+    t.tcpForce = externalSensor_ ? externalForce_ : t.arm->tcpForce;
+}
+
+}  // namespace tiller::simulator

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "robot/simulator/control_box.h"
+
+#include <QAbstractEventDispatcher>
+
+#include "robot/simulator/faults.h"
+#include "robot/simulator/programs/program_runner.h"
+
+namespace tiller::simulator {
+
+ControlBox::ControlBox(const SimulatorOptions& options)
+    : plant(options)
+    , services(plant, [this](std::string_view line) { return answerFaultLine(*this, line); }) {}
+
+void ControlBox::service() {
+    // Accepts connections and moves the scripts' sockets on.
+    if (auto* dispatcher = QAbstractEventDispatcher::instance()) {
+        dispatcher->processEvents(QEventLoop::AllEvents);
+    }
+    services.faults().service();  // also of a mute controller, or nobody could end its silence
+    if (!silent) {
+        services.service();
+    }
+    if (plant.isShutDown()) {
+        services.close();
+    }
+}
+
+void ControlBox::tick() {
+    services.rtde().beginPeriod();
+    service();
+    plant.step();
+    if (plant.telemetry().boots != boots_) {
+        boots_ = plant.telemetry().boots;
+        services.closeClients();
+    }
+    if (!silent) {
+        services.publish();
+    }
+}
+
+void ControlBox::setRemoteControl(bool remote) {
+    if (plant.isRemoteControl() == remote) {
+        return;
+    }
+    plant.setRemoteControl(remote);
+    if (!remote && plant.assumptions().remoteToLocal == Assumptions::RemoteToLocal::Ends) {
+        plant.programs().requestStop();
+    }
+    if (plant.options().gateLocalControl && !remote && !plant.options().software.isCb3()) {
+        services.closeScriptClients();
+    }
+}
+
+}  // namespace tiller::simulator

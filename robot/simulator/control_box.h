@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What the simulator's thread owns: the robot, its services and how they come round.
+
+#include "robot/simulator/box/plant.h"
+#include "robot/simulator/servers/services.h"
+#include "robot/simulator/simulator.h"
+
+namespace tiller::simulator {
+
+/// Threads  the simulator's.
+struct ControlBox {
+    explicit ControlBox(const SimulatorOptions& options);
+
+    /// Takes connections, reads and answers; no time passes.
+    void service();
+    /// One control period.
+    void tick();
+    void setRemoteControl(bool remote);
+
+    Plant plant;
+    Services services;
+    bool silent = false;  ///< nothing is read or sent, connections stay
+
+private:
+    std::uint64_t boots_ = 0;
+};
+
+}  // namespace tiller::simulator

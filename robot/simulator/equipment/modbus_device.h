@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A Modbus device and the controller's signals of it. One small device answers at every address: discrete
+// inputs, coils, input registers and registers, all 0 at first; inputs change when somebody injects a fault.
+// Signals are updated as often as their frequency says; one that is not answered for longer than its watchdog
+// is an error to the program that asks for it. Source: URScript manual, modbus functions.
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "robot/core/result.h"
+#include "robot/simulator/box/terminal_rules.h"
+#include "robot/simulator/urscript/host.h"
+
+namespace tiller::simulator {
+
+/// Threads  the simulator's.
+class ModbusDevice {
+public:
+    using Kind = urscript::ModbusSignal::Kind;
+
+    // What programs do, see urscript::ModbusHost.
+    Result<void> add(const urscript::ModbusSignal& signal);
+    void remove(std::string_view name);
+    Result<urscript::ModbusStatus> status(std::string_view name) const;
+    Result<std::int32_t> error(std::string_view name, urscript::ModbusErrorSource source) const;
+    Result<double> invalidTime(std::string_view name) const;
+    Result<void> setOutput(std::string_view name, bool digital, std::span<const std::int32_t> values);
+    Result<void> setFrequency(std::string_view name, double hertz);
+    Result<void> setWatchdog(std::string_view name, double seconds);
+    Result<void> setFreedrive(std::string_view name, bool freedrive);
+    Result<void> setRunState(std::string_view name, RunState state);
+    void command(int function, std::span<const std::uint8_t> data);
+    bool isConnected() const { return connected_; }
+
+    // What happens to the device.
+    /// Values from that address on; those beyond 65535 are not there.
+    void write(Kind kind, int address, std::span<const std::int32_t> values);
+    /// What a signal reads, by its name.
+    Result<void> writeSignal(std::string_view name, std::span<const std::int32_t> values);
+    /// The device's answer to that signal from now on: 0 none, 1 illegal function, 2 illegal address, 3
+    /// illegal value, 4 failure, 6 busy...
+    Result<void> setDeviceError(std::string_view name, int code);
+    void setConnected(bool connected) { connected_ = connected; }
+
+    void step(double dt);
+    /// A program has begun or ended.
+    void programChanged(bool running);
+    /// Some input that acts as a freedrive button is high.
+    bool freedriveWanted() const;
+
+private:
+    struct Signal {
+        urscript::ModbusSignal what;
+        std::vector<std::int32_t> values;  ///< last read
+        std::vector<std::int32_t> wanted;  ///< not yet written; empty: nothing
+        double period = 0.1;               ///< [s]; 0: when somebody asks
+        double untilUpdate = 0;            ///< [s]
+        double invalidFor = 0;             ///< [s] since it was last answered
+        double watchdog = 2;               ///< [s]
+        int deviceError = 0;
+        bool freedrive = false;
+        RunState runState = RunState::Keep;
+    };
+    static constexpr std::int32_t kDisconnected = -2;
+
+    Signal* find(std::string_view name);
+    const Signal* find(std::string_view name) const;
+    bool isAnswered(const Signal& signal) const { return connected_ && signal.deviceError == 0; }
+    void update(Signal& signal);
+    std::int32_t read(Kind kind, int address) const;
+
+    std::array<std::map<int, std::int32_t>, 4> memory_;  ///< by kind and address; what is not there is 0
+    std::map<std::string, Signal, std::less<>> signals_;
+    bool connected_ = true;
+};
+
+}  // namespace tiller::simulator

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+//
+// The motion part of ScriptHost: URScript's commands in the arm's words.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "robot/kinematics/arm_kinematics.h"
+#include "robot/simulator/box/plant.h"
+#include "robot/simulator/host/script_host.h"
+
+namespace tiller::simulator {
+
+namespace {
+
+using urscript::Move;
+
+/// optimovej and optimovel take fractions of what the arm can do.
+constexpr double kOptimoveJointAcceleration = 10.0;  ///< [rad/s2] at 1
+constexpr double kOptimoveToolSpeed = 1.0;           ///< [m/s] at 1
+constexpr double kOptimoveToolAcceleration = 2.5;    ///< [m/s2] at 1
+
+/// Freedrive does not begin while more than this acts on the tool that the payload does not explain [N]. The
+/// controller's own threshold is not published.
+constexpr double kUnexplainedInFreedrive = 50.0;
+
+/// How long a stop waits for the arm to come to rest [s]. Not published; a client of others takes moves that
+/// end in a stop and are over sooner than this for failed.
+constexpr double kSettling = 0.04;
+
+Error refusal(arm::MotionError error, int joint) {
+    std::string text;
+    switch (error) {
+        case arm::MotionError::InvalidArgument:
+            text = "motion command with a value out of range";
+            break;
+        case arm::MotionError::JointTargetOutOfRange:
+            text = "target outside the range of joint " + std::to_string(joint);
+            break;
+        case arm::MotionError::NoInverseKinematics:
+            text = "no inverse kinematics solution for the target pose";
+            break;
+        case arm::MotionError::NotOperational:
+            text = "the arm cannot move in this mode";
+            break;
+        case arm::MotionError::Busy:
+            text = "a blended move is still waiting";
+            break;
+        case arm::MotionError::None:
+            break;
+    }
+    return urscript::scriptError(std::move(text));
+}
+
+/// Starts each kind of command on the arm's motion generator.
+struct Starter {
+    arm::Arm& arm;
+
+    arm::MotionStart operator()(const Move& move) const {
+        const arm::MoveParameters given{move.acceleration, move.velocity, move.duration, move.blend};
+        arm::Motion& motion = arm.motion();
+        switch (move.kind) {
+            case Move::Kind::J:
+                return motion.moveJ(move.target, given);
+            case Move::Kind::L:
+                return motion.moveL(move.target, given);
+            case Move::Kind::P:
+                return motion.moveP(move.target, given);
+            case Move::Kind::C:
+                return motion.moveC(move.via.value_or(move.target), move.target, given,
+                                    move.orientationMode == 1 ? arm::ArcOrientation::FixedToArc
+                                                              : arm::ArcOrientation::Interpolated);
+            case Move::Kind::OptimoveJ: {
+                const double fastest =
+                    *std::min_element(arm.model().maxJointSpeed.begin(), arm.model().maxJointSpeed.end());
+                return motion.moveJ(move.target, {move.acceleration * kOptimoveJointAcceleration,
+                                                  move.velocity * fastest, 0, move.blend});
+            }
+            case Move::Kind::OptimoveL:
+                return motion.moveL(move.target, {move.acceleration * kOptimoveToolAcceleration,
+                                                  move.velocity * kOptimoveToolSpeed, 0, move.blend});
+        }
+        return {0, arm::MotionError::InvalidArgument, -1};
+    }
+    arm::MotionStart operator()(const urscript::ServoJ& servo) const {
+        return arm.motion().servoJ(servo.q, servo.duration, servo.lookahead, servo.gain);
+    }
+    arm::MotionStart operator()(const urscript::ServoC& servo) const {
+        const Pose target =
+            std::holds_alternative<Pose>(servo.target)
+                ? std::get<Pose>(servo.target)
+                : kinematics::forwardTcp(arm.model().dh, std::get<JointPositions>(servo.target), arm.tcp());
+        return arm.motion().servoC(target, servo.acceleration, servo.velocity, servo.blend);
+    }
+    arm::MotionStart operator()(const urscript::SpeedJ& speed) const {
+        return arm.motion().speedJ(speed.qd, speed.acceleration, speed.duration);
+    }
+    arm::MotionStart operator()(const urscript::SpeedL& speed) const {
+        return arm.motion().speedL(speed.xd, speed.acceleration, speed.duration, speed.rotationAcceleration);
+    }
+    arm::MotionStart operator()(const urscript::StopJ& stop) const {
+        return arm.motion().stopJ(stop.deceleration);
+    }
+    arm::MotionStart operator()(const urscript::StopL& stop) const {
+        return arm.motion().stopL(stop.deceleration, stop.rotationDeceleration);
+    }
+    arm::MotionStart operator()(const urscript::DirectTorque& torque) const {
+        const Vector6 all = Vector6::Constant(torque.frictionCompensation ? 1.0 : 0.0);
+        return arm.motion().directTorque(torque.torque, torque.viscous.value_or(all),
+                                         torque.coulomb.value_or(all));
+    }
+    // The command does not say which of the two it ends; a conveyor goes first.
+    arm::MotionStart operator()(const urscript::StopSuperposition& stop) const {
+        return arm.superposition().tracksConveyor() ? arm.endConveyorTracking(stop.deceleration)
+                                                    : arm.endPathOffset(stop.deceleration);
+    }
+};
+
+}  // namespace
+
+Result<void> ScriptHost::startMotion(urscript::ThreadId thread, const urscript::MotionCommand& command) {
+    const arm::MotionStart start = std::visit(Starter{plant_.arm()}, command);
+    if (!start.ok()) {
+        return refusal(start.error, start.joint);
+    }
+    const bool stop =
+        std::holds_alternative<urscript::StopJ>(command) || std::holds_alternative<urscript::StopL>(command);
+    motions_[thread] = {start.id, stop, 0};
+    return {};
+}
+
+// What the target has ended, the arm has not: a stop waits a little for it, unless it stands already.
+bool ScriptHost::comesToRest(Motion& motion) const {
+    const bool waits = plant_.assumptions().stopReturns == Assumptions::StopReturns::Standing;
+    if (waits && motion.settles && state().standstillTime < kSettling && motion.settled < kSettling) {
+        motion.settled += stepTime();
+        return false;
+    }
+    return true;
+}
+
+Result<bool> ScriptHost::motionFinished(urscript::ThreadId thread) {
+    const auto it = motions_.find(thread);
+    if (it == motions_.end()) {
+        return true;
+    }
+    switch (plant_.arm().motion().progress(it->second.id)) {
+        case arm::MotionProgress::Running:
+            return false;
+        case arm::MotionProgress::Failed:
+            // The program is about to be paused; it may go on behind the move once it is resumed.
+            return !plant_.safety().isProtectiveStopped() && !plant_.arm().protectiveStop();
+        case arm::MotionProgress::Returned:
+            if (!comesToRest(it->second)) {
+                return false;
+            }
+            break;
+        case arm::MotionProgress::Superseded:
+            break;
+    }
+    motions_.erase(it);
+    return true;
+}
+
+void ScriptHost::motionAbandoned(urscript::ThreadId thread) {
+    if (motions_.erase(thread) > 0) {
+        plant_.arm().motion().abandon();
+    }
+}
+
+Result<void> ScriptHost::begunForces(const arm::ForceModeParameters& parameters) {
+    if (plant_.arm().superposition().active()) {
+        return urscript::scriptError("force mode and path offset or conveyor tracking exclude each other");
+    }
+    const arm::MotionError error = plant_.arm().compliance().startForceMode(parameters);
+    return error == arm::MotionError::None ? Result<void>() : Result<void>(refusal(error, -1));
+}
+
+Result<void> ScriptHost::forceMode(const urscript::ForceMode& mode) {
+    return begunForces({mode.taskFrame, mode.compliant, mode.wrench, mode.type, mode.limits});
+}
+
+// Force mode along the tool's z axis; the other axes follow the program.
+Result<void> ScriptHost::screwDriving(double force, double speedLimit) {
+    arm::ForceModeParameters parameters;
+    parameters.compliant[2] = true;
+    parameters.wrench.force.z() = force;
+    parameters.limits[2] = std::abs(speedLimit);
+    parameters.followTool = true;
+    return begunForces(parameters);
+}
+
+Result<void> ScriptHost::endScrewDriving() {
+    plant_.arm().compliance().endForceMode();
+    return {};
+}
+
+void ScriptHost::endForceMode() {
+    plant_.arm().compliance().endForceMode();
+}
+
+Result<void> ScriptHost::setForceModeDamping(double damping) {
+    plant_.arm().compliance().setDamping(damping);
+    return {};
+}
+
+double ScriptHost::forceModeDamping() const {
+    return plant_.arm().compliance().damping();
+}
+
+Result<void> ScriptHost::setForceModeGainScaling(double scaling) {
+    if (plant_.options().software.isCb3()) {
+        return urscript::scriptError("force_mode_set_gain_scaling: not on this series of controllers");
+    }
+    plant_.arm().compliance().setGainScaling(scaling);
+    return {};
+}
+
+double ScriptHost::forceModeGainScaling() const {
+    return plant_.arm().compliance().gainScaling();
+}
+
+Result<void> ScriptHost::freedrive(const urscript::Freedrive& mode) {
+    arm::Arm& arm = plant_.arm();
+    if (arm.superposition().active()) {
+        return urscript::scriptError("freedrive and path offset or conveyor tracking exclude each other");
+    }
+    if (mode.checkPayload && !arm.compliance().isFreedrive() &&
+        arm.unexplainedForce() > kUnexplainedInFreedrive) {
+        arm.raiseProtectiveStop(arm::StopReason::WrongPayload);
+        return {};
+    }
+    const arm::FreedriveParameters parameters{mode.freeAxes, mode.feature, mode.tool};
+    const arm::MotionError error = plant_.arm().compliance().startFreedrive(parameters);
+    return error == arm::MotionError::None ? Result<void>() : Result<void>(refusal(error, -1));
+}
+
+void ScriptHost::endFreedrive() {
+    plant_.arm().compliance().endFreedrive();
+}
+
+int ScriptHost::freedriveStatus() const {
+    return plant_.arm().compliance().freedriveStatus();
+}
+
+Result<void> ScriptHost::setJointPositions(const JointPositions& q) {
+    plant_.arm().setJointPositions(q);
+    return {};
+}
+
+// Only wrist 3 of the smallest arms turns without end, and only whole turns are forgotten.
+Result<void> ScriptHost::resetRevolutionCounter(const JointPositions& qNear) {
+    constexpr double kTurn = 2 * std::numbers::pi;
+    arm::Arm& arm = plant_.arm();
+    const RobotModelId id = arm.model().id;
+    if (id == RobotModelId::UR3 || id == RobotModelId::UR3e) {
+        JointPositions q = arm.state().targetQ;
+        const double turns = std::round((q[5] - qNear[5]) / kTurn);
+        if (turns != 0) {
+            q[5] -= turns * kTurn;
+            arm.setJointPositions(q);
+        }
+    }
+    return {};
+}
+
+}  // namespace tiller::simulator

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+//
+// The part of ScriptHost that lays something over the path: offsets, conveyors and their encoders.
+
+#include <cmath>
+#include <numbers>
+
+#include "robot/simulator/box/plant.h"
+#include "robot/simulator/host/script_host.h"
+
+namespace tiller::simulator {
+
+namespace {
+
+Result<void> mayTrack(arm::Arm& arm, double ticks) {
+    if (!(std::abs(ticks) > 0)) {
+        return urscript::scriptError("conveyor tracking: the ticks of the way must not be 0");
+    }
+    if (arm.compliance().isForceMode() || arm.compliance().isFreedrive()) {
+        return urscript::scriptError("conveyor tracking: not while force mode or freedrive is active");
+    }
+    return {};
+}
+
+}  // namespace
+
+void ScriptHost::stepConveyors() {
+    arm::Arm& arm = plant_.arm();
+    encoders_.step(plant_.pins().digitalInputs, arm.environment().conveyorSpeeds(), plant_.stepTime());
+    arm.superposition().setTravel(encoders_.travel(trackedEncoder_));
+}
+
+Result<void> ScriptHost::enablePathOffset() {
+    const arm::Compliance& compliance = plant_.arm().compliance();
+    if (compliance.isForceMode() || compliance.isFreedrive()) {
+        return urscript::scriptError("path_offset_enable: not while force mode or freedrive is active");
+    }
+    plant_.arm().superposition().enableOffset();
+    return {};
+}
+
+Result<void> ScriptHost::setPathOffset(const Pose& offset, int type) {
+    if (!offset.allFinite()) {
+        return urscript::scriptError("path_offset_set: the offset must be finite numbers");
+    }
+    plant_.arm().superposition().setOffset(offset, static_cast<arm::OffsetFrame>(type));
+    return {};
+}
+
+Result<Pose> ScriptHost::pathOffset(int type) const {
+    return plant_.arm().superposition().offset(static_cast<arm::OffsetFrame>(type));
+}
+
+Result<void> ScriptHost::setPathOffsetFilter(double alpha) {
+    if (alpha < 0 || alpha > 1) {
+        return urscript::scriptError("path_offset_set_alpha_filter: alpha must be from 0 to 1");
+    }
+    plant_.arm().superposition().setFilter(alpha);
+    return {};
+}
+
+Result<void> ScriptHost::setPathOffsetLimits(double translation, double rotation) {
+    if (translation < 0 || rotation < 0) {
+        return urscript::scriptError("path_offset_set_max_offset: limits must not be negative");
+    }
+    plant_.arm().superposition().setLimits(translation, rotation);
+    return {};
+}
+
+Result<void> ScriptHost::trackConveyorLinear(const Pose& direction, double ticksPerMeter, int encoder) {
+    arm::Arm& arm = plant_.arm();
+    if (Result<void> may = mayTrack(arm, ticksPerMeter); !may) {
+        return may;
+    }
+    const double length = direction.position.norm();
+    if (!(length > 1e-9) || !std::isfinite(length)) {
+        return urscript::scriptError("track_conveyor_linear: the direction has no length");
+    }
+    trackedEncoder_ = encoder;
+    arm.superposition().setTravel(encoders_.travel(encoder));
+    arm.superposition().trackLinear(direction.position / (length * ticksPerMeter));
+    return {};
+}
+
+Result<void> ScriptHost::trackConveyorCircular(const Pose& center, double ticksPerRevolution, bool rotateTool,
+                                               int encoder) {
+    arm::Arm& arm = plant_.arm();
+    if (Result<void> may = mayTrack(arm, ticksPerRevolution); !may) {
+        return may;
+    }
+    if (!center.allFinite()) {
+        return urscript::scriptError("track_conveyor_circular: the centre must be finite numbers");
+    }
+    trackedEncoder_ = encoder;
+    arm.superposition().setTravel(encoders_.travel(encoder));
+    arm.superposition().trackCircular(center, 2 * std::numbers::pi / ticksPerRevolution, rotateTool);
+    return {};
+}
+
+Result<double> ScriptHost::encoderTicks(int encoder) const {
+    return encoders_.ticks(encoder);
+}
+
+Result<void> ScriptHost::setEncoderTicks(int encoder, double ticks) {
+    encoders_.set(encoder, ticks);
+    return {};
+}
+
+Result<void> ScriptHost::enableEncoder(int encoder, int decoder, int inputA, int inputB) {
+    encoders_.enablePulses(encoder, decoder, inputA, inputB);
+    return {};
+}
+
+Result<void> ScriptHost::setEncoderRange(int encoder, int rangeId) {
+    encoders_.enableCount(encoder, rangeId);
+    return {};
+}
+
+}  // namespace tiller::simulator

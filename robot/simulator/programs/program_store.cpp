@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "robot/simulator/programs/program_store.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QStringList>
+#include <algorithm>
+
+#include "robot/simulator/programs/urp_file.h"
+
+namespace tiller::simulator {
+
+namespace {
+
+constexpr qint64 kLargestProgram = 16 << 20;
+/// Where a robot and the vendor's simulator keep their programs: clients name them in full.
+constexpr const char* kProgramRoots[] = {"/ursim/programs/", "/programs/"};
+
+std::optional<QByteArray> contentOf(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly) || file.size() > kLargestProgram) {
+        return std::nullopt;
+    }
+    return file.readAll();
+}
+
+/// The application's part (frames, functions, threads) and the program's make one program.
+std::optional<std::string> scriptOfUrpx(const QJsonObject& root) {
+    const auto part = [&root](const char* which) {
+        return root.value(QLatin1String(which))
+            .toObject()
+            .value(QLatin1String("urscript"))
+            .toObject()
+            .value(QLatin1String("script"));
+    };
+    const QJsonValue program = part("program");
+    if (program.isString()) {
+        return "def program():\n" + part("application").toString().toStdString() + '\n' +
+               program.toString().toStdString() + "\nend\n";
+    }
+    const QJsonValue script = root.value(QLatin1String("script"));
+    return script.isString() ? std::optional(script.toString().toStdString()) : std::nullopt;
+}
+
+Error notThere(const QString& name) {
+    return {ErrorCode::FileNotReadable,
+            QStringLiteral("there is no file '%1' in the programs folder").arg(name),
+            {}};
+}
+
+}  // namespace
+
+/// Whether a file that exists is in the folder, all links followed.
+bool ProgramStore::isWithin(const QString& path) const {
+    const QString root = QDir(folder_).canonicalPath();
+    const QString real = QFileInfo(path).canonicalFilePath();
+    return !root.isEmpty() && !real.isEmpty() &&
+           (real == root || real.startsWith(root.endsWith('/') ? root : root + '/'));
+}
+
+std::optional<QString> ProgramStore::find(const QString& name) const {
+    if (folder_.isEmpty() || name.isEmpty() || name.contains(QChar(0))) {
+        return std::nullopt;
+    }
+    const QString folder = QDir(folder_).absolutePath() + '/';
+    QStringList candidates;
+    for (const char* const root : kProgramRoots) {
+        if (name.startsWith(QLatin1String(root))) {
+            candidates << folder + name.mid(QLatin1String(root).size());
+        }
+    }
+    // A full path stays one; whether it leads into the folder is seen where it ends.
+    candidates << (QDir::isAbsolutePath(name) ? name : folder + name);
+    const auto found = std::ranges::find_if(
+        candidates, [this](const QString& path) { return QFileInfo(path).isFile() && isWithin(path); });
+    return found == candidates.end() ? std::nullopt : std::optional(*found);
+}
+
+/// What a client or a program names.
+std::optional<QByteArray> ProgramStore::read(const QString& name) const {
+    const std::optional<QString> path = find(name);
+    return path ? contentOf(*path) : std::nullopt;
+}
+
+/// What was found before: on this disk, where `/programs/` may be a folder like any other.
+std::optional<QByteArray> ProgramStore::readPath(const QString& path) const {
+    return isWithin(path) ? contentOf(path) : std::nullopt;
+}
+
+Result<std::string> ProgramStore::scriptOf(const QString& path) const {
+    const std::optional<QByteArray> content = readPath(path);
+    if (!content) {
+        return notThere(path);
+    }
+    const QFileInfo file(path);
+    const bool urpx = file.suffix() == QLatin1String("urpx");
+    const bool urp = isUrpFile(*content);
+    if (!urp && !urpx) {
+        return content->toStdString();
+    }
+    const QString scriptName = file.completeBaseName() + QStringLiteral(".script");
+    if (const auto beside = readPath(file.dir().filePath(scriptName))) {
+        return beside->toStdString();
+    }
+    if (urp) {
+        return scriptOfUrp(*content, file.completeBaseName(),
+                           [this](const QString& name) { return read(name); });
+    }
+    QJsonParseError damage{};
+    const QJsonDocument document = QJsonDocument::fromJson(*content, &damage);
+    if (const std::optional<std::string> script = scriptOfUrpx(document.object())) {
+        return *script;
+    }
+    return Error{ErrorCode::FileCorrupt,
+                 damage.error == QJsonParseError::NoError
+                     ? QStringLiteral("there is no URScript within, and no .script file beside it")
+                     : QStringLiteral("no JSON: %1").arg(damage.errorString()),
+                 {}};
+}
+
+Result<void> ProgramStore::load(const QString& name) {
+    const std::optional<QString> path = find(name);
+    if (!path) {
+        return notThere(name);
+    }
+    if (const Result<std::string> text = scriptOf(*path); !text) {
+        return Error{ErrorCode::FileCorrupt, text.error().context, {}};
+    }
+    path_ = *path;
+    name_ = QFileInfo(*path).fileName().toStdString();
+    return {};
+}
+
+Result<void> ProgramStore::loadInstallation(const QString& name) {
+    const std::optional<QString> path = find(name);
+    if (!path) {
+        return name == QLatin1String("default.installation") ? Result<void>() : notThere(name);
+    }
+    if (!contentOf(*path)) {
+        return Error{ErrorCode::FileCorrupt, QStringLiteral("'%1' cannot be read").arg(name), {}};
+    }
+    installation_ = name;
+    return {};
+}
+
+ScriptProvider ProgramStore::scriptProvider() const {
+    const std::optional<QByteArray> content = read(installation_);
+    return content ? scriptProviderOf(*content).value_or(ScriptProvider()) : ScriptProvider();
+}
+
+Result<std::string> ProgramStore::script() const {
+    Result<std::string> text = isLoaded() ? scriptOf(path_) : Result<std::string>(notThere(QString()));
+    if (text && !text->ends_with('\n')) {
+        *text += '\n';
+    }
+    return text;
+}
+
+bool ProgramStore::saveBelow(const QString& directory, const QString& bareName,
+                             const QByteArray& content) const {
+    if (folder_.isEmpty() || directory.isEmpty()) {
+        return false;
+    }
+    const QDir path(QDir(folder_).filePath(directory));
+    if (!isWithin(path.path()) || !path.exists()) {
+        return false;
+    }
+    const QFileInfo target(path.filePath(bareName));
+    if (target.isSymLink()) {
+        return false;
+    }
+    QFile file(target.filePath());
+    return file.open(QIODevice::WriteOnly) && file.write(content) == content.size();
+}
+
+std::vector<QString> ProgramStore::list(const QString& ending) const {
+    std::vector<QString> names;
+    if (!folder_.isEmpty()) {
+        for (const QString& name :
+             QDir(folder_).entryList({QStringLiteral("*") + ending}, QDir::Files, QDir::Name)) {
+            if (!pathOf(name).isEmpty()) {
+                names.push_back(name);
+            }
+        }
+    }
+    return names;
+}
+
+QString ProgramStore::pathOf(const QString& bareName) const {
+    const bool bare = !bareName.isEmpty() && !bareName.contains('/') && !bareName.contains('\\') &&
+                      !bareName.contains(QChar(0)) && !bareName.startsWith('.');
+    if (!bare || folder_.isEmpty()) {
+        return {};
+    }
+    const QFileInfo file(QDir(folder_).filePath(bareName));
+    // A link that leads nowhere would be written through.
+    const bool free = !file.exists() && !file.isSymLink();
+    return free || isWithin(file.filePath()) ? file.filePath() : QString();
+}
+
+bool ProgramStore::save(const QString& bareName, const QByteArray& content) {
+    if (folder_.isEmpty()) {
+        own_ = std::make_unique<QTemporaryDir>();
+        folder_ = own_->path();
+    }
+    const QString path = pathOf(bareName);
+    QFile file(path);
+    return !path.isEmpty() && file.open(QIODevice::WriteOnly) && file.write(content) == content.size();
+}
+
+}  // namespace tiller::simulator

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A service that is spoken to in lines of text. What a client sends in one piece is answered in one piece:
+// there are clients that ask for several things at once and read once.
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "robot/simulator/servers/net/server.h"
+
+namespace tiller::simulator {
+
+class LineServer : public Server {
+public:
+    void service() final;
+    void closeClients() final { clients_.clear(); }
+
+protected:
+    struct Answer {
+        std::string text;  ///< with its newline, where there is one
+        bool closes = false;
+    };
+    /// tag  a number of the service's choice, given to each connection when it is made
+    virtual std::uint64_t tagOfNewClient() { return 0; }
+    virtual std::string greeting() { return {}; }
+    /// line  without its end
+    virtual Answer answer(std::string_view line, std::uint64_t tag) = 0;
+    /// What has come so far of a line: an answer to it takes it as it stands, and no end is waited for.
+    virtual std::optional<Answer> answerUnfinished(std::string_view) { return std::nullopt; }
+
+private:
+    struct Client {
+        Client(native_socket::Descriptor descriptor, std::uint64_t given)
+            : peer(descriptor, 64 * 1024), tag(given) {}
+        Peer peer;
+        std::uint64_t tag;
+        std::string line;
+        bool answeredUnfinished = false;  ///< the end of that line may come still
+    };
+    void read(Client& client);
+
+    std::vector<std::unique_ptr<Client>> clients_;
+};
+
+}  // namespace tiller::simulator

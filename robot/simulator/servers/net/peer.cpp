@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "robot/simulator/servers/net/peer.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include "robot/simulator/servers/net/link.h"
+
+namespace tiller::simulator {
+
+namespace {
+/// What a pulled cable lets a system's own socket buffer take before it is full [bytes].
+constexpr std::size_t kSystemBuffer = 256 * 1024;
+/// The longest delay at the highest rate fits into this [bytes].
+constexpr std::size_t kMostOnTheWay = 16 * 1024 * 1024;
+/// More segments than this wait: splitting them one by one would never catch up.
+constexpr std::size_t kMostSplitWaiting = 64;
+/// The second piece of a split comes in the next control period, however often the loop goes round in this
+/// one.
+constexpr double kMoment = 1e-6;
+}  // namespace
+
+Peer::Peer(native_socket::Descriptor descriptor, std::size_t backlog)
+    : descriptor_(descriptor), backlog_(backlog) {}
+
+Peer::~Peer() {
+    close();
+}
+
+bool Peer::isPlain() const {
+    return link_ == nullptr || link_->isPlain();
+}
+
+void Peer::close() {
+    if (open_) {
+        open_ = false;
+        if (link_ == nullptr || !link_->bury(descriptor_)) {
+            native_socket::close(descriptor_);
+        }
+    }
+}
+
+// ---- from the client ------------------------------------------------------------------------------------
+
+std::size_t Peer::receive(std::span<std::uint8_t> into) {
+    if (!open_ || into.empty()) {
+        return 0;
+    }
+    return isPlain() && arriving_.empty() && !ended_ ? receiveNow(into) : receiveThroughCable(into);
+}
+
+std::size_t Peer::receiveNow(std::span<std::uint8_t> into) {
+    const native_socket::Transfer got = native_socket::receive(descriptor_, into);
+    switch (got.status) {
+        case native_socket::Status::Ok:
+            return got.bytes;
+        case native_socket::Status::WouldBlock:
+            return 0;
+        case native_socket::Status::Closed:
+        case native_socket::Status::Failed:
+            close();
+            return 0;
+    }
+    return 0;
+}
+
+std::size_t Peer::receiveThroughCable(std::span<std::uint8_t> into) {
+    if (link_->isLost()) {
+        return 0;
+    }
+    std::array<std::uint8_t, 16 * 1024> buffer;
+    const native_socket::Transfer got = ended_ ? native_socket::Transfer{native_socket::Status::WouldBlock, 0}
+                                               : native_socket::receive(descriptor_, buffer);
+    if (got.status == native_socket::Status::Ok) {
+        const double due = std::max(link_->arrival(), arriving_.empty() ? 0.0 : arriving_.back().due);
+        arriving_.push_back({due, {buffer.begin(), buffer.begin() + static_cast<long>(got.bytes)}});
+    } else if (got.status != native_socket::Status::WouldBlock) {
+        ended_ = true;
+    }
+    if (arriving_.empty()) {
+        if (ended_) {
+            close();
+        }
+        return 0;
+    }
+    Segment& first = arriving_.front();
+    if (first.due > link_->now()) {
+        return 0;
+    }
+    const std::size_t count = std::min(into.size(), first.bytes.size() - first.gone);
+    std::memcpy(into.data(), first.bytes.data() + first.gone, count);
+    first.gone += count;
+    if (first.gone == first.bytes.size()) {
+        arriving_.pop_front();
+    }
+    return count;
+}
+
+// ---- to the client --------------------------------------------------------------------------------------
+
+std::size_t Peer::sendNow(std::span<const std::uint8_t> bytes) {
+    std::size_t done = 0;
+    while (open_ && done < bytes.size()) {
+        const native_socket::Transfer moved = native_socket::send(descriptor_, bytes.subspan(done));
+        if (moved.status == native_socket::Status::Ok) {
+            done += moved.bytes;
+        } else if (moved.status == native_socket::Status::WouldBlock) {
+            break;
+        } else {
+            close();
+        }
+    }
+    return done;
+}
+
+void Peer::put(std::span<const std::uint8_t> bytes) {
+    const std::size_t gone = pending() > 0 ? 0 : sendNow(bytes);
+    if (pending() == 0) {
+        out_.clear();
+        sent_ = 0;
+    }
+    out_.insert(out_.end(), bytes.begin() + static_cast<std::ptrdiff_t>(gone), bytes.end());
+}
+
+bool Peer::send(std::span<const std::uint8_t> bytes) {
+    if (!open_ || closing_) {
+        return true;  // there is nobody to be told
+    }
+    flush();
+    if (!isPlain() || !held_.empty()) {
+        return hold(bytes);
+    }
+    if (pending() > 0 && pending() + bytes.size() > backlog_) {
+        return false;
+    }
+    put(bytes);
+    return true;
+}
+
+bool Peer::send(std::string_view text) {
+    return send({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+bool Peer::hold(std::span<const std::uint8_t> bytes) {
+    const std::size_t most = link_->isLost() ? backlog_ + kSystemBuffer : kMostOnTheWay;
+    if (pending() > backlog_ || heldBytes_ + bytes.size() > most) {
+        return false;
+    }
+    const double due = std::max(link_->departure(), held_.empty() ? 0.0 : held_.back().due);
+    held_.push_back({due, {bytes.begin(), bytes.end()}});
+    heldBytes_ += bytes.size();
+    return true;
+}
+
+void Peer::releaseHeld() {
+    if (link_->isLost()) {
+        return;
+    }
+    const std::size_t splitAt = held_.size() > kMostSplitWaiting ? 0 : link_->conditions().splitAt;
+    while (!held_.empty() && held_.front().due <= link_->now()) {
+        Segment& first = held_.front();
+        const std::size_t left = first.bytes.size() - first.gone;
+        const bool breaks = splitAt > 0 && first.gone == 0 && left > splitAt;
+        const std::size_t count = breaks ? splitAt : left;
+        put(std::span(first.bytes).subspan(first.gone, count));
+        first.gone += count;
+        heldBytes_ -= count;
+        if (breaks) {
+            first.due = link_->now() + kMoment;
+            return;
+        }
+        held_.pop_front();
+    }
+}
+
+void Peer::flush() {
+    if (!open_) {
+        return;
+    }
+    if (link_ != nullptr && link_->isLost()) {
+        return;
+    }
+    if (pending() > 0) {
+        sent_ += sendNow(std::span(out_).subspan(sent_));
+    }
+    if (pending() == 0) {
+        out_.clear();
+        sent_ = 0;
+    }
+    if (!held_.empty()) {
+        releaseHeld();
+    }
+    if (closing_ && pending() == 0 && held_.empty()) {
+        close();
+    }
+}
+
+void Peer::closeAfterFlush() {
+    closing_ = true;
+    flush();
+}
+
+}  // namespace tiller::simulator

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What every service of the controller has in common: one port, any number of clients, and two moments: being
+// read, whenever the loop comes round, and being written to after a control period.
+
+#include <QHostAddress>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "robot/core/result.h"
+#include "robot/simulator/servers/net/link.h"
+#include "robot/simulator/servers/net/listener.h"
+#include "robot/simulator/servers/net/peer.h"
+
+namespace tiller::simulator {
+
+/// Threads  the simulator's, open() included.
+class Server {
+public:
+    virtual ~Server() = default;
+
+    /// The cable its clients are connected by.
+    void setLink(Link* link) { link_ = link; }
+    Result<void> open(const QHostAddress& address, std::uint16_t port, const char* name) {
+        return listener_.open(address, port, name);
+    }
+    void close() {
+        listener_.close();
+        closeClients();
+    }
+    std::uint16_t port() const { return listener_.serverPort(); }
+
+    /// Takes new clients, reads all and answers.
+    virtual void service() = 0;
+    /// Sends what a control period brought.
+    virtual void publish() {}
+    virtual void closeClients() = 0;
+
+protected:
+    std::vector<native_socket::Descriptor> takeAccepted() { return listener_.takeAccepted(); }
+    /// For a new client's peer: attach(link()).
+    Link* link() const { return link_; }
+
+private:
+    Link* link_ = nullptr;
+    Listener listener_;
+};
+
+/// Removes the clients whose connection is over. leaving  is told each of them first.
+template <class Client, class Leaving>
+void removeClosed(std::vector<std::unique_ptr<Client>>& clients, Leaving leaving) {
+    std::erase_if(clients, [&leaving](const std::unique_ptr<Client>& client) {
+        if (client->peer.isOpen()) {
+            return false;
+        }
+        leaving(*client);
+        return true;
+    });
+}
+
+}  // namespace tiller::simulator

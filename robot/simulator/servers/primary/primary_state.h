@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The ten-a-second RobotState package of the primary and secondary interfaces.
+// Source: client interface manual; sizes and order as recorded from the vendor's simulator.
+
+#include <cstdint>
+#include <vector>
+
+#include "robot/simulator/box/telemetry.h"
+
+namespace tiller::simulator::primary {
+
+/// first  with KinematicsInfo and ConfigurationData, which a client gets once
+std::vector<std::uint8_t> robotState(const Telemetry& now, bool first);
+
+}  // namespace tiller::simulator::primary

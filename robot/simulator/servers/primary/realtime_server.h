@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The realtime service, port 30003 and its read-only twin 30013: one record every control period, scripts the
+// other way. A client that never reads keeps its connection and misses records.
+
+#include "robot/simulator/servers/net/server.h"
+#include "robot/simulator/servers/service/script_intake.h"
+
+namespace tiller::simulator {
+
+class RealtimeServer final : public Server {
+public:
+    RealtimeServer(Plant& plant, bool acceptsScripts);
+
+    void service() override;
+    void publish() override;
+    void closeClients() override { clients_.clear(); }
+
+private:
+    struct Client {
+        Client(native_socket::Descriptor descriptor, bool mayWrite)
+            : peer(descriptor, 8 * 1024), intake(mayWrite) {}
+        Peer peer;
+        ScriptIntake intake;
+    };
+
+    Plant& plant_;
+    bool acceptsScripts_;
+    std::vector<std::unique_ptr<Client>> clients_;
+    std::vector<std::uint8_t> record_;
+};
+
+}  // namespace tiller::simulator

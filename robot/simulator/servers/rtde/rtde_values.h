@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Where the value of each RTDE output field comes from. Real values throughout; what this robot has no
+// equipment for (Euromap, conveyor encoders) reads as an unconnected one.
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "robot/rtde/codec.h"
+#include "robot/rtde/fields.h"
+#include "robot/rtde/values.h"
+#include "robot/simulator/box/telemetry.h"
+
+namespace tiller::simulator {
+
+/// Reads one field.
+struct FieldSource {
+    using Read = void (*)(const Telemetry& now, std::size_t number, double* into);
+    Read read = nullptr;
+    std::size_t number = 0;  ///< of a register
+    std::size_t components = 1;
+};
+
+/// Nothing when this catalogue entry has no source; every output field has one (a test checks that).
+std::optional<FieldSource> fieldSource(const rtde::Field& field);
+
+/// The fields of one output recipe.
+class OutputRecipe {
+public:
+    /// Of fields that exist on this software; answers() tells which of the names do.
+    OutputRecipe(const std::vector<std::string>& names, const SoftwareVersion& software);
+
+    /// In the order of the names.
+    const std::vector<rtde::FieldAnswer>& answers() const { return answers_; }
+    /// There is at least one name and each was found.
+    bool isValid() const { return valid_; }
+    /// Writes a whole data package; recipeId as in rtde::writeDataPackage.
+    rtde::ByteView write(const Telemetry& now, std::optional<std::uint8_t> recipeId);
+
+private:
+    std::vector<rtde::FieldAnswer> answers_;
+    std::vector<FieldSource> sources_;
+    rtde::ValueLayout layout_;
+    std::vector<double> values_;
+    rtde::Bytes package_;
+    bool valid_ = false;
+};
+
+}  // namespace tiller::simulator

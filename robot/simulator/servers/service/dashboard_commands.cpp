@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: MIT
+#include "robot/simulator/servers/service/dashboard_commands.h"
+
+#include <QDateTime>
+#include <algorithm>
+#include <cctype>
+
+#include "robot/simulator/box/personality.h"
+#include "robot/simulator/box/plant.h"
+#include "robot/simulator/programs/program_runner.h"
+#include "robot/simulator/programs/program_store.h"
+#include "robot/simulator/servers/service/support_file.h"
+
+namespace tiller::simulator {
+
+namespace {
+
+using C = DashboardCommands;
+constexpr SoftwareVersion kNever{99, 0, 0, 0};
+
+constexpr const char* kRefusedInLocal =
+    "Command is not allowed due to safety reasons, please switch robot to Remote Control mode and reconnect "
+    "to port 29999";
+
+char lower(char c) {
+    return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+}
+
+bool startsWithIgnoringCase(std::string_view text, std::string_view start) {
+    return text.size() >= start.size() && std::equal(start.begin(), start.end(), text.begin(),
+                                                     [](char a, char b) { return lower(a) == lower(b); });
+}
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view kBlank = " \t\r";
+    const std::size_t first = text.find_first_not_of(kBlank);
+    if (first == std::string_view::npos) {
+        return {};
+    }
+    return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
+}
+
+std::string upper(std::string text) {
+    for (char& c : text) {
+        c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    }
+    return text;
+}
+
+}  // namespace
+
+// Longer words first where one begins like another.
+const DashboardCommands::Command DashboardCommands::kCommands[] = {
+    {"load installation", &C::loadInstallation, true, true, {3, 2, 0, 0}, {}},
+    {"load", &C::load, true, true, {}, {}},
+    {"play", &C::play, false, true, {}, {}},
+    {"stop", &C::stop, false, true, {}, {}},
+    {"pause", &C::pause, false, true, {}, {}},
+    {"running", &C::running, false, false, {}, {}},
+    {"programState", &C::programState, false, false, {}, {}},
+    {"get loaded program", &C::loadedProgram, false, false, {}, {}},
+    {"isProgramSaved", &C::isProgramSaved, false, false, {}, {}},
+    {"robotmode", &C::robotMode, false, false, {}, {}},
+    {"power on", &C::powerOn, false, true, {}, {}},
+    {"power off", &C::powerOff, false, true, {}, {}},
+    {"brake release", &C::brakeRelease, false, true, {}, {}},
+    {"unlock protective stop", &C::unlockProtectiveStop, false, true, {3, 1, 0, 0}, {}},
+    {"close safety popup", &C::closeSafetyPopup, false, true, {3, 1, 0, 0}, {}},
+    {"restart safety", &C::restartSafety, false, true, {3, 7, 0, 0}, {5, 1, 0, 0}},
+    {"safetymode", &C::safetyMode, false, false, {}, {}},
+    {"safetystatus", &C::safetyStatus, false, false, {3, 11, 0, 0}, {5, 4, 0, 0}},
+    {"shutdown", &C::shutdown, false, true, {}, {}},
+    {"quit", &C::quit, false, false, {}, {}},
+    {"popup", &C::popup, true, false, {}, {}},
+    {"close popup", &C::closePopup, false, false, {}, {}},
+    {"addToLog", &C::addToLog, true, false, {}, {}},
+    {"saveLog", &C::saveLog, false, false, {3, 13, 0, 0}, {5, 8, 0, 0}},
+    {"setUserRole", &C::setUserRole, true, false, {3, 1, 0, 0}, kNever},
+    {"getUserRole", &C::getUserRole, false, false, {3, 1, 0, 0}, kNever},
+    {"PolyscopeVersion", &C::polyscopeVersion, false, false, {}, {}},
+    {"version", &C::version, false, false, kNever, {}},
+    {"get serial number", &C::serialNumber, false, false, {3, 12, 0, 0}, {5, 6, 0, 0}},
+    {"get robot model", &C::robotModel, false, false, {3, 12, 0, 0}, {5, 6, 0, 0}},
+    {"is in remote control", &C::isInRemoteControl, false, false, kNever, {5, 6, 0, 0}},
+    {"set operational mode", &C::setOperationalMode, true, false, kNever, {}},
+    {"get operational mode", &C::getOperationalMode, false, false, kNever, {5, 6, 0, 0}},
+    {"clear operational mode", &C::clearOperationalMode, false, false, kNever, {}},
+    {"generate flight report", &C::flightReport, true, false, {3, 13, 0, 0}, {5, 8, 0, 0}},
+    {"generate support file", &C::supportFile, true, false, {3, 13, 0, 0}, {5, 8, 0, 0}},
+};
+
+DashboardCommands::Rights DashboardCommands::rightsOfNewClient() const {
+    // One that was made in local control never gets any.
+    return plant_.isRemoteControl() ? plant_.controlEpoch() + 1 : 0;
+}
+
+bool DashboardCommands::mayControl(Rights rights) const {
+    // Clients on the controller itself are exempt; with a simulator on this machine that is everybody, unless
+    // the option says otherwise.
+    const SimulatorOptions& options = plant_.options();
+    const bool loopback = options.listenAddress.startsWith(QLatin1String("127."));
+    const bool gated = options.gateLocalControl && (!loopback || options.gateLoopbackClients);
+    return !gated || options.software.isCb3() || rights == plant_.controlEpoch() + 1;
+}
+
+bool DashboardCommands::isKnown(const Command& command) const {
+    const SoftwareVersion& software = plant_.options().software;
+    return software >= (software.isCb3() ? command.cb3 : command.eSeries);
+}
+
+const DashboardCommands::Command* DashboardCommands::find(std::string_view line,
+                                                          std::string& argument) const {
+    for (const Command& command : kCommands) {
+        if (!startsWithIgnoringCase(line, command.words) || !isKnown(command)) {
+            continue;
+        }
+        const std::string_view rest = line.substr(command.words.size());
+        if (rest.empty() || (command.takesArgument && rest.front() == ' ')) {
+            argument = trimmed(rest);
+            return &command;
+        }
+    }
+    return nullptr;
+}
+
+DashboardCommands::Reply DashboardCommands::run(std::string_view line, Rights rights) {
+    line = trimmed(line);
+    std::string argument;
+    const Command* command = find(line, argument);
+    if (command == nullptr) {
+        return {"could not understand: '" + std::string(line) + "'"};
+    }
+    if (command->controls && !mayControl(rights)) {
+        return {kRefusedInLocal};
+    }
+    const bool closes = command->handler == &C::quit || command->handler == &C::shutdown;
+    return {(this->*command->handler)(argument), closes};
+}
+
+// ---- program --------------------------------------------------------------------------------------------
+
+namespace {
+/// Some send file names in quotes.
+QString unquoted(const std::string& name) {
+    const bool quoted = name.size() >= 2 && name.front() == '"' && name.back() == '"';
+    return QString::fromStdString(quoted ? name.substr(1, name.size() - 2) : name);
+}
+}  // namespace
+
+std::string DashboardCommands::load(const std::string& name) {
+    if (const Result<void> loaded = store_.load(unquoted(name)); !loaded) {
+        const Error error = loaded.error();
+        if (error.code == ErrorCode::FileNotReadable) {
+            return "File not found: " + name;
+        }
+        plant_.tellLog("Error while loading program: " + name + ": " + error.context.toStdString());
+        return "Error while loading program: " + name;
+    }
+    // The reply means "loaded": what ran before has ended by then.
+    plant_.programs().stopNow();
+    return "Loading program: " + name;
+}
+
+std::string DashboardCommands::loadInstallation(const std::string& name) {
+    if (const Result<void> loaded = store_.loadInstallation(unquoted(name)); !loaded) {
+        if (loaded.error().code == ErrorCode::FileNotReadable) {
+            return "File not found: " + name;
+        }
+        plant_.tellLog("Failed to load installation: " + name + ": " + loaded.error().context.toStdString());
+        return "Failed to load installation: " + name;
+    }
+    plant_.programs().stopNow();
+    plant_.power().powerOff();
+    return "Loading installation: " + name;
+}
+
+std::string DashboardCommands::play(const std::string&) {
+    constexpr const char* kFailed = "Failed to execute: play";
+    ProgramRunner& programs = plant_.programs();
+    if (plant_.power().mode() != RobotMode::Running || !allowsMotion(plant_.safety().mode()) ||
+        plant_.popups().anyBlocking()) {
+        return kFailed;
+    }
+    if (programs.isPaused() || programs.state() == RuntimeState::Pausing) {
+        programs.resume();
+        return "Starting program";
+    }
+    if (programs.state() == RuntimeState::Stopping || programs.isStopRequested()) {
+        programs.stopNow();  // "stop" has been answered: "play" may follow at once
+    }
+    if (!store_.isLoaded() || programs.isActive()) {
+        return kFailed;
+    }
+    const Result<std::string> text = store_.script();
+    if (!text) {
+        plant_.tellLog("Error while loading program: " + store_.name() + ": " +
+                       text.error().context.toStdString());
+        return kFailed;
+    }
+    if (text->find(kControlNode) != std::string::npos) {
+        programs.submitControlled(*text, store_.scriptProvider());
+        return "Starting program";
+    }
+    return programs.submitText(*text) ? "Starting program" : kFailed;
+}
+
+std::string DashboardCommands::stop(const std::string&) {
+    // Positive also when nothing runs: clients that stop a program which has just ended by itself rely on it.
+    plant_.programs().requestStop();
+    return "Stopped";
+}
+
+std::string DashboardCommands::pause(const std::string&) {
+    if (plant_.programs().state() != RuntimeState::Playing) {
+        return "Failed to execute: pause";
+    }
+    plant_.programs().pause();
+    return "Pausing program";
+}
+
+std::string DashboardCommands::running(const std::string&) {
+    const bool running = plant_.programs().isActive() && !plant_.programs().isPaused();
+    return running ? "Program running: true" : "Program running: false";
+}
+
+std::string DashboardCommands::programState(const std::string&) {
+    if (!store_.isLoaded()) {
+        // A name always follows: there are clients that wait for one, and none that minds.
+        return "STOPPED <unnamed>";
+    }
+    const ProgramRunner& programs = plant_.programs();
+    // Scripts sent over a socket are not what this command is about.
+    const char* state = !programs.isFileProgram() ? "STOPPED" : programs.isPaused() ? "PAUSED" : "PLAYING";
+    return state + (" " + store_.name());
+}
+
+std::string DashboardCommands::loadedProgram(const std::string&) {
+    return store_.isLoaded() ? "Loaded program: " + store_.path().toStdString() : "No program loaded";
+}
+
+std::string DashboardCommands::isProgramSaved(const std::string&) {
+    return "true " + (store_.isLoaded() ? store_.name() : std::string("<unnamed>"));
+}
+
+// ---- power and safety -----------------------------------------------------------------------------------
+
+std::string DashboardCommands::robotMode(const std::string&) {
+    return "Robotmode: " + robotModeName(plant_.power().mode()).toStdString();
+}
+
+std::string DashboardCommands::powerOn(const std::string&) {
+    plant_.powerOn();
+    return "Powering on";
+}
+
+std::string DashboardCommands::powerOff(const std::string&) {
+    plant_.power().powerOff();
+    return "Powering off";
+}
+
+std::string DashboardCommands::brakeRelease(const std::string&) {
+    plant_.releaseBrakes();
+    return "Brake releasing";
+}
+
+std::string DashboardCommands::unlockProtectiveStop(const std::string&) {
+    return plant_.safety().unlockProtectiveStop(true) ? "Protective stop releasing"
+                                                      : "Cannot unlock protective stop until 5s after "
+                                                        "occurrence. Always inspect cause of protective "
+                                                        "stop before unlocking";
+}
+
+std::string DashboardCommands::closeSafetyPopup(const std::string&) {
+    return "closing safety popup";
+}
+
+std::string DashboardCommands::restartSafety(const std::string&) {
+    plant_.restartSafety();
+    return "Restarting safety";
+}
+
+std::string DashboardCommands::safetyMode(const std::string&) {
+    return "Safetymode: " + safetyModeName(plant_.safety().mode()).toStdString();
+}
+
+std::string DashboardCommands::safetyStatus(const std::string&) {
+    return "Safetystatus: " + safetyModeName(plant_.safety().status()).toStdString();
+}
+
+std::string DashboardCommands::shutdown(const std::string&) {
+    plant_.shutDown();
+    return "Shutting down";
+}
+
+std::string DashboardCommands::quit(const std::string&) {
+    return "Disconnected";
+}
+
+// ---- user interface -------------------------------------------------------------------------------------
+
+std::string DashboardCommands::popup(const std::string& text) {
+    plant_.showPopup(text, false);
+    return "showing popup";
+}
+
+std::string DashboardCommands::closePopup(const std::string&) {
+    plant_.popups().closeNewest();
+    return "closing popup";
+}
+
+std::string DashboardCommands::addToLog(const std::string& text) {
+    if (text.empty()) {
+        return "No log message to add";
+    }
+    constexpr std::size_t kMostMessages = 10'000;
+    if (log_.size() >= kMostMessages) {
+        log_.pop_front();
+    }
+    log_.push_back(std::to_string(plant_.timestamp()) + ' ' + text);
+    return "Added log message";
+}
+
+std::string DashboardCommands::saveLog(const std::string&) {
+    QByteArray content;
+    for (const std::string& message : log_) {
+        content += QByteArray::fromStdString(message) + '\n';
+    }
+    return store_.save(QStringLiteral("log_history.txt"), content) ? "Log saved to disk"
+                                                                   : "Error: the log cannot be written";
+}
+
+std::string DashboardCommands::setUserRole(const std::string& role) {
+    static constexpr std::string_view kRoles[] = {"PROGRAMMER", "OPERATOR", "NONE", "LOCKED", "RESTRICTED"};
+    const std::string wanted = upper(role);
+    if (std::find(std::begin(kRoles), std::end(kRoles), wanted) == std::end(kRoles)) {
+        return "Failed setting user role: " + role;
+    }
+    userRole_ = wanted;
+    return "Setting user role: " + role;
+}
+
+std::string DashboardCommands::getUserRole(const std::string&) {
+    return userRole_;
+}
+
+// ---- identity -------------------------------------------------------------------------------------------
+
+std::string DashboardCommands::polyscopeVersion(const std::string&) {
+    const SoftwareVersion& software = plant_.options().software;
+    return "URSoftware " + versionText(software) + " (" + releaseDate(software) + ')';
+}
+
+std::string DashboardCommands::version(const std::string&) {
+    return versionText(plant_.options().software);
+}
+
+std::string DashboardCommands::serialNumber(const std::string&) {
+    return plant_.options().serialNumber.toStdString();
+}
+
+std::string DashboardCommands::robotModel(const std::string&) {
+    return plant_.arm().model().dashboardName;
+}
+
+std::string DashboardCommands::isInRemoteControl(const std::string&) {
+    return plant_.isRemoteControl() ? "true" : "false";
+}
+
+std::string DashboardCommands::setOperationalMode(const std::string& mode) {
+    const std::string wanted = upper(mode);
+    if (wanted != "MANUAL" && wanted != "AUTOMATIC") {
+        return "Failed setting operational mode: " + mode;
+    }
+    plant_.safety().setOperationalMode(wanted == "MANUAL" ? OperationalMode::Manual
+                                                          : OperationalMode::Automatic);
+    return "Operational mode " + wanted + " is set";
+}
+
+std::string DashboardCommands::getOperationalMode(const std::string&) {
+    switch (plant_.safety().operationalMode()) {
+        case OperationalMode::Manual:
+            return "MANUAL";
+        case OperationalMode::Automatic:
+            return "AUTOMATIC";
+        case OperationalMode::None:
+            break;
+    }
+    return "NONE";
+}
+
+std::string DashboardCommands::clearOperationalMode(const std::string&) {
+    plant_.safety().setOperationalMode(OperationalMode::None);
+    return "No longer controlling the operational mode. Current operational mode: NONE";
+}
+
+std::string DashboardCommands::flightReport(const std::string& type) {
+    const std::string wanted = upper(type);
+    if (!wanted.empty() && wanted != "CONTROLLER" && wanted != "SOFTWARE" && wanted != "SYSTEM") {
+        return "Error: unknown flight report type: " + type;
+    }
+    // A controller takes up to minutes for one; two shortly after each other are both made. Source: urcl
+    // tests.
+    return "Flight Report generated with id:" + std::to_string(++flightReports_);
+}
+
+std::string DashboardCommands::supportFile(const std::string& directory) {
+    const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HH-mm-ss"));
+    const QString name = QStringLiteral("ur_%1_%2.zip").arg(plant_.options().serialNumber, stamp);
+    const std::string about = "model " + std::string(plant_.arm().model().name) + "\nserial " +
+                              plant_.options().serialNumber.toStdString() + "\nsoftware " +
+                              versionText(plant_.options().software) + "\nmode " +
+                              robotModeName(plant_.power().mode()).toStdString() + "\nsafety " +
+                              safetyModeName(plant_.safety().mode()).toStdString() + '\n';
+    if (!store_.saveBelow(unquoted(directory), name,
+                          zipOf("support.txt", QByteArray::fromStdString(about)))) {
+        return "Error: invalid target location: " + directory;
+    }
+    return "Completed successfully:" + name.toStdString();
+}
+
+}  // namespace tiller::simulator

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The dashboard service, port 29999: one line in, one line out. Source: Dashboard Server guide.
+
+#include "robot/simulator/servers/net/line_server.h"
+#include "robot/simulator/servers/service/dashboard_commands.h"
+
+namespace tiller::simulator {
+
+class DashboardServer final : public LineServer {
+public:
+    DashboardServer(Plant& plant, ProgramStore& store) : commands_(plant, store) {}
+
+protected:
+    std::uint64_t tagOfNewClient() override { return commands_.rightsOfNewClient(); }
+    std::string greeting() override { return "Connected: Universal Robots Dashboard Server\n"; }
+    Answer answer(std::string_view line, std::uint64_t rights) override {
+        DashboardCommands::Reply reply = commands_.run(line, rights);
+        return {std::move(reply.line) + '\n', reply.closes};
+    }
+
+private:
+    DashboardCommands commands_;
+};
+
+}  // namespace tiller::simulator

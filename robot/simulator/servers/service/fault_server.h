@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The port of faults on demand, 29990: lines as faults.h describes, one answer each. No real robot has it.
+
+#include <functional>
+
+#include "robot/simulator/servers/net/line_server.h"
+
+namespace tiller::simulator {
+
+class FaultServer final : public LineServer {
+public:
+    /// Answers a line, newline included.
+    using Handler = std::function<std::string(std::string_view)>;
+    explicit FaultServer(Handler handler) : handler_(std::move(handler)) {}
+
+protected:
+    Answer answer(std::string_view line, std::uint64_t) override { return {handler_(line)}; }
+
+private:
+    Handler handler_;
+};
+
+}  // namespace tiller::simulator

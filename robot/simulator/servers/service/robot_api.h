@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The Robot API of PolyScope X: what each method on each path does and answers. Source: the vendor's Robot
+// API documentation and its client library's tests.
+
+#include <QJsonObject>
+#include <string>
+#include <string_view>
+
+#include "robot/simulator/servers/net/http_message.h"
+
+namespace tiller::simulator {
+
+class Plant;
+class ProgramStore;
+
+/// Threads  the simulator's.
+class RobotApi {
+public:
+    RobotApi(Plant& plant, ProgramStore& store) : plant_(plant), store_(store) {}
+
+    /// What takes its time is answered when it is done: see HttpResponse::due.
+    HttpResponse run(const HttpRequest& request);
+
+private:
+    using Handler = HttpResponse (RobotApi::*)(const HttpRequest& request, const std::string& rest);
+    struct Route {
+        std::string_view method;
+        std::string_view path;  ///< behind the base; ending with '*': whatever follows is handed over
+        Handler handler;
+        bool changes = false;   ///< refused in local control
+        bool since1012 = true;  ///< 10.12, else 10.11
+        bool until1012 = false;
+    };
+    static const Route kRoutes[];
+    bool exists(const Route& route) const;
+
+    HttpResponse openApi(const HttpRequest&, const std::string&);
+    HttpResponse docs(const HttpRequest&, const std::string&);
+    HttpResponse putRobotState(const HttpRequest& request, const std::string&);
+    HttpResponse robotMode(const HttpRequest&, const std::string&);
+    HttpResponse safetyMode(const HttpRequest&, const std::string&);
+    HttpResponse controlMode(const HttpRequest&, const std::string&);
+    HttpResponse operationalMode(const HttpRequest&, const std::string&);
+    HttpResponse putLoad(const HttpRequest& request, const std::string&);
+    HttpResponse putLoaded(const HttpRequest& request, const std::string&);
+    HttpResponse loaded(const HttpRequest&, const std::string&);
+    HttpResponse putProgramState(const HttpRequest& request, const std::string&);
+    HttpResponse programState(const HttpRequest&, const std::string&);
+    HttpResponse programs(const HttpRequest&, const std::string&);
+    HttpResponse program(const HttpRequest&, const std::string& name);
+    HttpResponse postProgram(const HttpRequest& request, const std::string&);
+    HttpResponse putProgram(const HttpRequest& request, const std::string&);
+
+    HttpResponse loadProgram(const QJsonObject& body, const char* key);
+    HttpResponse play(bool resuming);
+    HttpResponse store(const HttpRequest& request, bool mustExist);
+    QString loadedName() const;
+    const char* stateName() const;
+
+    Plant& plant_;
+    ProgramStore& store_;
+};
+
+}  // namespace tiller::simulator

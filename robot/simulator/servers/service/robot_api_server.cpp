@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "robot/simulator/servers/service/robot_api_server.h"
+
+#include <array>
+
+#include "robot/simulator/box/plant.h"
+
+namespace tiller::simulator {
+
+namespace {
+/// Bytes of one client read at a stretch, so that one that floods does not keep the others waiting.
+constexpr std::size_t kReadShare = 256 * 1024;
+/// How long an answer waits for the robot [s]: the vendor's client gives up after 10.
+constexpr double kMostPatience = 8.0;
+}  // namespace
+
+void RobotApiServer::service() {
+    for (const native_socket::Descriptor descriptor : takeAccepted()) {
+        clients_.push_back(std::make_unique<Client>(descriptor));
+        clients_.back()->peer.attach(link());
+    }
+    for (const auto& client : clients_) {
+        answer(*client);
+        read(*client);
+        client->peer.flush();
+    }
+    removeClosed(clients_, [](const Client&) {});
+}
+
+void RobotApiServer::read(Client& client) {
+    std::array<std::uint8_t, 16 * 1024> buffer;
+    std::size_t total = 0;
+    // What comes while an answer is kept back is left to the network, which holds only so much.
+    while (client.peer.isOpen() && !client.next && total < kReadShare) {
+        const std::size_t got = client.peer.receive(buffer);
+        if (got == 0) {
+            return;
+        }
+        total += got;
+        if (!client.done) {
+            client.parser.feed({reinterpret_cast<const char*>(buffer.data()), got});
+            answer(client);
+        }
+    }
+}
+
+void RobotApiServer::answer(Client& client) {
+    while (sendNext(client) && !client.done) {
+        const auto request = client.parser.next();
+        if (!request) {
+            break;
+        }
+        client.next.emplace(Client::Answer{api_.run(*request), request->keepAlive, request->method != "HEAD",
+                                           plant_.elapsed()});
+    }
+    if (client.done || client.next) {
+        return;
+    }
+    if (client.parser.takeContinue()) {
+        client.peer.send(std::string_view("HTTP/1.1 100 Continue\r\n\r\n"));
+    }
+    if (client.parser.fault() != 0) {
+        HttpResponse response;
+        response.status = client.parser.fault();
+        response.body = R"({"message":"the request cannot be understood"})";
+        client.peer.send(response.toBytes(false, true));
+        client.done = true;
+        client.peer.closeAfterFlush();
+    }
+}
+
+/// False while there is an answer that is not due yet.
+bool RobotApiServer::sendNext(Client& client) {
+    if (!client.next) {
+        return true;
+    }
+    Client::Answer& answer = *client.next;
+    // In virtual time nobody could wait: time goes on only when whoever asks has been answered.
+    if (answer.response.due && plant_.options().time == Time::Real && !answer.response.due()) {
+        if (plant_.elapsed() - answer.asked < kMostPatience) {
+            return false;
+        }
+        answer.response = HttpResponse{};
+        answer.response.status = 504;
+        answer.response.body = R"({"message":"Timeout waiting for the robot"})";
+    }
+    if (!client.peer.send(answer.response.toBytes(answer.keepAlive, answer.withBody))) {
+        client.peer.close();
+    }
+    if (!answer.keepAlive) {
+        client.done = true;
+        client.peer.closeAfterFlush();
+    }
+    client.next.reset();
+    return true;
+}
+
+}  // namespace tiller::simulator

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The web server of a PolyScope X controller, as far as the Robot API goes: HTTP/1.1 with kept connections.
+
+#include <optional>
+
+#include "robot/simulator/servers/net/http_message.h"
+#include "robot/simulator/servers/net/server.h"
+#include "robot/simulator/servers/service/robot_api.h"
+
+namespace tiller::simulator {
+
+class RobotApiServer final : public Server {
+public:
+    RobotApiServer(Plant& plant, ProgramStore& store) : plant_(plant), api_(plant, store) {}
+
+    void service() override;
+    void closeClients() override { clients_.clear(); }
+
+private:
+    struct Client {
+        explicit Client(native_socket::Descriptor descriptor)
+            : peer(descriptor, HttpParser::kLargestBody + 64 * 1024) {}
+        Peer peer;
+        HttpParser parser;
+        bool done = false;  ///< nothing more is read
+        struct Answer {
+            HttpResponse response;
+            bool keepAlive = true;
+            bool withBody = true;
+            double asked = 0;  ///< when its request came [s]
+        };
+        std::optional<Answer> next;  ///< kept back; those behind it wait
+    };
+    void read(Client& client);
+    void answer(Client& client);
+    bool sendNext(Client& client);
+
+    Plant& plant_;
+    RobotApi api_;
+    std::vector<std::unique_ptr<Client>> clients_;
+};
+
+}  // namespace tiller::simulator

@@ -1,0 +1,439 @@
+// SPDX-License-Identifier: MIT
+#include "robot/simulator/simulator.h"
+
+#include <QThread>
+#include <algorithm>
+#include <condition_variable>
+#include <functional>
+#include <future>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "robot/realtime/periodic_timer.h"
+#include "robot/realtime/thread_priority.h"
+#include "robot/simulator/box/personality.h"
+#include "robot/simulator/control_box.h"
+#include "robot/simulator/faults.h"
+#include "robot/simulator/host/script_host.h"
+
+namespace tiller::simulator {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Periods made up for after the machine was busy; more are dropped, time stands still for them.
+constexpr std::uint64_t kMostCatchUp = 25;
+/// How soon a request is answered while virtual time stands still.
+constexpr auto kVirtualPoll = 500us;
+
+}  // namespace
+
+class Simulator::Impl {
+public:
+    using Work = std::function<void(ControlBox&)>;
+
+    explicit Impl(const SimulatorOptions& given) : options(given) {
+        if (options.serialNumber.isEmpty()) {
+            options.serialNumber = serialNumber(options.model, options.software);
+        }
+    }
+
+    Result<void> start() {
+        if (thread) {
+            return {};
+        }
+        std::promise<Result<void>> opened;
+        std::future<Result<void>> result = opened.get_future();
+        stopping = false;
+        thread.reset(QThread::create([this, &opened] { run(opened); }));
+        thread->start();
+        Result<void> outcome = result.get();
+        if (!outcome) {
+            thread->wait();
+            thread.reset();
+        }
+        return outcome;
+    }
+
+    void stop() {
+        if (!thread) {
+            return;
+        }
+        {
+            const std::lock_guard lock(mutex);
+            stopping = true;
+        }
+        wake.notify_all();
+        thread->wait();
+        thread.reset();
+    }
+
+    /// Hands work to the thread; it is dropped when none runs.
+    void post(Work work) {
+        {
+            const std::lock_guard lock(mutex);
+            if (!accepting) {
+                return;
+            }
+            queue.push_back(std::move(work));
+        }
+        wake.notify_all();
+    }
+
+    /// As post(), and waits until it is done.
+    void call(const Work& work) {
+        std::promise<void> done;
+        std::future<void> finished = done.get_future();
+        {
+            const std::lock_guard lock(mutex);
+            if (!accepting) {
+                return;
+            }
+            queue.push_back([&work, &done](ControlBox& controlBox) {
+                work(controlBox);
+                done.set_value();
+            });
+        }
+        wake.notify_all();
+        finished.wait();
+    }
+
+    SimulatorOptions options;
+    std::unique_ptr<QThread> thread;
+    mutable std::mutex mutex;  // guards everything below
+    std::condition_variable wake;
+    std::vector<Work> queue;
+    bool accepting = false;
+    bool stopping = false;
+    Ports ports = Ports::none();
+    Truth truth;
+    TickTiming timing;  ///< the thread's, as what follows
+    std::chrono::steady_clock::time_point timingBegan;
+    double threadSecondsBefore = 0;
+    const RtdeServer* rtde = nullptr;  ///< of the running thread; its counters may be read by any
+
+    // In the thread.
+    void resetTiming() {
+        const bool granted = timing.priorityGranted;
+        timing = TickTiming();
+        timing.priorityGranted = granted;
+        timingBegan = std::chrono::steady_clock::now();
+        threadSecondsBefore = realtime::threadSeconds();
+    }
+    TickTiming timingNow() const {
+        TickTiming now = timing;
+        now.threadSeconds = realtime::threadSeconds() - threadSecondsBefore;
+        now.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - timingBegan).count();
+        return now;
+    }
+
+    void publishTruth(ControlBox& controlBox) {
+        const Telemetry& t = controlBox.plant.telemetry();
+        Truth now;
+        now.tick = t.tick;
+        now.timestamp = t.timestamp;
+        now.robotMode = t.robotMode;
+        now.safetyMode = t.safetyMode;
+        now.runtimeState = t.runtimeState;
+        now.q = t.arm->actualQ;
+        now.qd = t.arm->actualQd;
+        now.tcpPose = t.arm->actualTcpPose;
+        now.tcpSpeed = t.arm->actualTcpSpeed;
+        now.speedSlider = t.speedSlider;
+        now.digitalOutputs = t.pins->digitalOutputs;
+        const std::lock_guard lock(mutex);
+        truth = now;
+    }
+
+private:
+    void run(std::promise<Result<void>>& opened) {
+        realtime::nameThread("ur-simulator");
+        timing.priorityGranted =
+            options.priority && realtime::requestThreadPriority(*options.priority).granted > 0;
+        resetTiming();
+        ControlBox controlBox(options);
+        Result<void> outcome = checkSoftware(options.model, options.software);
+        if (outcome.ok()) {
+            outcome = controlBox.services.open(options);
+        }
+        const bool isOpen = outcome.ok();
+        if (isOpen) {
+            publishTruth(controlBox);
+            const std::lock_guard lock(mutex);
+            ports = controlBox.services.ports();
+            rtde = &controlBox.services.rtde();
+            accepting = true;
+        }
+        opened.set_value(std::move(outcome));  // from here on `opened` may be gone
+        if (!isOpen) {
+            return;
+        }
+        if (options.time == Time::Real) {
+            runInRealTime(controlBox);
+        } else {
+            runInVirtualTime(controlBox);
+        }
+        {
+            const std::lock_guard lock(mutex);
+            accepting = false;
+            rtde = nullptr;
+        }
+        work(controlBox);  // nobody shall wait for what came last
+        controlBox.services.close();
+    }
+
+    bool mustStop() {
+        const std::lock_guard lock(mutex);
+        return stopping;
+    }
+
+    void work(ControlBox& controlBox) {
+        std::vector<Work> batch;
+        {
+            const std::lock_guard lock(mutex);
+            batch.swap(queue);
+        }
+        for (const Work& item : batch) {
+            item(controlBox);
+        }
+    }
+
+    void runInRealTime(ControlBox& controlBox) {
+        realtime::PeriodicTimer timer{
+            std::chrono::nanoseconds(static_cast<std::int64_t>(controlBox.plant.stepTime() * 1e9 + 0.5))};
+        while (!mustStop()) {
+            const std::uint64_t over = timer.wait();
+            const std::uint64_t missed = std::min(over, kMostCatchUp);
+            const auto began = std::chrono::steady_clock::now();
+            work(controlBox);
+            for (std::uint64_t i = 0; i <= missed; ++i) {
+                controlBox.tick();
+            }
+            publishTruth(controlBox);
+            timing.ticks += 1 + missed;
+            timing.late += missed;
+            timing.lost += over - missed;
+            timing.lateness.add(timer.latenessNs());
+            timing.work.add((std::chrono::steady_clock::now() - began).count());
+        }
+    }
+
+    void runInVirtualTime(ControlBox& controlBox) {
+        while (!mustStop()) {
+            work(controlBox);
+            controlBox.service();
+            std::unique_lock lock(mutex);
+            wake.wait_for(lock, kVirtualPoll, [this] { return stopping || !queue.empty(); });
+        }
+    }
+};
+
+Simulator::Simulator(const SimulatorOptions& options) : d_(std::make_unique<Impl>(options)) {}
+
+Simulator::~Simulator() {
+    stop();
+}
+
+Result<void> Simulator::start() {
+    return d_->start();
+}
+void Simulator::stop() {
+    d_->stop();
+}
+bool Simulator::isRunning() const {
+    return d_->thread != nullptr;
+}
+
+Ports Simulator::ports() const {
+    const std::lock_guard lock(d_->mutex);
+    return d_->ports;
+}
+QString Simulator::listenAddress() const {
+    return d_->options.listenAddress;
+}
+const SimulatorOptions& Simulator::options() const {
+    return d_->options;
+}
+double Simulator::stepTime() const {
+    return d_->options.software.controlPeriod();
+}
+
+// ---- time -----------------------------------------------------------------------------------------------
+
+void Simulator::step(int ticks) {
+    if (d_->options.time != Time::Virtual || ticks <= 0) {
+        return;
+    }
+    d_->call([this, ticks](ControlBox& controlBox) {
+        for (int i = 0; i < ticks; ++i) {
+            controlBox.tick();
+        }
+        d_->publishTruth(controlBox);
+    });
+}
+
+bool Simulator::stepAnswered(const Deadline& deadline) {
+    bool answered = true;
+    if (d_->options.time != Time::Virtual) {
+        return answered;
+    }
+    d_->call([&](ControlBox& controlBox) {
+        const RtdeServer& rtde = controlBox.services.rtde();
+        const std::uint64_t inputs = rtde.inputPackages();
+        const std::uint64_t outputs = rtde.outputPackages();
+        controlBox.tick();
+        const std::uint64_t wanted = inputs + rtde.outputPackages() - outputs;
+        while (rtde.inputPackages() < wanted && rtde.clients() > 0 && !deadline.hasExpired()) {
+            std::this_thread::yield();
+            controlBox.service();
+        }
+        answered = rtde.inputPackages() >= wanted;
+        d_->publishTruth(controlBox);
+    });
+    return answered;
+}
+
+void Simulator::stepSeconds(double seconds) {
+    step(static_cast<int>(seconds / stepTime() + 0.5));
+}
+
+void Simulator::drainSockets() {
+    d_->call([](ControlBox& controlBox) { controlBox.service(); });
+}
+
+std::uint64_t Simulator::inputPackages() const {
+    const std::lock_guard lock(d_->mutex);
+    return d_->rtde == nullptr ? 0 : d_->rtde->inputPackages();
+}
+
+std::uint64_t Simulator::outputPackages() const {
+    const std::lock_guard lock(d_->mutex);
+    return d_->rtde == nullptr ? 0 : d_->rtde->outputPackages();
+}
+
+bool Simulator::waitForInputPackages(std::uint64_t total, const Deadline& deadline) {
+    while (inputPackages() < total) {
+        if (deadline.hasExpired() || !isRunning()) {
+            return false;
+        }
+        drainSockets();
+        if (inputPackages() < total) {
+            std::this_thread::yield();
+        }
+    }
+    return true;
+}
+
+int Simulator::rtdeClients() const {
+    const std::lock_guard lock(d_->mutex);
+    return d_->rtde == nullptr ? 0 : d_->rtde->clients();
+}
+
+Truth Simulator::truth() const {
+    const std::lock_guard lock(d_->mutex);
+    return d_->truth;
+}
+
+TickTiming Simulator::timing() {
+    TickTiming now;
+    d_->call([this, &now](ControlBox&) { now = d_->timingNow(); });
+    return now;
+}
+
+void Simulator::resetTiming() {
+    d_->post([this](ControlBox&) { d_->resetTiming(); });
+}
+
+// ---- hooks ----------------------------------------------------------------------------------------------
+
+void Simulator::protectiveStop() {
+    d_->post([](ControlBox& controlBox) {
+        constexpr std::int32_t kCollision = 157;
+        controlBox.plant.protectiveStop({kCollision, 0, primary::ReportLevel::Warning, ""});
+    });
+}
+void Simulator::emergencyStop(bool pressed) {
+    d_->post([pressed](ControlBox& controlBox) {
+        controlBox.plant.safety().set(SafetySystem::Input::RobotEmergencyStop, pressed);
+    });
+}
+void Simulator::systemEmergencyStop(bool active) {
+    d_->post([active](ControlBox& controlBox) {
+        controlBox.plant.safety().set(SafetySystem::Input::SystemEmergencyStop, active);
+    });
+}
+void Simulator::safeguardStop(bool open) {
+    d_->post([open](ControlBox& controlBox) {
+        controlBox.plant.safety().set(SafetySystem::Input::Safeguard, open);
+    });
+}
+void Simulator::reducedMode(bool active) {
+    d_->post([active](ControlBox& controlBox) {
+        controlBox.plant.safety().set(SafetySystem::Input::Reduced, active);
+    });
+}
+void Simulator::violation() {
+    d_->post([](ControlBox& controlBox) { controlBox.plant.safety().violation(); });
+}
+void Simulator::fault() {
+    d_->post([](ControlBox& controlBox) { controlBox.plant.safety().fault(); });
+}
+
+void Simulator::setDigitalInput(int number, bool value) {
+    if (number < 0 || number >= kDigitalPins) {
+        return;
+    }
+    d_->post([number, value](ControlBox& controlBox) {
+        Pins::setBit(controlBox.plant.pins().digitalInputs, number, value);
+    });
+}
+
+void Simulator::setAnalogInput(int number, double value) {
+    if (number < 0 || number > 3) {
+        return;
+    }
+    d_->post([n = static_cast<std::size_t>(number), value](ControlBox& controlBox) {
+        Pins& pins = controlBox.plant.pins();
+        (n < 2 ? pins.analogInputs[n] : pins.toolAnalogInputs[n - 2]) = value;
+    });
+}
+
+void Simulator::setRemoteControl(bool remote) {
+    d_->post([remote](ControlBox& controlBox) { controlBox.setRemoteControl(remote); });
+}
+
+Result<QString> Simulator::inject(const Text& words) {
+    Result<QString> outcome =
+        Error{ErrorCode::NotConnected, QStringLiteral("the controller does not run"), {}};
+    d_->call([&](ControlBox& controlBox) { outcome = injectFault(controlBox, words); });
+    return outcome;
+}
+
+void Simulator::pressFreedriveButton(bool pressed) {
+    d_->post([pressed](ControlBox& controlBox) { controlBox.plant.setFreedriveButton(pressed); });
+}
+void Simulator::pressHand(const Wrench& wrench) {
+    d_->post(
+        [wrench](ControlBox& controlBox) { controlBox.plant.arm().environment().setHandWrench(wrench); });
+}
+void Simulator::changeWorld(std::function<void(arm::Environment&)> change) {
+    d_->post([change = std::move(change)](ControlBox& controlBox) {
+        change(controlBox.plant.arm().environment());
+    });
+}
+void Simulator::setSpeedSlider(double fraction) {
+    d_->post([fraction](ControlBox& controlBox) { controlBox.plant.setSpeedSlider(fraction); });
+}
+void Simulator::answerRequest(const std::variant<bool, std::int32_t, double, std::string>& answer) {
+    d_->post([answer](ControlBox& controlBox) { controlBox.plant.scriptHost().answerRequest(answer); });
+}
+void Simulator::silence(bool silent) {
+    d_->post([silent](ControlBox& controlBox) { controlBox.silent = silent; });
+}
+void Simulator::closeClients() {
+    d_->post([](ControlBox& controlBox) { controlBox.services.closeClients(); });
+}
+
+}  // namespace tiller::simulator

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The inside of RTDEControlInterface: whom it talks to, who carries its commands out, and since when. Private
+// to this room.
+
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "robot/core/result.h"
+#include "robot/ur_rtde/dashboard_client.h"
+#include "robot/ur_rtde/detail/control_backend.h"
+#include "robot/ur_rtde/detail/program_server.h"
+
+namespace tiller::urrtde {
+
+struct SessionOptions {
+    std::string host;
+    double frequency = -1;
+    std::uint16_t flags = 0;
+    int capPort = 0;
+    int priority = 0;
+
+    bool has(ur_rtde::RTDEControlInterface::Flags flag) const { return (flags & flag) != 0; }
+    int offset() const { return has(ur_rtde::RTDEControlInterface::FLAG_UPPER_RANGE_REGISTERS) ? 24 : 0; }
+    void say(const std::string& text) const;  ///< with FLAG_VERBOSE
+};
+
+/// The dashboard server of one robot, where it has one (PolyScope X has none).
+/// Threads  any, one after the other
+class Pendant {
+public:
+    explicit Pendant(const SessionOptions& options) : options_(options) {}
+    void connect();
+    void disconnect();
+    bool isConnected();
+    /// Empty where nobody tells.
+    std::string serialNumber();
+    /// Returns  true also where nobody tells
+    bool allowsRemoteControl();
+    void stop();
+    void play();
+    /// Throws std::runtime_error without a dashboard server.
+    void unlockProtectiveStop();
+
+private:
+    /// Ignores what the server refuses or does not know.
+    template <class Call>
+    void tryTo(Call call);
+
+    const SessionOptions& options_;
+    std::mutex mutex_;
+    std::unique_ptr<ur_rtde::DashboardClient> client_;
+};
+
+/// Threads  any
+class ControlSession {
+public:
+    /// Connects and gets a program to run. Throws as RTDEControlInterface does.
+    explicit ControlSession(const SessionOptions& options);
+    ~ControlSession();
+
+    void disconnect();
+    void reconnect();
+    /// Who carries commands out; never null.
+    std::shared_ptr<ControlBackend> backend() const;
+    bool isConnected() const { return backend()->isConnected(); }
+    /// Whether a program of the user's runs, which may know less than ours.
+    bool isForeign() const;
+    /// Why the last call that failed did; empty when none did, or it is not known.
+    std::string lastError() const;
+    void keepError(const std::string& text);
+    bool reupload();
+    /// From now on; the program that runs is replaced.
+    void useScriptFile(const std::string& file);
+    void unlockProtectiveStop() { pendant_.unlockProtectiveStop(); }
+
+    struct Identity {
+        ur_rtde::Versions versions;
+        std::string serialNumber;
+    };
+    const Identity& identity() const { return identity_; }
+
+private:
+    void connect();
+    std::shared_ptr<ControlBackend> open();
+    std::shared_ptr<ControlBackend> openNative(bool join);
+    std::shared_ptr<ControlBackend> openCustom();
+    void put(std::shared_ptr<ControlBackend> backend);
+
+    const SessionOptions options_;
+    Pendant pendant_{options_};
+    Identity identity_;
+    std::unique_ptr<ProgramServer> server_;
+    std::mutex changing_;  ///< one after the other: connecting, programs' coming and going
+    std::string scriptFile_;
+    mutable std::mutex mutex_;  ///< of the pointer
+    std::shared_ptr<ControlBackend> backend_;
+    std::string error_;  ///< of connecting
+};
+
+}  // namespace tiller::urrtde

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Carries out the commands of RTDEControlInterface through robot/control: a translation, with no rules of its
+// own about what may move and what ends it. Private to this room.
+
+#include <atomic>
+#include <mutex>
+#include <variant>
+
+#include "robot/control/arm_queries.h"
+#include "robot/control/compliance.h"
+#include "robot/control/controller.h"
+#include "robot/control/motions.h"
+#include "robot/control/programs.h"
+#include "robot/control/tool_setup.h"
+#include "robot/core/turn.h"
+#include "robot/ur_rtde/detail/control_session.h"
+
+namespace tiller::urrtde {
+
+class NativeControl final : public ControlBackend {
+public:
+    /// server  hands the program to the ExternalControl URCap; null: it is sent
+    NativeControl(const SessionOptions& options, Pendant& pendant, ProgramServer* server);
+    ~NativeControl() override;
+
+    /// Throws std::runtime_error where there is no connection to be had, std::logic_error where the robot is
+    /// in a state in which no program runs.
+    void connect();
+    /// Takes over from a client that has gone.
+    /// Returns  false when no program of ours runs. Throws as connect()
+    bool join();
+
+    void disconnect() override;
+    bool isConnected() const override { return controller_.isConnected(); }
+    SoftwareVersion version() const override { return controller_.version(); }
+    control::JointLimits jointLimits() const override { return controller_.jointLimits(); }
+    std::uint32_t robotStatus() const override { return controller_.status().robotStatusBits; }
+    int progress() const override;
+    std::string lastError() const override;
+
+    std::optional<Answer> perform(const Command& command) override;
+    bool stop(const Command& command, bool wait) override;
+    bool stream(const Command& command) override;
+    bool follow(const ur_rtde::Path& path, bool asynchronous) override;
+    bool kickWatchdog() override;
+    bool protectiveStop() override;
+    bool reupload() override;
+    void stopProgram() override;
+    bool runCustom(const std::string& program) override;
+
+private:
+    using TurnLock = std::unique_lock<Turn>;
+    using Outcome = std::optional<Answer>;
+    /// Waits for the turn of a motion. Not owned when a stop came first.
+    TurnLock takeTurn();
+    /// In control; goes on with the program where it was paused and runs again.
+    bool isReady();
+    Outcome failed(const Error& error);
+    Outcome outcome(const Result<void>& done);
+    /// Begins a motion and, unless asynchronous, waits for its end.
+    template <class Start>
+    Outcome move(bool asynchronous, Start start);
+    Outcome begin(const Result<control::Motion>& motion, bool asynchronous);
+    void remember(const control::Motion& motion);
+    /// Whether set points may begin the stream anew; says so otherwise.
+    bool mayBegin(const control::Motion& before);
+    template <class Stream, class Target, class Parameters, class Start>
+    bool send(Stream& stream, const Target& target, const Parameters& parameters, Start start);
+    Outcome ask(const Command& command);
+    Outcome setUp(const Command& command);
+    bool forceMode(const std::vector<double>& values);
+    Outcome pose(const Result<Pose>& answer);
+    Outcome solve(const Command& command, bool onlyWhether);
+    Outcome guide(const Result<control::Motion>& motion);
+    Outcome whole(const Result<bool>& answer);
+    [[noreturn]] void interrupted();
+    bool isUsersDoing(const Error& error) const;
+
+    const SessionOptions& options_;
+    Pendant& pendant_;
+    ProgramServer* server_;
+    control::Controller controller_;
+    control::Motions motions_{controller_};
+    control::Compliance compliance_{controller_};
+    control::ToolSetup tool_{controller_};
+    control::ArmQueries arm_{controller_};
+    control::Programs programs_{controller_};
+
+    Turn turn_;  ///< one motion after the other; of the streams below
+    std::atomic<int> stopsMade_{0};
+    std::atomic<int> starts_{0};  ///< calls that begin or end something, set points not among them
+    int streamStart_ = 0;         ///< starts_ when the stream under way began
+    std::atomic<bool> disconnecting_{false};
+    control::JointServo jointServo_;
+    control::PoseServo poseServo_;
+    control::CircularServo circularServo_;
+    control::JointSpeed jointSpeed_;
+    control::ToolSpeed toolSpeed_;
+
+    mutable std::mutex state_;  ///< of what follows
+    control::Motion motion_;    ///< the last
+    control::Motion guiding_;
+    std::vector<double> force_;  ///< what force mode was begun with last; empty: nothing
+    int operation_ = 0;
+    mutable int changes_ = 0;
+    mutable int reported_ = 0;  ///< running and progress, as told last
+    std::string error_;
+};
+
+}  // namespace tiller::urrtde

@@ -1,0 +1,465 @@
+// SPDX-License-Identifier: MIT
+// The control loop again: moves and streams, limits, measured stops, the way out, and stops under contention.
+#include <QTest>
+#include <random>
+#include <thread>
+
+#include "tests/unit/robot/control/loop_bench.h"
+
+using namespace tiller;
+using namespace tiller::control;
+using namespace tiller::test;
+
+namespace {
+
+using Bench = LoopBench;
+
+}  // namespace
+
+class TestControlLoopMotions : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aMoveIsSentWithItsParametersUntilItIsDone() {
+        Bench bench;
+        bench.takeControl();
+        const MotionId move = bench.startMove(false);
+        for (int i = 0; i < 200; ++i) {
+            const Command& command = bench.tick();
+            QCOMPARE(command.kind, ScriptCommand::MoveJ);
+            QCOMPARE(command.values[5], 6.0);
+            QCOMPARE(command.speed, 0.5);
+            QCOMPARE(command.acceleration, 1.4);
+        }
+        bench.data.echo.state = ScriptState::Done;
+        QCOMPARE(bench.tick().kind, ScriptCommand::Idle);
+        QCOMPARE(bench.causeOf(move), StopCause::Completed);
+        QCOMPARE(bench.loop.status().lastCause, StopCause::Completed);
+    }
+
+    void aJogUntilContactEndsWhenTheForceChangesAndNotForOneNoisyPackage() {
+        Bench bench;
+        bench.data.tcpForce =
+            Eigen::Vector3d(0, 0, 30);  // what hangs on the tool all the time does not count
+        bench.takeControl();
+        const auto begin = [&] {
+            MotionCommand jog;
+            jog.kind = MotionCommand::Kind::Jog;
+            jog.jog.twist.linear.z() = -0.01;
+            jog.jog.contactForce = 10;
+            return bench.mailbox.start(jog, bench.now());
+        };
+        MotionId jog = begin();
+        QCOMPARE(bench.tick(5).kind, ScriptCommand::JogCartesian);
+        bench.data.tcpForce = Eigen::Vector3d(0, 0, 45);
+        QCOMPARE(bench.tick(2).kind, ScriptCommand::JogCartesian);
+        bench.data.tcpForce = Eigen::Vector3d(0, 0, 39);
+        QCOMPARE(bench.tick(2).kind, ScriptCommand::JogCartesian);
+        bench.data.tcpForce = Eigen::Vector3d(0, 0, 41);
+        QCOMPARE(bench.tick(3).kind, ScriptCommand::Idle);
+        QCOMPARE(bench.causeOf(jog), StopCause::Contact);
+        // The next one begins from the force there is now.
+        jog = begin();
+        QCOMPARE(bench.tick(10).kind, ScriptCommand::JogCartesian);
+        // A robot that stops telling the force is not pushed with.
+        bench.data.tcpForce.reset();
+        QCOMPARE(bench.tick().kind, ScriptCommand::Idle);
+        QCOMPARE(bench.causeOf(jog), StopCause::Contact);
+    }
+
+    void doneOfAnOlderEpochIsNotDone() {
+        Bench bench;
+        bench.takeControl();
+        const MotionId move = bench.startMove(false);
+        bench.answering = false;
+        bench.tick();
+        bench.data.echo.epoch = static_cast<std::int32_t>(move) - 1;
+        bench.data.echo.state = ScriptState::Done;
+        bench.tick(3);
+        QVERIFY(bench.mailbox.epoch().isActive(move));
+    }
+
+    void theRobotsOwnTimeToLiveEndsTheMotionHereToo() {
+        Bench bench;
+        bench.takeControl();
+        const MotionId move = bench.startMove(false);
+        bench.tick(2);
+        bench.data.echo.state = ScriptState::Expired;
+        QCOMPARE(bench.tick().kind, ScriptCommand::Idle);
+        QCOMPARE(bench.causeOf(move), StopCause::LinkLost);
+    }
+
+    void aHeldMoveEndsWithoutItsHolder() {
+        Bench bench;
+        bench.takeControl();
+        const MotionId move = bench.startMove(true);
+        bench.tick(49);
+        QVERIFY(bench.mailbox.epoch().isActive(move));
+        bench.tick(3);
+        QCOMPARE(bench.causeOf(move), StopCause::EventLoopStalled);
+    }
+
+    void aJogIntoALimitEndsAndNamesIt() {
+        Bench bench;
+        bench.takeControl();
+        bench.data.q[3] = kJointPositionLimit - 0.005;
+        MotionCommand jog;
+        jog.kind = MotionCommand::Kind::Jog;
+        jog.jog.kind = JogTarget::Kind::Joint;
+        jog.jog.qd[3] = 0.2;
+        const MotionId motion = bench.mailbox.start(jog, bench.now());
+        QCOMPARE(bench.tick().kind, ScriptCommand::Idle);
+        QCOMPARE(bench.causeOf(motion), StopCause::LimitReached);
+        QCOMPARE(bench.loop.status().limiter.kind, LimiterKind::JointLimit);
+        QCOMPARE(bench.loop.status().limiter.joint, 3);
+        // Away from it is free, and the name goes away.
+        jog.jog.qd[3] = -0.2;
+        bench.mailbox.start(jog, bench.now());
+        QCOMPARE(bench.tick().kind, ScriptCommand::JogJoints);
+        QCOMPARE(bench.loop.status().limiter.kind, LimiterKind::None);
+    }
+
+    void aChangedTcpEndsTheJog() {
+        Bench bench;
+        bench.takeControl();
+        const MotionId jog = bench.startJog(0.05);
+        bench.tick(3);
+        bench.data.tcpOffset.position.z() = 0.1;
+        bench.tick();
+        QCOMPARE(bench.causeOf(jog), StopCause::SelectionChanged);
+    }
+
+    void fasterThanAskedBrakesBriskly() {
+        Bench bench;
+        bench.takeControl();
+        const MotionId jog = bench.startJog(0.2);
+        bench.tick();
+        bench.data.tcpSpeed.linear.x() = 0.2;
+        JogTarget slower;
+        slower.twist.linear.x() = 0.02;
+        QVERIFY(bench.mailbox.refresh(jog, slower, bench.now()));
+        QCOMPARE(bench.tick().acceleration, bench.limits.jogDeceleration);
+        bench.data.tcpSpeed.linear.x() = 0.02;
+        QCOMPARE(bench.tick().acceleration, bench.limits.jogAcceleration);
+    }
+
+    void theStopIsMeasuredFromTheMomentItWasAskedFor() {
+        Bench bench;
+        bench.takeControl();
+        const MotionId jog = bench.startJog(0.1);
+        bench.tick();
+        bench.data.tcpSpeed.linear.x() = 0.1;
+        bench.tick(20);
+        bench.clock.advanceNs(kNsPerMs);
+        QVERIFY(bench.mailbox.end(jog, StopCause::Released, bench.now()));
+        bench.clock.advanceNs(-kNsPerMs);
+        for (int i = 0; i < 25; ++i) {  // 50 ms, 2 mm
+            bench.data.tcpPose.position.x() += 0.00008;
+            bench.tick();
+        }
+        bench.data.tcpSpeed.linear.x() = 0;
+        bench.tick(5);
+        const StopMeasurement stop = bench.loop.status().lastStop;
+        QCOMPARE(stop.count, 1U);
+        QCOMPARE(stop.cause, StopCause::Released);
+        QVERIFY(std::abs(stop.durationMs - 51) < 0.01);
+        QVERIFY(std::abs(stop.distanceMm - 2) < 0.01);
+    }
+
+    void theRoundTripIsTheTimeUntilTheEcho() {
+        Bench bench;
+        bench.takeControl();
+        bench.tick(10);
+        QVERIFY(std::abs(bench.loop.status().roundTripMs - 2) < 1e-9);
+    }
+
+    void aLostConnectionEndsMotionAndControl() {
+        Bench bench;
+        bench.takeControl();
+        const MotionId jog = bench.startJog(0.1);
+        bench.tick();
+        bench.loop.lost(bench.now(), ControlLoss::LinkLost);
+        QCOMPARE(bench.causeOf(jog), StopCause::LinkLost);
+        QVERIFY(!bench.loop.isInControl());
+        QCOMPARE(bench.loop.status().loss, ControlLoss::LinkLost);
+        QCOMPARE(bench.loop.status().lastMotion, jog);
+    }
+
+    void beingAskedToEndTellsTheProgram() {
+        Bench bench;
+        bench.takeControl();
+        bench.startJog(0.1);
+        bench.tick();
+        bench.loop.requestEnd();
+        QCOMPARE(bench.tick().kind, ScriptCommand::End);
+        bench.data.runtimeState = RuntimeState::Stopped;
+        bench.tick();
+        QCOMPARE(bench.loop.status().loss, ControlLoss::Released);
+    }
+
+    // Random presses, refreshes, hangs, stalls and stops. Two things must always hold: a package that moves
+    // carries the epoch of a motion that was alive when it was made, and no motion is seen moving again once
+    // it has been seen stopped.
+    void randomSequencesNeverMoveWhatWasStopped() {
+        std::mt19937 random(20261121);
+        const auto chance = [&](int oneIn) {
+            return std::uniform_int_distribution<int>(1, oneIn)(random) == 1;
+        };
+        Bench bench;
+        bench.takeControl();
+        MotionId jog = kNoMotion;
+        std::int64_t refreshedNs = 0;
+        std::int32_t lastMoving = 0;
+        std::int32_t lastStopped = 0;
+        int moved = 0;
+        for (int step = 0; step < 200'000; ++step) {
+            if (chance(30)) {
+                jog = bench.startJog(0.05);
+                refreshedNs = bench.now();
+            }
+            if (chance(10) && bench.mailbox.refresh(jog, bench.now())) {
+                refreshedNs = bench.now();
+            }
+            if (chance(40)) {
+                bench.mailbox.end(jog, StopCause::Released, bench.now());
+            }
+            if (chance(60)) {
+                bench.mailbox.stop(StopCause::Escape, bench.now());
+            }
+            if (chance(200)) {
+                bench.clock.advanceNs(std::uniform_int_distribution<std::int64_t>(1, 300)(random) * kNsPerMs);
+                Command out;
+                if (bench.loop.fallback(bench.now(), out)) {
+                    QCOMPARE(out.kind, ScriptCommand::Idle);
+                    lastStopped = out.epoch;
+                }
+            }
+            const Command& command = bench.tick();
+            if (command.kind == ScriptCommand::Idle) {
+                lastStopped = command.epoch;
+                continue;
+            }
+            ++moved;
+            QVERIFY(command.epoch > lastStopped);
+            QVERIFY(command.epoch >= lastMoving);
+            QVERIFY(bench.now() - refreshedNs <= kHoldTimeNs);
+            QVERIFY(bench.mailbox.epoch().isActive(static_cast<MotionId>(command.epoch)));
+            lastMoving = command.epoch;
+        }
+        QVERIFY(moved > 10'000);
+    }
+
+    // Eight threads start, hold, change and stop motions without rest while the loop ticks.
+    void stopIsFinalForTheRobotUnderContention() {
+        Bench bench;
+        bench.takeControl();
+        std::atomic<bool> quit{false};
+        std::vector<std::thread> threads;
+        for (int t = 0; t < 8; ++t) {
+            threads.emplace_back([&, t] {
+                JogTarget target;
+                MotionCommand start;
+                start.kind = MotionCommand::Kind::Jog;
+                for (int n = 1; !quit; ++n) {
+                    target.twist.linear.x() = 0.001 * (n % 50);
+                    start.jog = target;
+                    const MotionId jog = bench.mailbox.start(start, bench.clock.nowNs());
+                    bench.mailbox.refresh(jog, target, bench.clock.nowNs());
+                    if ((n + t) % 3 == 0) {
+                        bench.mailbox.stop(StopCause::Space, bench.clock.nowNs());
+                    }
+                    bench.mailbox.refresh(jog, target, bench.clock.nowNs());
+                    std::this_thread::yield();
+                }
+            });
+        }
+        std::int32_t lastStopped = 0;
+        std::int32_t last = 0;
+        int moving = 0;
+        int idle = 0;
+        bool inOrder = true;
+        while (moving < 500 || idle < 500) {
+            const Command& command = bench.tick();
+            inOrder = inOrder && command.epoch >= last;
+            last = command.epoch;
+            if (command.kind == ScriptCommand::Idle) {
+                lastStopped = command.epoch;
+                ++idle;
+            } else {
+                inOrder = inOrder && command.epoch > lastStopped;
+                ++moving;
+            }
+        }
+        quit = true;
+        for (auto& thread : threads) {
+            thread.join();
+        }
+        QVERIFY(inOrder);
+        bench.mailbox.stop(StopCause::StopButton, bench.clock.nowNs());
+        for (int i = 0; i < 100; ++i) {
+            QCOMPARE(bench.tick().kind, ScriptCommand::Idle);
+        }
+    }
+
+    // Commands that take longer than 100 ms to the robot and back: a stop would take as long.
+    void aLateLinkEndsTheMotionAndLetsNoneBegin() {
+        Bench bench;
+        bench.takeControl();
+        const MotionId jog = bench.startJog(0.1);
+        bench.tick(2);
+        // From here on the robot answers, but what it answers is ever older: 60 packages, 120 ms.
+        std::vector<Command> sent{bench.command};
+        bench.answering = false;
+        MotionState state = bench.mailbox.epoch().state(jog);
+        for (int i = 0; i < 300 && state.phase == MotionPhase::Active; ++i) {
+            bench.mailbox.refresh(jog, bench.now());
+            bench.tick();
+            sent.push_back(bench.command);
+            const std::size_t behind =
+                std::min<std::size_t>(sent.size() - 1, static_cast<std::size_t>(i) / 4);
+            const Command& old = sent[sent.size() - 1 - behind];
+            bench.data.echo.sequence = old.sequence;
+            bench.data.echo.epoch = old.epoch;
+            bench.data.echo.session = old.session;
+            bench.data.echo.state = ScriptState::Executing;
+            state = bench.mailbox.epoch().state(jog);
+        }
+        QCOMPARE(state.phase, MotionPhase::Ended);
+        QCOMPARE(state.cause, StopCause::LinkLost);
+        QVERIFY(bench.loop.status().roundTripMs > kMaxRoundTripMs);
+        QVERIFY(bench.loop.isInControl());
+    }
+
+    void aStopMeasurementIsCancelledByTheNextMotion() {
+        Bench bench;
+        bench.takeControl();
+        const MotionId jog = bench.startJog(0.1);
+        bench.tick();
+        bench.data.tcpSpeed.linear.x() = 0.1;
+        bench.tick(20);
+        QVERIFY(bench.mailbox.end(jog, StopCause::Released, bench.now()));
+        bench.tick(3);  // still moving: being measured
+        const MotionId next = bench.startJog(0.05);
+        bench.tick(3);
+        bench.data.tcpSpeed.linear.x() = 0;
+        bench.tick(10);  // stands by chance: this is no end of the stop that was asked for
+        QCOMPARE(bench.loop.status().lastStop.count, 0U);
+        bench.mailbox.end(next, StopCause::Released, bench.now());
+        bench.tick(10);
+        QCOMPARE(bench.loop.status().lastStop.count, 1U);
+    }
+
+    void requestsTravelWithEveryPackageUntilTheNextOne() {
+        Bench bench;
+        bench.takeControl();
+        Request request;
+        request.kind = RequestKind::SetTcp;
+        request.numbers = {1, 2, 3, 4, 5, 6};
+        const std::int32_t number = bench.loop.ask(request);
+        for (int i = 0; i < 5; ++i) {
+            QCOMPARE(bench.tick().request.number, number);
+            QCOMPARE(bench.command.request.numbers[5], 6.0);
+        }
+        bench.startJog(0.1);
+        bench.tick();
+        bench.clock.advanceNs(200 * kNsPerMs);
+        Command out;
+        QVERIFY(bench.loop.fallback(bench.now(), out));
+        QCOMPARE(out.request.number, number);  // another number would make the robot do something again
+        bench.data.echo.answer.number = number;
+        bench.data.echo.answer.whole = 7;
+        bench.tick();
+        QCOMPARE(bench.loop.answer().number, number);
+        QCOMPARE(bench.loop.answer().whole, 7);
+    }
+
+    void aStopMayChooseItsBrakeAndTheNextOneDoesNotInheritIt() {
+        Bench bench;
+        bench.takeControl();
+        bench.startStream();
+        QCOMPARE(bench.tick().kind, ScriptCommand::SpeedL);
+        bench.mailbox.stop({0, Brake::Along::Line, 0.3, 0.4}, StopCause::ApiCall, bench.now());
+        bench.tick();
+        QCOMPARE(bench.command.kind, ScriptCommand::Idle);
+        QCOMPARE(bench.command.choice, static_cast<std::int32_t>(Brake::Along::Line));
+        QCOMPARE(bench.command.acceleration, 0.3);
+        QCOMPARE(bench.command.rotationAcceleration, 0.4);
+        bench.mailbox.stop(StopCause::StopButton, bench.now());
+        bench.tick();
+        QCOMPARE(bench.command.choice, 0);
+    }
+
+    void forceModeIsPermittedOnlyWhileAllIsWell() {
+        Bench bench;
+        bench.takeControl();
+        QVERIFY(!bench.tick().forcePermitted);
+        bench.loop.permitForce(true);
+        QVERIFY(bench.tick().forcePermitted);
+        bench.data.safetyMode = SafetyMode::ProtectiveStop;
+        bench.tick();
+        bench.data.safetyMode = SafetyMode::Normal;
+        QVERIFY(!bench.tick().forcePermitted);
+    }
+
+    void aSilentHolderTakesForceModeWithIt() {
+        Bench bench;
+        bench.takeControl();
+        bench.startMove(true);
+        bench.loop.permitForce(true);
+        QVERIFY(bench.tick(2).forcePermitted);
+        bench.tick(static_cast<int>(kHoldTimeNs / kPeriodNs) + 3);
+        QVERIFY(!bench.command.forcePermitted);
+    }
+
+    void aRequestNobodyWaitsForIsNotSentAnyMore() {
+        Bench bench;
+        bench.takeControl();
+        const auto number = bench.loop.ask({0, RequestKind::SetPayload, 0, {3, 0, 0, 0, 0, 0}});
+        QCOMPARE(bench.tick().request.number, number);
+        bench.loop.withdraw();
+        QCOMPARE(bench.tick().request.kind, RequestKind::None);
+        bench.loop.ask({0, RequestKind::SetPayload, 0, {3, 0, 0, 0, 0, 0}});
+        bench.loop.begin(kSession, kPeriod, ArmLimits::of(robotModel(RobotModelId::UR5e)), bench.now());
+        QCOMPARE(bench.tick().request.kind, RequestKind::None);
+    }
+
+    // Eight threads send targets without rest; 10 000 times a stop comes in between. Once the robot was told
+    // to idle, no later package moves it, whatever the threads send.
+    void stopIsFinalUnderEightThreadsOfSetpoints() {
+        Bench bench;
+        bench.takeControl();
+        std::atomic<bool> quit{false};
+        std::atomic<MotionId> stream{kNoMotion};
+        std::vector<std::thread> threads;
+        for (int t = 0; t < 8; ++t) {
+            threads.emplace_back([&] {
+                MotionCommand target;
+                while (!quit) {
+                    target.target[0] += 0.001;
+                    bench.mailbox.change(stream.load(), target, bench.clock.nowNs());
+                    std::this_thread::yield();
+                }
+            });
+        }
+        constexpr int kRounds = 10'000;
+        int final = 0;
+        for (int round = 0; round < kRounds; ++round) {
+            stream = bench.startStream();
+            const bool moved = bench.tick(2).kind == ScriptCommand::SpeedL;
+            bench.mailbox.stop(StopCause::StopButton, bench.now());
+            bool idle = true;
+            for (int i = 0; i < 3; ++i) {
+                idle = idle && bench.tick().kind == ScriptCommand::Idle;
+            }
+            final += moved && idle ? 1 : 0;
+        }
+        quit = true;
+        for (auto& thread : threads) {
+            thread.join();
+        }
+        QCOMPARE(final, kRounds);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestControlLoopMotions)
+#include "tst_control_loop_motions.moc"

@@ -1,0 +1,573 @@
+// SPDX-License-Identifier: MIT
+// What control.script can do: streams, sections, braking as asked, and requests.
+#include <QFile>
+#include <QTest>
+
+#include "tests/unit/robot/control/script_bench.h"
+
+using namespace tiller;
+using namespace tiller::control;
+using namespace tiller::test;
+
+namespace {
+
+using Bench = ScriptBench;
+
+Command servo(ScriptCommand kind, std::int32_t epoch, bool target) {
+    Command command;
+    command.kind = kind;
+    command.epoch = epoch;
+    command.choice = target ? 1 : 0;
+    command.values = {0.2, -1, 1, -1, -1, 0};
+    command.speed = 0.002;
+    command.acceleration = 0.1;
+    command.rotationAcceleration = 300;
+    return command;
+}
+
+Command stopJ(std::int32_t epoch, double deceleration) {
+    Command stop;
+    stop.epoch = epoch;
+    stop.choice = 1;
+    stop.acceleration = deceleration;
+    return stop;
+}
+
+/// A stream along a line, and stops that take long.
+void moveInEpoch2(Bench& bench) {
+    bench.host.moveFrames = 1000;
+    bench.hold(ScriptCommand::Idle, 1, 2);
+    bench.hold(ScriptCommand::SpeedL, 2, 5, {0, 0, 0.1, 0, 0, 0});
+}
+
+bool called(const Bench& bench, const std::string& what) {
+    return std::find(bench.host.calls.begin(), bench.host.calls.end(), what) != bench.host.calls.end();
+}
+
+}  // namespace
+
+class TestControlScriptCommands : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aServoHoldsItsPlaceThenFollows() {
+        Bench bench;
+        bench.host.q = JointPositions(0.19, -1, 1, -1, -1, 0);
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        for (int i = 0; i < 5; ++i) {
+            bench.send(servo(ScriptCommand::ServoJ, 2, false));
+            bench.frame();
+        }
+        QCOMPARE(bench.last<urscript::ServoJ>()->q, bench.host.q);
+        for (int i = 0; i < 5; ++i) {
+            bench.send(servo(ScriptCommand::ServoJ, 2, true));
+            bench.frame();
+        }
+        const auto* last = bench.last<urscript::ServoJ>();
+        QCOMPARE(last->q[0], 0.2);
+        QCOMPARE(last->lookahead, 0.1);
+        QCOMPARE(last->gain, 300.0);
+        QCOMPARE(last->duration, 0.002);
+    }
+
+    // The first target has to be near the arm, and each later one near the one before.
+    void aServoDoesNotJump() {
+        Bench bench;
+        bench.host.q = JointPositions(0.2, -1, 1, -1, -1, 0);
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        Command target = servo(ScriptCommand::ServoJ, 2, true);
+        target.values[3] += 0.05;  // 0.02 rad, and what a joint turns in 2 ms, would do
+        for (int i = 0; i < 60; ++i) {
+            bench.send(target);
+            bench.frame();
+        }
+        QVERIFY(bench.running());
+        QCOMPARE(bench.state(), ScriptState::TooFar);
+        QVERIFY(bench.last<urscript::StopJ>() != nullptr);
+        for (const auto& motion : bench.host.motions) {
+            const auto* servoed = std::get_if<urscript::ServoJ>(&motion.command);
+            QVERIFY(servoed == nullptr || servoed->q == bench.host.q);
+        }
+        // Small steps lead anywhere.
+        target = servo(ScriptCommand::ServoJ, 3, true);
+        for (int i = 0; i < 50; ++i) {
+            target.values[3] += 0.015;
+            bench.send(target);
+            bench.frame();
+        }
+        bench.frame();
+        QCOMPARE(bench.state(), ScriptState::Executing);
+        QCOMPARE(bench.last<urscript::ServoJ>()->q[3], target.values[3]);
+        const double before = target.values[3];
+        target.values[3] += 0.4;  // further than any joint gets while packages may stay away
+        for (int i = 0; i < 60; ++i) {
+            bench.send(target);
+            bench.frame();
+        }
+        QCOMPARE(bench.state(), ScriptState::TooFar);
+        for (const auto& motion : bench.host.motions) {
+            const auto* servoed = std::get_if<urscript::ServoJ>(&motion.command);
+            QVERIFY(servoed == nullptr || servoed->q[3] <= before);
+        }
+    }
+
+    void aPoseOutOfReachEndsTheServoNotTheProgram() {
+        Bench bench;
+        bench.host.reachable = false;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        for (int i = 0; i < 60; ++i) {
+            bench.send(servo(ScriptCommand::ServoL, 2, true));
+            bench.frame();
+        }
+        QVERIFY(bench.running());
+        QCOMPARE(bench.state(), ScriptState::OutOfReach);
+        QVERIFY(bench.last<urscript::StopJ>() != nullptr);
+        bench.hold(ScriptCommand::MoveJToPose, 3, 60, {0.1, 0.2, 0.3, 0, 0, 0});
+        QCOMPARE(bench.state(), ScriptState::OutOfReach);
+        QCOMPARE(bench.count<urscript::Move>(), 0);
+    }
+
+    void speedStreamsGoOnWithTheNewestValues() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(ScriptCommand::SpeedL, 2, 5, {0, 0, 0.1, 0, 0, 0});
+        bench.hold(ScriptCommand::SpeedL, 2, 5, {0, 0, 0.2, 0, 0, 0});
+        QCOMPARE(bench.last<urscript::SpeedL>()->xd.linear.z(), 0.2);
+        bench.hold(ScriptCommand::SpeedJ, 3, 60, {0, 0, 0, 0, 0, 0.3});
+        QCOMPARE(bench.count<urscript::StopL>(), 1);
+        QCOMPARE(bench.last<urscript::SpeedJ>()->qd[5], 0.3);
+    }
+
+    void aStopBrakesAsItWasAskedTo() {
+        Bench bench;
+        moveInEpoch2(bench);
+        bench.send(stopJ(3, 0.7));
+        bench.frame();
+        QVERIFY(bench.last<urscript::StopJ>() != nullptr);
+        QCOMPARE(bench.last<urscript::StopJ>()->deceleration, 0.7);
+        bench.hold(ScriptCommand::Idle, 4, 2);  // the stop key: as hard as ever
+        QVERIFY(bench.last<urscript::StopJ>() != nullptr);
+        QCOMPARE(bench.last<urscript::StopJ>()->deceleration, 4.0);
+        QCOMPARE(bench.count<urscript::StopJ>(), 2);
+    }
+
+    void aSectionRunsOnceAndKeepsItsHandsOffTheProgram() {
+        Bench bench(RegisterRange::Upper, {5, 22, 0, 0},
+                    QStringLiteral("speed = 77\nvalues = 1\ntiller_waypoint = 2\n"
+                                   "movej([0,0,0,0,0,0], a=1, v=speed)"));
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(ScriptCommand::Section, 2, 5);
+        QCOMPARE(bench.state(), ScriptState::Executing);
+        QCOMPARE(bench.out(7), 2);
+        QCOMPARE(std::get<urscript::Move>(bench.host.motions.back().command).velocity, 77.0);
+        bench.hold(ScriptCommand::Section, 2, 60);
+        QCOMPARE(bench.state(), ScriptState::Done);
+        bench.hold(ScriptCommand::MoveJ, 3, 3, {1, 2, 3, 4, 5, 6});
+        const auto& move = std::get<urscript::Move>(bench.host.motions.back().command);
+        QCOMPARE(std::get<JointPositions>(move.target)[5], 6.0);
+        QCOMPARE(move.velocity, 0.5);
+    }
+
+    void linesOfASectionAreFoundAgain() {
+        const ControlScript plain = controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {}, kJointSpeeds);
+        const ControlScript script = controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {}, kJointSpeeds,
+                                                   QStringLiteral("a = 1\nb = 2\nc = 3"));
+        const QString found = script.text.section(QLatin1Char('\n'), script.sectionLine, script.sectionLine);
+        QVERIFY(found.contains(QLatin1String("b = 2")));
+        QCOMPARE(script.place(script.sectionLine + 1, 5), QStringLiteral("line 2"));
+        QCOMPARE(script.place(script.sectionLine + 5, 5), plain.place(plain.sectionLine + 3, 5));
+        QVERIFY(script.place(3, 1).startsWith(QLatin1String("control.script line ")));
+        // Whatever the part, the line is the one of its file.
+        const QStringList sent = script.text.split(QLatin1Char('\n'));
+        for (const char* sought : {"thread tiller_move_line()", "def tiller_serve()", "def tiller_obey()"}) {
+            const auto at = std::find_if(sent.begin(), sent.end(), [&](const QString& line) {
+                return line.contains(QLatin1String(sought));
+            });
+            QVERIFY(at != sent.end());
+            const QStringList place =
+                script.place(static_cast<int>(at - sent.begin()) + 1, 1).split(QLatin1Char(' '));
+            QFile file(qEnvironmentVariable("TILLER_TEST_DATA") + QStringLiteral("/../../robot/control/") +
+                       place[0]);
+            QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(file.fileName()));
+            const QStringList lines = QString::fromUtf8(file.readAll()).split(QLatin1Char('\n'));
+            const QString line = lines.value(place[2].chopped(1).toInt() - 1);
+            QVERIFY2(line.contains(QString::fromLatin1(sought).remove(QStringLiteral("tiller_"))),
+                     qPrintable(line));
+        }
+    }
+
+    void whatASectionDoesNotUseIsNotInItsProgram() {
+        const auto text = [](const char* section) {
+            return controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {}, kJointSpeeds,
+                                 QString::fromLatin1(section))
+                .text;
+        };
+        QVERIFY(!text("sync()").contains(QLatin1String("stop_conveyor_tracking(")));
+        QVERIFY(!text("sync()").contains(QLatin1String("path_offset_disable(")));
+        QVERIFY(text("track_conveyor_linear(p[1,0,0,0,0,0], 1000)")
+                    .contains(QLatin1String("stop_conveyor_tracking(")));
+        QVERIFY(text("path_offset_enable()").contains(QLatin1String("path_offset_disable(")));
+    }
+
+    void contactEndsTheMoveAndGoesBackToWhereItBegan() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(ScriptCommand::UntilContact, 2, 10, {0, 0, -0.05, 0, 0, 0});
+        QVERIFY(bench.last<urscript::SpeedL>() != nullptr);
+        bench.host.contact = 7;
+        bench.hold(ScriptCommand::UntilContact, 2, 200, {0, 0, -0.05, 0, 0, 0});
+        QCOMPARE(bench.state(), ScriptState::Done);
+        QCOMPARE(bench.count<urscript::StopL>(), 1);
+        const auto& back = std::get<urscript::Move>(bench.host.motions.back().command);
+        QCOMPARE(back.kind, urscript::Move::Kind::L);
+        QCOMPARE(std::get<JointPositions>(back.target)[0], bench.host.q[0] - 7);
+    }
+
+    void watchedContactEndsWhateverMoves() {
+        Bench bench;
+        bench.host.moveFrames = 1000;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.ask(RequestKind::WatchContact, 1, {0, 0, 1, 0, 0, 0});
+        bench.hold(ScriptCommand::MoveL, 2, 5, {0.1, 0.2, 0.3, 0, 0, 0});
+        QCOMPARE(bench.state(), ScriptState::Executing);
+        bench.host.contact = 3;
+        bench.hold(ScriptCommand::MoveL, 2, 2, {0.1, 0.2, 0.3, 0, 0, 0});
+        QCOMPARE(bench.state(), ScriptState::Braking);
+        bench.host.moveFrames = 2;
+        bench.idleEpoch = 3;
+        QCOMPARE(bench.ask(RequestKind::ReadContact).whole, 1);
+    }
+
+    // And the way back is part of the motion: a stop ends it like any other.
+    void aWatchedContactMayLeadBackAndAStopEndsThat_data() {
+        QTest::addColumn<bool>("stopped");
+        QTest::newRow("to the end") << false;
+        QTest::newRow("stopped") << true;
+    }
+    void aWatchedContactMayLeadBackAndAStopEndsThat() {
+        QFETCH(bool, stopped);
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.ask(RequestKind::WatchContact, 2, {0, 0, 1, 0, 0, 0});
+        bench.hold(ScriptCommand::SpeedL, 2, 5, {0, 0, -0.05, 0, 0, 0});
+        bench.host.contact = 7;
+        bench.host.moveFrames = 50;
+        bench.hold(ScriptCommand::SpeedL, 2, 60, {0, 0, -0.05, 0, 0, 0});
+        QCOMPARE(bench.state(), ScriptState::Executing);
+        const auto* back = bench.last<urscript::Move>();
+        QVERIFY(back != nullptr);
+        QCOMPARE(std::get<JointPositions>(back->target)[0], bench.host.q[0] - 7);
+        if (stopped) {
+            bench.hold(ScriptCommand::Idle, 3, 2);
+            QVERIFY(bench.last<urscript::StopJ>() != nullptr || bench.last<urscript::StopL>() != nullptr);
+            return;
+        }
+        bench.hold(ScriptCommand::SpeedL, 2, 60, {0, 0, -0.05, 0, 0, 0});
+        QCOMPARE(bench.state(), ScriptState::Contact);
+        bench.hold(ScriptCommand::SpeedL, 2, 5, {0, 0, -0.05, 0, 0, 0});  // over for good
+        QVERIFY(bench.last<urscript::SpeedL>() == nullptr);
+    }
+
+    void whatTouchesWhenTheWatchBeginsIsNoContact() {
+        Bench bench;
+        bench.host.contact = 2;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.ask(RequestKind::WatchContact, 1, {0, 0, 1, 0, 0, 0});
+        bench.hold(ScriptCommand::SpeedL, 2, 5, {0, 0, -0.05, 0, 0, 0});
+        QCOMPARE(bench.state(), ScriptState::Executing);
+        bench.host.contact = 0;
+        bench.hold(ScriptCommand::SpeedL, 2, 2, {0, 0, -0.05, 0, 0, 0});
+        bench.host.contact = 3;
+        bench.hold(ScriptCommand::SpeedL, 2, 2, {0, 0, -0.05, 0, 0, 0});
+        QCOMPARE(bench.state(), ScriptState::Braking);
+    }
+
+    void aClientThatSaidGoodbyeLeavesMovesToTheirEnd_data() {
+        QTest::addColumn<ScriptCommand>("kind");
+        QTest::addColumn<bool>("finishes");
+        QTest::newRow("movej") << ScriptCommand::MoveJ << true;
+        QTest::newRow("movel") << ScriptCommand::MoveL << true;
+        QTest::newRow("section") << ScriptCommand::Section << true;
+        QTest::newRow("speedl") << ScriptCommand::SpeedL << false;
+        QTest::newRow("servoj") << ScriptCommand::ServoJ << false;
+        QTest::newRow("until contact") << ScriptCommand::UntilContact << false;
+        QTest::newRow("freedrive") << ScriptCommand::Freedrive << false;
+    }
+    void aClientThatSaidGoodbyeLeavesMovesToTheirEnd() {
+        QFETCH(ScriptCommand, kind);
+        QFETCH(bool, finishes);
+        Bench bench(RegisterRange::Upper, {5, 22, 0, 0}, QStringLiteral("sleep(0.4)"));
+        bench.host.moveFrames = 200;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.mayFinish = true;
+        bench.hold(kind, 2, 5, {0.1, 0.2, 0.3, 0, 0, 0});
+        bench.frame(bench.silentFrames() + 10);
+        QCOMPARE(bench.state() == ScriptState::Executing, finishes);
+        bench.frame(400);
+        QCOMPARE(bench.state(), finishes ? ScriptState::Done : ScriptState::Expired);
+        bench.frame(static_cast<int>(6 / bench.host.step));
+        QVERIFY(bench.running());  // for the client to come
+    }
+
+    void aMoveMayBeGivenALongerSilence_data() { aClientThatSaidGoodbyeLeavesMovesToTheirEnd_data(); }
+    void aMoveMayBeGivenALongerSilence() {
+        QFETCH(ScriptCommand, kind);
+        QFETCH(bool, finishes);
+        Bench bench(RegisterRange::Upper, {5, 22, 0, 0}, QStringLiteral("sleep(2)"));
+        bench.host.moveFrames = 1000;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.silenceMs = 500;
+        bench.hold(kind, 2, 5, {0.1, 0.2, 0.3, 0, 0, 0});
+        bench.host.moveFrames = 5;  // stops
+        bench.frame(bench.silentFrames() + 10);
+        QCOMPARE(bench.state() == ScriptState::Executing, finishes);
+        bench.frame(bench.silentFrames() * 3);
+        QCOMPARE(bench.state() == ScriptState::Executing, finishes);
+        bench.frame(bench.silentFrames() * 2);  // 0.5 s are over
+        QCOMPARE(bench.state(), ScriptState::Expired);
+    }
+
+    void theNextMotionHasNothingOfTheSilenceBefore() {
+        Bench bench;
+        bench.host.moveFrames = 1000;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.silenceMs = 2000;
+        bench.hold(ScriptCommand::MoveJ, 2, 5);
+        bench.silenceMs = 0;
+        bench.host.moveFrames = 5;
+        bench.hold(ScriptCommand::Idle, 2, 60);
+        bench.host.moveFrames = 1000;
+        bench.hold(ScriptCommand::MoveL, 3, 5);
+        QCOMPARE(bench.state(), ScriptState::Executing);
+        bench.host.moveFrames = 5;
+        bench.frame(bench.silentFrames() + 30);
+        QCOMPARE(bench.state(), ScriptState::Expired);
+    }
+
+    void setPointsMayBeHeldForATimeAndGivenInTheToolsAxes() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        Command speed;
+        speed.kind = ScriptCommand::SpeedL;
+        speed.epoch = 2;
+        speed.values = {0, 0, 0.1, 0, 0, 0};
+        speed.speed = 0.05;
+        speed.acceleration = speed.rotationAcceleration = 1;
+        speed.choice = 2;
+        speed.rotation = {3.14159265358979, 0, 0};
+        bench.send(speed);
+        bench.frame(2);
+        QVERIFY(bench.last<urscript::SpeedL>() != nullptr);
+        QVERIFY(std::abs(bench.last<urscript::SpeedL>()->xd.linear.z() + 0.1) < 1e-9);
+        QCOMPARE(bench.last<urscript::SpeedL>()->duration, 0.05);
+    }
+
+    void anUnguardedServoGoesWhereItIsTold() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        Command servo;
+        servo.kind = ScriptCommand::ServoJ;
+        servo.epoch = 2;
+        servo.choice = 2;
+        servo.values = {2, 0, 0, 0, 0, 0};
+        servo.speed = 0.002;
+        servo.acceleration = 0.1;
+        servo.rotationAcceleration = 300;
+        for (int i = 0; i < 5; ++i) {
+            bench.send(servo);
+            bench.frame();
+        }
+        QCOMPARE(bench.state(), ScriptState::Executing);
+        QCOMPARE(bench.last<urscript::ServoJ>()->q[0], 2.0);
+    }
+
+    void freedriveAndTeachModeEndWithTheirCommand() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        Command freedrive;
+        freedrive.kind = ScriptCommand::Freedrive;
+        freedrive.epoch = 2;
+        freedrive.choice = 5;
+        bench.send(freedrive);
+        bench.frame(2);
+        QVERIFY(called(bench, "freedrive"));
+        QVERIFY(!called(bench, "end_freedrive"));
+        bench.hold(ScriptCommand::Idle, 3, 40);
+        QVERIFY(called(bench, "end_freedrive"));
+        QCOMPARE(bench.state(), ScriptState::Ready);
+        bench.host.calls.clear();
+        bench.hold(ScriptCommand::Teach, 4, 3);
+        bench.frame(bench.silentFrames() + 1);
+        QVERIFY(called(bench, "end_freedrive"));
+    }
+
+    void forceModeLastsNoLongerThanItsPermit_data() {
+        QTest::addColumn<bool>("silence");
+        QTest::newRow("permit taken back") << false;
+        QTest::newRow("link lost") << true;
+    }
+    void forceModeLastsNoLongerThanItsPermit() {
+        QFETCH(bool, silence);
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.forcePermitted = true;
+        bench.ask(RequestKind::Store, 0, {0, 0, 0, 0, 0, 0});
+        bench.ask(RequestKind::Store, 6, {1, 1, 1, 1, 1, 1});
+        QCOMPARE(bench.ask(RequestKind::ForceMode, 4 + 2 * 64, {0, 0, 10, 0, 0, 0}).outcome, Outcome::Done);
+        QVERIFY(called(bench, "force_mode 2"));
+        bench.hold(ScriptCommand::Idle, 1, 20);
+        QVERIFY(!called(bench, "end_force_mode"));
+        if (silence) {
+            bench.frame(bench.silentFrames() + 1);
+        } else {
+            bench.forcePermitted = false;
+            bench.hold(ScriptCommand::Idle, 1, 2);
+        }
+        QVERIFY(called(bench, "end_force_mode"));
+    }
+
+    void forceModeDoesNotOutliveAPause() {
+        Bench bench;
+        bench.forcePermitted = true;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        QCOMPARE(bench.ask(RequestKind::ForceMode, 4 + 2 * 64, {0, 0, 10, 0, 0, 0}).outcome, Outcome::Done);
+        bench.host.calls.clear();
+        bench.hold(ScriptCommand::Idle, 1, 10);
+        QVERIFY(!called(bench, "end_force_mode"));
+        // A package that came while the program stood still is no sign of life.
+        bench.host.timeNs += 200'000'000;
+        bench.hold(ScriptCommand::Idle, 1, 1);
+        QVERIFY(called(bench, "end_force_mode"));
+    }
+
+    // On software that has neither a clock nor a record of where the arm was.
+    void forceModeDoesNotOutliveAPauseOfOldSoftware() {
+        for (const bool moves : {false, true}) {
+            Bench bench(RegisterRange::Upper, {3, 15, 0, 0});
+            bench.forcePermitted = true;
+            bench.host.steady = false;
+            bench.hold(ScriptCommand::Idle, 1, 2);
+            QCOMPARE(bench.ask(RequestKind::ForceMode, 4 + 2 * 64, {0, 0, 10, 0, 0, 0}).outcome,
+                     Outcome::Done);
+            bench.host.calls.clear();
+            bench.host.qd[1] = moves ? 0.1 : 0.01;
+            bench.hold(ScriptCommand::Idle, 1, 3);
+            QVERIFY(!called(bench, "end_force_mode"));
+            bench.host.qd[1] = 0;
+            bench.hold(ScriptCommand::Idle, 1, 1);
+            QCOMPARE(called(bench, "end_force_mode"), moves);
+        }
+    }
+
+    void forceModeDoesNotBeginWithoutItsPermit() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        QCOMPARE(bench.ask(RequestKind::ForceMode, 4 + 2 * 64, {0, 0, 10, 0, 0, 0}).outcome,
+                 Outcome::NotPermitted);
+        QVERIFY(!called(bench, "force_mode 2"));
+    }
+
+    void whatASectionBeganEndsWithIt_data() {
+        QTest::addColumn<QString>("end");
+        QTest::newRow("stop") << "stop";
+        QTest::newRow("silence") << "silence";
+        QTest::newRow("its own end") << "its own end";
+    }
+    void whatASectionBeganEndsWithIt() {
+        QFETCH(QString, end);
+        const QString wait =
+            end == QLatin1String("its own end") ? QStringLiteral("sync()") : QStringLiteral("sleep(100)");
+        Bench bench(RegisterRange::Upper, {5, 22, 0, 0},
+                    QStringLiteral("freedrive_mode()\nforce_mode(p[0,0,0,0,0,0], [0,0,1,0,0,0], "
+                                   "[0,0,9,0,0,0], 2, [1,1,1,1,1,1])\n") +
+                        wait);
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(ScriptCommand::Section, 2, 2);
+        QVERIFY(called(bench, "force_mode 2"));
+        if (end == QLatin1String("stop")) {
+            bench.hold(ScriptCommand::Idle, 3, 2);
+        } else if (end == QLatin1String("silence")) {
+            bench.frame(bench.silentFrames() + 1);
+        } else {
+            bench.hold(ScriptCommand::Section, 2, 5);
+        }
+        QVERIFY(called(bench, "end_force_mode"));
+        QVERIFY(called(bench, "end_freedrive"));
+    }
+
+    void aLaterStopNeverBrakesMoreSoftly() {
+        Bench bench;
+        moveInEpoch2(bench);
+        bench.send(stopJ(3, 8));
+        bench.frame();
+        QCOMPARE(bench.last<urscript::StopJ>()->deceleration, 8.0);
+        bench.send(stopJ(4, 0.2));
+        bench.frame(2);
+        bench.hold(ScriptCommand::Idle, 5, 2);  // the stop key brakes with 4
+        QCOMPARE(bench.count<urscript::StopJ>(), 1);
+        bench.send(stopJ(6, 12));
+        bench.frame(2);
+        QCOMPARE(bench.last<urscript::StopJ>()->deceleration, 12.0);
+    }
+
+    void eachRequestIsServedOnceAndAnswered() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        const Answer first = bench.ask(RequestKind::SetPayload, 1, {1.5, 0, 0, 0.1, 0, 0});
+        QCOMPARE(first.number, bench.request.number);
+        QCOMPARE(first.outcome, Outcome::Done);
+        QCOMPARE(bench.host.load.mass, 1.5);
+        bench.host.load.mass = 9;
+        bench.hold(ScriptCommand::Idle, 1, 20);  // the same number again and again
+        QCOMPARE(bench.host.load.mass, 9.0);
+        QCOMPARE(bench.ask(RequestKind::SetTcp, 0, {0, 0, 0.2, 0, 0, 0}).outcome, Outcome::Done);
+        QCOMPARE(bench.host.tcp.position.z(), 0.2);
+        const Answer torques = bench.ask(RequestKind::JointTorques);
+        QCOMPARE(torques.numbers[5], 6.0);
+        QCOMPARE(bench.ask(RequestKind::StepTime).numbers[0], 0.002);
+        bench.host.contact = 4;
+        QCOMPARE(bench.ask(RequestKind::ToolContact).whole, 4);
+        QCOMPARE(bench.ask(static_cast<RequestKind>(77)).outcome, Outcome::Unknown);
+        QVERIFY(bench.running());
+    }
+
+    void inverseKinematicsWithoutASolutionIsAnAnswer() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        QCOMPARE(bench.ask(RequestKind::InverseKinematics, 0, {0.3, 0.2, 0.1, 0, 0, 0}).outcome,
+                 Outcome::Done);
+        bench.host.reachable = false;
+        QCOMPARE(bench.ask(RequestKind::InverseKinematics, 0, {0.3, 0.2, 0.1, 0, 0, 0}).outcome,
+                 Outcome::NoSolution);
+        QVERIFY(bench.running());
+    }
+
+    void requestsOfAnotherSessionAreNotServed() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.request = {55, RequestKind::SetPayload, 0, {3, 0, 0, 0, 0, 0}};
+        Command other;
+        other.session = kSession + 1;
+        other.epoch = 1;
+        bench.send(other);
+        bench.frame(5);
+        QVERIFY(bench.host.load.mass != 3.0);
+    }
+
+    void whatOldSoftwareLacksIsNotInItsProgram() {
+        for (const auto& version : {SoftwareVersion{3, 5, 0, 0}, SoftwareVersion{5, 3, 0, 0}}) {
+            const QString text = controlScript(version, RegisterRange::Lower, 1, {}, kJointSpeeds).text;
+            for (const char* name : {"tool_contact(", "get_inverse_kin_has_solution(",
+                                     "get_freedrive_status(", "set_target_payload("}) {
+                QVERIFY2(!text.contains(QLatin1String(name)), name);
+            }
+            QVERIFY(!text.contains(QLatin1String("{{")));
+            Bench bench(RegisterRange::Lower, version);
+            bench.hold(ScriptCommand::Idle, 1, 2);
+            QCOMPARE(bench.ask(RequestKind::ToolContact).outcome, Outcome::Unknown);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestControlScriptCommands)
+#include "tst_control_script_commands.moc"

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// In control, and the robot goes from Remote to Local: motion stops, control is given back, and the operator
+// reads why. A robot that never was in Remote may be controlled as it is.
+#include <QElapsedTimer>
+#include <QTest>
+
+#include "tests/support/virtual_cell.h"
+
+using namespace tiller;
+using namespace tiller::test;
+using control::StopCause;
+
+namespace {
+
+/// Session time within which the switch is asked about; the answer itself takes real time.
+constexpr int kNoticedMs = 600;
+constexpr int kPatienceMs = 20'000;
+
+struct Bench {
+    QStringList warnings;  // outlives the session, which has a last word
+    VirtualClock clock;
+    RobotSession session{clock};
+    VirtualCell cell;
+    RobotSession::MotionId jog = 0;
+
+    explicit Bench(const simulator::SimulatorOptions& options = VirtualCell::options())
+        : cell(clock, session, options) {
+        QObject::connect(&session, &RobotSession::message, &session,
+                         [this](Severity severity, const QString& text) {
+                             if (severity != Severity::Info) {
+                                 warnings << text;
+                             }
+                         });
+        cell.everyRefresh = [this] {
+            if (jog != 0) {
+                session.hold(jog);
+            }
+        };
+    }
+    bool knowsRemote() {
+        return within([this] { return session.state().remoteControl; });
+    }
+    bool within(const std::function<bool()>& condition) {
+        QElapsedTimer patience;
+        patience.start();
+        while (!condition() && patience.elapsed() < kPatienceMs) {
+            cell.advanceMs(16);
+        }
+        return condition();
+    }
+    /// The session's time stands still: what was asked for is answered.
+    bool answered(const std::function<bool()>& condition) {
+        return QTest::qWaitFor(
+            [&] {
+                session.refresh();
+                return condition();
+            },
+            kPatienceMs);
+    }
+    bool beginJog() {
+        control::JogTarget up;
+        up.twist.linear.z() = 0.05;
+        const auto begun = session.beginJog(up);
+        if (!begun) {
+            return false;
+        }
+        jog = *begun;
+        return cell.advanceUntil([this] { return cell.truth().tcpSpeed.linear.norm() > 0.04; }, 1000);
+    }
+    bool isInControl() const { return session.state().control == ControlState::InControl; }
+    QString said() const { return warnings.join(QLatin1Char('\n')); }
+};
+
+}  // namespace
+
+class TestControlPlace : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void fromRemoteToLocalControlIsGivenBack() {
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.knowsRemote());
+        QVERIFY(bench.beginJog());
+        bench.warnings.clear();
+        bench.cell.robot.setRemoteControl(false);
+        bench.cell.advanceMs(kNoticedMs);
+        QVERIFY(bench.answered([&] { return !bench.warnings.isEmpty(); }));
+        QVERIFY2(bench.said().contains(QStringLiteral("Local")), qPrintable(bench.said()));
+        // The hand still holds the key: it moves nothing any more.
+        QVERIFY(
+            bench.cell.advanceUntil([&] { return bench.cell.truth().tcpSpeed.linear.norm() < 0.001; }, 250));
+        QVERIFY(bench.within([&] { return !bench.isInControl(); }));
+        QVERIFY(bench.within([&] { return bench.cell.truth().runtimeState == RuntimeState::Stopped; }));
+        QCOMPARE(bench.session.state().control, ControlState::Refused);
+        QVERIFY(bench.session.state().controlReason.contains(QStringLiteral("Local")));
+        QCOMPARE(bench.warnings.size(), 1);
+        // And back: nothing is taken by itself, but everything can be.
+        bench.jog = 0;
+        bench.cell.robot.setRemoteControl(true);
+        QVERIFY(bench.knowsRemote());
+        bench.cell.advanceMs(1000);
+        QVERIFY(!bench.isInControl());
+        bench.session.takeControl();
+        QVERIFY(bench.within([&] { return bench.isInControl(); }));
+        QVERIFY(bench.beginJog());
+    }
+
+    // What takes no commands is known as soon as it has been in Remote once.
+    void inLocalTheNextStepIsAtTheTeachPendant() {
+        Bench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.knowsRemote());
+        QVERIFY(!bench.session.state().remoteNeeded);
+        bench.cell.robot.setRemoteControl(false);
+        QVERIFY(bench.within([&] { return bench.session.state().remoteNeeded; }));
+        QVERIFY2(bench.session.state().controlReason.contains(QStringLiteral("Switch the robot to Remote")),
+                 qPrintable(bench.session.state().controlReason));
+        bench.cell.robot.setRemoteControl(true);
+        QVERIFY(bench.within([&] { return !bench.session.state().remoteNeeded; }));
+        QVERIFY(!bench.session.state().controlReason.contains(QStringLiteral("Remote")));
+    }
+
+    // Or when it has refused; and a refusal is forgotten when the robot is in Remote.
+    void aRefusalInLocalIsRememberedUntilItIsInRemote() {
+        simulator::SimulatorOptions options = VirtualCell::options();
+        options.remoteControl = false;
+        options.gateLocalControl = true;
+        options.gateLoopbackClients = true;
+        Bench bench(options);
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(
+            bench.within([&] { return bench.session.state().service == dashboard::ServiceKind::Dashboard; }));
+        QVERIFY(!bench.session.state().remoteNeeded);
+        bench.session.takeControl();
+        QVERIFY(bench.within([&] { return bench.session.state().control == ControlState::Refused; }));
+        QVERIFY2(bench.session.state().remoteNeeded, qPrintable(bench.said()));
+        bench.cell.robot.setRemoteControl(true);
+        QVERIFY(bench.knowsRemote());
+        QVERIFY(!bench.session.state().remoteNeeded);
+        QCOMPARE(bench.session.state().control, ControlState::None);
+        bench.session.takeControl();
+        QVERIFY2(bench.within([&] { return bench.isInControl(); }), qPrintable(bench.said()));
+    }
+
+    // Remote control switched off in the settings of the robot: it answers "false" from the beginning.
+    void aRobotThatNeverWasInRemoteIsNoTransition() {
+        simulator::SimulatorOptions options = VirtualCell::options();
+        options.remoteControl = false;
+        Bench bench(options);
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(
+            bench.within([&] { return bench.session.state().service == dashboard::ServiceKind::Dashboard; }));
+        QVERIFY(bench.beginJog());
+        QVERIFY(!bench.session.state().remoteNeeded);
+        bench.cell.advanceMs(3000);
+        QVERIFY(bench.isInControl());
+        QVERIFY(bench.cell.truth().tcpSpeed.linear.norm() > 0.01);
+        QVERIFY2(bench.warnings.isEmpty(), qPrintable(bench.said()));
+    }
+
+    // Software that does not know the question.
+    void whereNobodyTellsThereIsNoTransition() {
+        simulator::SimulatorOptions options = VirtualCell::options();
+        options.software = {5, 5, 1, 0};
+        Bench bench(options);
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(
+            bench.within([&] { return bench.session.state().service == dashboard::ServiceKind::Dashboard; }));
+        bench.cell.robot.setRemoteControl(false);
+        bench.cell.advanceMs(3000);
+        QVERIFY(bench.isInControl());
+        QVERIFY2(bench.warnings.isEmpty(), qPrintable(bench.said()));
+    }
+
+    void withoutControlThereIsNothingToGiveBack() {
+        Bench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.knowsRemote());
+        bench.cell.robot.setRemoteControl(false);
+        QVERIFY(bench.within([&] { return !bench.session.state().remoteControl; }));
+        QCOMPARE(bench.session.state().control, ControlState::None);
+        QVERIFY2(bench.warnings.isEmpty(), qPrintable(bench.said()));
+    }
+
+    // Whoever moved it, and once it rests: the log tells.
+    void aMovedSpeedSliderIsLogged() {
+        QStringList said;  // outlives the session, which has a last word
+        QList<Origin> origins;
+        Bench bench;
+        QObject::connect(&bench.session, &RobotSession::message, &bench.session,
+                         [&](Severity, const QString& text, Origin origin) {
+                             if (text.startsWith(QStringLiteral("Speed slider"))) {
+                                 said << text;
+                                 origins << origin;
+                             }
+                         });
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        bench.cell.advanceMs(1000);
+        QVERIFY(said.isEmpty());  // where it stood is no news
+        bench.cell.robot.setSpeedSlider(0.3);
+        bench.cell.advanceMs(1000);
+        QCOMPARE(said, QStringList{QStringLiteral("Speed slider: 30 %")});
+        QCOMPARE(origins.last(), Origin::Robot);
+        for (const double place : {0.4, 0.5, 0.6}) {
+            bench.session.setSpeedSlider(place);
+            bench.cell.advanceMs(50);
+        }
+        QVERIFY(bench.within([&] { return said.size() == 2; }));
+        bench.cell.advanceMs(1000);
+        QCOMPARE(said.last(), QStringLiteral("Speed slider: 60 %"));
+        QCOMPARE(said.size(), 2);
+        QCOMPARE(origins.last(), Origin::Operator);
+    }
+
+    // The log and its export call an output what the operator calls it.
+    void outputsAreLoggedByTheirNames() {
+        QStringList said;
+        Bench bench;
+        QObject::connect(&bench.session, &RobotSession::message, &bench.session,
+                         [&](Severity, const QString& text) { said << text; });
+        bench.session.setIoNames({{QStringLiteral("DO 3"), QStringLiteral("Gripper")}});
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        bench.session.setDigitalOutput(3, true);
+        QVERIFY(bench.within([&] { return said.contains(QStringLiteral("Output Gripper (DO 3): on")); }));
+        bench.session.setDigitalOutput(17, true);
+        QVERIFY(bench.within([&] { return said.contains(QStringLiteral("Output TO 1: on")); }));
+    }
+
+    void aCreepingSliderIsRefused() {
+        Bench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        bench.cell.advanceMs(100);
+        bench.session.setSpeedSlider(0);
+        QVERIFY(bench.within([&] { return !bench.warnings.isEmpty(); }));
+        QVERIFY2(bench.said().contains(QStringLiteral("0.02")), qPrintable(bench.said()));
+        QCOMPARE(bench.cell.truth().speedSlider, 1.0);
+    }
+
+    void aTransitionOnPolyscopeXIsOneToo() {
+        simulator::SimulatorOptions options = VirtualCell::options();
+        options.software = {10, 12, 0, 0};
+        options.portOffset = 20'000;
+        Bench bench(options);
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.knowsRemote());
+        bench.warnings.clear();
+        bench.cell.robot.setRemoteControl(false);
+        QVERIFY(bench.within([&] { return !bench.isInControl(); }));
+        QVERIFY(bench.within([&] { return !bench.warnings.isEmpty(); }));
+        QVERIFY2(bench.said().contains(QStringLiteral("Local")), qPrintable(bench.said()));
+    }
+};
+
+QTEST_MAIN(TestControlPlace)
+#include "tst_control_place.moc"
