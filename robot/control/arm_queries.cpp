@@ -35,7 +35,7 @@ Result<Answer> solve(Controller& controller, const Pose& pose, const InverseOpti
                      const Deadline& deadline) {
     constexpr auto kContext = "inverse kinematics";
     auto& d = ControllerAccess::of(controller);
-    const ArmLimits arm = d.armNow();
+    const ArmLimits arm = d.program.arm();
     constexpr double kLargestError = 0.1;
     ArgumentCheck check =
         ArgumentCheck(kContext)
@@ -52,7 +52,7 @@ Result<Answer> solve(Controller& controller, const Pose& pose, const InverseOpti
     const ControllerStatus status = d.loop.status();
     const JointPositions near = options.near.value_or(JointPositions(status.q));
     // Older software ends the program over a pose out of reach: do not ask it for one.
-    if (!d.needs({5, 10, 0, 0}, {3, 15, 0, 0}, context) &&
+    if (!d.program.needs({5, 10, 0, 0}, {3, 15, 0, 0}, context) &&
         !kinematics::inverseNearest(arm.dh, pose, Pose::fromArray(status.tcpOffset), near)) {
         return Error{ErrorCode::NoSolution, context, {}};
     }
@@ -63,14 +63,14 @@ Result<Answer> solve(Controller& controller, const Pose& pose, const InverseOpti
     const auto numbers = twelve(pose.array(), near.array());
     if (!exact) {
         const std::size_t count = options.near ? numbers.size() : kInOnePackage;
-        return d.request(RequestKind::InverseKinematics, given, std::span(numbers).first(count), context,
-                         deadline);
+        return d.requests.request(RequestKind::InverseKinematics, given, std::span(numbers).first(count),
+                                  context, deadline);
     }
     std::array<double, 14> all{};
     std::copy(numbers.begin(), numbers.end(), all.begin());
     all[12] = options.maxPositionError;
     all[13] = options.maxOrientationError;
-    return d.request(RequestKind::InverseKinematics, given, all, context, deadline);
+    return d.requests.request(RequestKind::InverseKinematics, given, all, context, deadline);
 }
 
 }  // namespace
@@ -95,7 +95,7 @@ Result<Pose> ArmQueries::forwardKinematics(const std::optional<JointPositions>& 
     auto& d = ControllerAccess::of(*controller_);
     ArgumentCheck check("forward kinematics");
     if (q) {
-        check.joints("q", *q, d.armNow());
+        check.joints("q", *q, d.program.arm());
     }
     if (tcp) {
         check.pose("tcp", *tcp);
@@ -104,9 +104,9 @@ Result<Pose> ArmQueries::forwardKinematics(const std::optional<JointPositions>& 
         return check.error();
     }
     const auto numbers = twelve(q.value_or(JointPositions()).array(), tcp.value_or(Pose()).array());
-    return poseOf(d.request(RequestKind::ForwardKinematics, (q ? 1 : 0) + (tcp ? 2 : 0),
-                            std::span(numbers).first(tcp ? numbers.size() : kInOnePackage),
-                            QStringLiteral("forward kinematics"), deadline));
+    return poseOf(d.requests.request(RequestKind::ForwardKinematics, (q ? 1 : 0) + (tcp ? 2 : 0),
+                                     std::span(numbers).first(tcp ? numbers.size() : kInOnePackage),
+                                     QStringLiteral("forward kinematics"), deadline));
 }
 
 Result<bool> ArmQueries::isWithinSafetyLimits(const Pose& tcpPose, const Deadline& deadline) {
@@ -116,10 +116,10 @@ Result<bool> ArmQueries::isWithinSafetyLimits(const Pose& tcpPose, const Deadlin
     }
     auto& d = ControllerAccess::of(*controller_);
     const QString context = QStringLiteral("check the safety limits");
-    if (const auto known = d.knows("is_within_safety_limits", context); !known) {
+    if (const auto known = d.program.knows("is_within_safety_limits", context); !known) {
         return known.error();
     }
-    return yesOf(d.request(RequestKind::PoseIsSafe, 0, tcpPose.array(), context, deadline));
+    return yesOf(d.requests.request(RequestKind::PoseIsSafe, 0, tcpPose.array(), context, deadline));
 }
 
 Result<bool> ArmQueries::isWithinSafetyLimits(const JointPositions& q, const Deadline& deadline) {
@@ -130,22 +130,23 @@ Result<bool> ArmQueries::isWithinSafetyLimits(const JointPositions& q, const Dea
     }
     auto& d = ControllerAccess::of(*controller_);
     const QString context = QStringLiteral("check the safety limits");
-    if (const auto known = d.knows("is_within_safety_limits", context); !known) {
+    if (const auto known = d.program.knows("is_within_safety_limits", context); !known) {
         return known.error();
     }
-    return yesOf(d.request(RequestKind::JointsAreSafe, 0, q.array(), context, deadline));
+    return yesOf(d.requests.request(RequestKind::JointsAreSafe, 0, q.array(), context, deadline));
 }
 
 Result<JointTorques> ArmQueries::jointTorques(const Deadline& deadline) {
-    const auto answer =
-        ControllerAccess::of(*controller_)
-            .request(RequestKind::JointTorques, 0, {}, QStringLiteral("read joint torques"), deadline);
+    const auto answer = ControllerAccess::of(*controller_)
+                            .requests.request(RequestKind::JointTorques, 0, {},
+                                              QStringLiteral("read joint torques"), deadline);
     return answer ? Result<JointTorques>(JointTorques(answer->numbers)) : answer.error();
 }
 
 Result<bool> ArmQueries::isSteady(const Deadline& deadline) {
-    return yesOf(ControllerAccess::of(*controller_)
-                     .request(RequestKind::IsSteady, 0, {}, QStringLiteral("ask for standstill"), deadline));
+    return yesOf(
+        ControllerAccess::of(*controller_)
+            .requests.request(RequestKind::IsSteady, 0, {}, QStringLiteral("ask for standstill"), deadline));
 }
 
 Result<int> ArmQueries::toolContact(const Twist& direction, const Deadline& deadline) {
@@ -156,20 +157,21 @@ Result<int> ArmQueries::toolContact(const Twist& direction, const Deadline& dead
     }
     auto& d = ControllerAccess::of(*controller_);
     const QString context = QStringLiteral("ask for tool contact");
-    if (const auto known = d.needs(kContactSince, kNever, context); !known) {
+    if (const auto known = d.program.needs(kContactSince, kNever, context); !known) {
         return known.error();
     }
-    const auto answer = d.request(RequestKind::ToolContact, 0, {values.data(), 6}, context, deadline);
+    const auto answer =
+        d.requests.request(RequestKind::ToolContact, 0, {values.data(), 6}, context, deadline);
     return answer ? Result<int>(answer->whole) : answer.error();
 }
 
 Result<Pose> ArmQueries::targetWaypoint(const Deadline& deadline) {
     auto& d = ControllerAccess::of(*controller_);
     const QString context = QStringLiteral("read the target waypoint");
-    if (const auto known = d.needs({5, 3, 0, 0}, kNever, context); !known) {
+    if (const auto known = d.program.needs({5, 3, 0, 0}, kNever, context); !known) {
         return known.error();
     }
-    return poseOf(d.request(RequestKind::TargetWaypoint, 0, {}, context, deadline));
+    return poseOf(d.requests.request(RequestKind::TargetWaypoint, 0, {}, context, deadline));
 }
 
 Result<JointPositions> ArmQueries::jointPositionsHistory(int steps, const Deadline& deadline) {
@@ -181,42 +183,42 @@ Result<JointPositions> ArmQueries::jointPositionsHistory(int steps, const Deadli
                      QStringLiteral("steps: %1 is outside 0 to %2").arg(steps).arg(kSurelyRemembered)};
     }
     auto& d = ControllerAccess::of(*controller_);
-    if (const auto known = d.needs(kContactSince, kNever, context); !known) {
+    if (const auto known = d.program.needs(kContactSince, kNever, context); !known) {
         return known.error();
     }
-    const auto answer = d.request(RequestKind::JointHistory, steps, {}, context, deadline);
+    const auto answer = d.requests.request(RequestKind::JointHistory, steps, {}, context, deadline);
     return answer ? Result<JointPositions>(JointPositions(answer->numbers)) : answer.error();
 }
 
 Result<double> ArmQueries::stepTime(const Deadline& deadline) {
     const auto answer =
         ControllerAccess::of(*controller_)
-            .request(RequestKind::StepTime, 0, {}, QStringLiteral("read the step time"), deadline);
+            .requests.request(RequestKind::StepTime, 0, {}, QStringLiteral("read the step time"), deadline);
     return answer ? Result<double>(answer->numbers[0]) : answer.error();
 }
 
 Result<Pose> ArmQueries::tcpOffset(const Deadline& deadline) {
     auto& d = ControllerAccess::of(*controller_);
     const QString context = QStringLiteral("read the TCP offset");
-    if (const auto known = d.needs(kESeries, {3, 6, 0, 0}, context); !known) {
+    if (const auto known = d.program.needs(kESeries, {3, 6, 0, 0}, context); !known) {
         return known.error();
     }
-    return poseOf(d.request(RequestKind::TcpOffset, 0, {}, context, deadline));
+    return poseOf(d.requests.request(RequestKind::TcpOffset, 0, {}, context, deadline));
 }
 
 Result<Pose> ArmQueries::flangePose(const Deadline& deadline) {
-    return poseOf(
-        ControllerAccess::of(*controller_)
-            .request(RequestKind::FlangePose, 0, {}, QStringLiteral("read the flange pose"), deadline));
+    return poseOf(ControllerAccess::of(*controller_)
+                      .requests.request(RequestKind::FlangePose, 0, {},
+                                        QStringLiteral("read the flange pose"), deadline));
 }
 
 Result<int> ArmQueries::freedriveStatus(const Deadline& deadline) {
     auto& d = ControllerAccess::of(*controller_);
     const QString context = QStringLiteral("read the freedrive status");
-    if (const auto known = d.needs({5, 10, 0, 0}, kNever, context); !known) {
+    if (const auto known = d.program.needs({5, 10, 0, 0}, kNever, context); !known) {
         return known.error();
     }
-    const auto answer = d.request(RequestKind::FreedriveStatus, 0, {}, context, deadline);
+    const auto answer = d.requests.request(RequestKind::FreedriveStatus, 0, {}, context, deadline);
     return answer ? Result<int>(answer->whole) : answer.error();
 }
 

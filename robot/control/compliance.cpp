@@ -70,7 +70,7 @@ Result<void> Compliance::setForceMode(const ForceMode& mode, const Deadline& dea
     d.loop.permitForce(true);
     Result<void> on;
     if (d.mailbox.epoch().stops() == stops) {
-        on = noAnswer(d.request(RequestKind::ForceMode, whole, numbers, context, deadline));
+        on = noAnswer(d.requests.request(RequestKind::ForceMode, whole, numbers, context, deadline));
     } else {
         on = Error{ErrorCode::Stopped, context, QStringLiteral("a stop came first")};
     }
@@ -83,7 +83,7 @@ Result<void> Compliance::setForceMode(const ForceMode& mode, const Deadline& dea
 Result<void> Compliance::endForceMode(const Deadline& deadline) {
     auto& d = ControllerAccess::of(*controller_);
     const auto ended =
-        d.request(RequestKind::EndForceMode, 0, {}, QStringLiteral("end force mode"), deadline);
+        d.requests.request(RequestKind::EndForceMode, 0, {}, QStringLiteral("end force mode"), deadline);
     d.loop.permitForce(false);  // ends it too, should the answer be lost
     return noAnswer(ended);
 }
@@ -95,10 +95,10 @@ Result<void> Compliance::setForceDamping(double damping, const Deadline& deadlin
     }
     auto& d = ControllerAccess::of(*controller_);
     const QString context = QStringLiteral("set force damping");
-    if (const auto known = d.needs(kESeries, kDampingOnCb3, context); !known) {
+    if (const auto known = d.program.needs(kESeries, kDampingOnCb3, context); !known) {
         return known;
     }
-    return noAnswer(d.request(RequestKind::ForceDamping, 0, {&damping, 1}, context, deadline));
+    return noAnswer(d.requests.request(RequestKind::ForceDamping, 0, {&damping, 1}, context, deadline));
 }
 
 Result<void> Compliance::setForceGainScaling(double scaling, const Deadline& deadline) {
@@ -108,10 +108,10 @@ Result<void> Compliance::setForceGainScaling(double scaling, const Deadline& dea
     }
     auto& d = ControllerAccess::of(*controller_);
     const QString context = QStringLiteral("set force gain scaling");
-    if (const auto known = d.needs(kESeries, {}, context); !known) {
+    if (const auto known = d.program.needs(kESeries, {}, context); !known) {
         return known;
     }
-    return noAnswer(d.request(RequestKind::ForceGainScaling, 0, {&scaling, 1}, context, deadline));
+    return noAnswer(d.requests.request(RequestKind::ForceGainScaling, 0, {&scaling, 1}, context, deadline));
 }
 
 Result<Motion> Compliance::startFreedrive(const Freedrive& freedrive, Holding holding) {
@@ -127,7 +127,7 @@ Result<Motion> Compliance::startFreedrive(const Freedrive& freedrive, Holding ho
     }
     const Freedrive whole;
     if (freedrive.freeAxes != whole.freeAxes || !(freedrive.feature == whole.feature)) {
-        if (const auto known = d.needs({5, 10, 0, 0}, {}, context); !known) {
+        if (const auto known = d.program.needs({5, 10, 0, 0}, {}, context); !known) {
             return known.error();
         }
     }
@@ -148,7 +148,7 @@ Result<Motion> Compliance::startTeachMode(Holding holding) {
     auto& d = ControllerAccess::of(*controller_);
     const std::uint64_t stops = d.mailbox.epoch().stops();
     const QString context = QStringLiteral("start teach mode");
-    if (const auto known = d.knows("teach_mode", context); !known) {
+    if (const auto known = d.program.knows("teach_mode", context); !known) {
         return known.error();
     }
     if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
@@ -172,17 +172,17 @@ Result<void> Compliance::startContactDetection(const Twist& direction, const Dea
     }
     auto& d = ControllerAccess::of(*controller_);
     const QString context = QStringLiteral("start contact detection");
-    if (const auto known = d.needs(kContactSince, {}, context); !known) {
+    if (const auto known = d.program.needs(kContactSince, {}, context); !known) {
         return known;
     }
     const std::int32_t how = after == AfterContact::Return ? 2 : 1;
-    return noAnswer(d.request(RequestKind::WatchContact, how, numbersOf(values), context, deadline));
+    return noAnswer(d.requests.request(RequestKind::WatchContact, how, numbersOf(values), context, deadline));
 }
 
 Result<bool> Compliance::hasContact(const Deadline& deadline) {
     auto& d = ControllerAccess::of(*controller_);
-    const auto answer =
-        d.request(RequestKind::ReadContact, 0, {}, QStringLiteral("read contact detection"), deadline);
+    const auto answer = d.requests.request(RequestKind::ReadContact, 0, {},
+                                           QStringLiteral("read contact detection"), deadline);
     return answer ? Result<bool>(answer->whole != 0) : answer.error();
 }
 
@@ -192,8 +192,8 @@ Result<bool> Compliance::endContactDetection(const Deadline& deadline) {
         return touched;
     }
     auto& d = ControllerAccess::of(*controller_);
-    const auto ended =
-        d.request(RequestKind::WatchContact, 0, {}, QStringLiteral("end contact detection"), deadline);
+    const auto ended = d.requests.request(RequestKind::WatchContact, 0, {},
+                                          QStringLiteral("end contact detection"), deadline);
     return ended ? touched : Result<bool>(ended.error());
 }
 

@@ -7,22 +7,22 @@
 
 #include "robot/control/detail/argument_check.h"
 #include "robot/control/detail/controller_private.h"
-#include "robot/realtime/realtime_report.h"
+#include "robot/core/wait_until.h"
 
 namespace tiller::control {
 
 namespace {
 
-// How often the control thread looks up when no data come. In real time only: whether they are late is
-// decided by the Clock.
-constexpr std::int64_t kLookUpNs = 4 * kNsPerMs;
-// What is found so soon after the thread had something to do may have come meanwhile.
-constexpr std::int64_t kBusyNs = kNsPerMs / 20;
+// What is said to the control program before the connection ends gets so long to arrive.
+constexpr std::chrono::milliseconds kLastWords(160);
+
+Error stopCameFirst(const QString& context) {
+    return {ErrorCode::Stopped, context, QStringLiteral("a stop came first")};
+}
 
 }  // namespace
 
 Controller::Controller(const ControllerOptions& options) : d_(std::make_unique<Private>(options)) {
-    d_->armLimits = ArmLimits::of(robotModel(options.model));
     d_->loop.publishLoss(ControlLoss::NotTaken);
 }
 
@@ -32,40 +32,85 @@ Controller::~Controller() {
 
 Result<void> Controller::takeControl(const Deadline& deadline) {
     const std::lock_guard lock(d_->taking);
-    if (d_->running && d_->loop.isInControl()) {
+    if (d_->isInControl()) {
         return {};
     }
     const UnderWay cancellable(*d_, deadline);
-    d_->stopThread();
-    auto taken = d_->take(deadline, false);
-    if (!taken) {
-        d_->stopThread();
-        d_->loop.publishLoss(ControlLoss::NotTaken);
-    }
-    return taken;
+    return d_->take(deadline, false);
 }
 
 Result<void> Controller::joinProgram(const Deadline& deadline) {
     const std::lock_guard lock(d_->taking);
-    if (d_->running && d_->loop.isInControl()) {
+    if (d_->isInControl()) {
         return {};
     }
     const UnderWay cancellable(*d_, deadline);
-    if (d_->running) {
-        const QString context = QStringLiteral("go on with the control program");
-        if (d_->loop.status().runtimeState != RuntimeState::Playing || d_->session == 0) {
-            return Error{ErrorCode::NotInControl, context, QStringLiteral("it does not run")};
-        }
-        d_->loop.expectSession(d_->session);
-        return d_->awaitControl(deadline, context);
+    if (!d_->link.isRunning()) {
+        return d_->take(deadline, true);
     }
-    d_->stopThread();
-    auto taken = d_->take(deadline, true);
+    const QString context = QStringLiteral("go on with the control program");
+    const std::int32_t session = d_->program.session();
+    if (d_->loop.status().runtimeState != RuntimeState::Playing || session == 0) {
+        return Error{ErrorCode::NotInControl, context, QStringLiteral("it does not run")};
+    }
+    d_->loop.expectSession(session);
+    return d_->program.awaitControl(deadline, context);
+}
+
+Result<void> Controller::Private::take(const Deadline& deadline, bool join) {
+    disconnect();
+    auto taken = connect(deadline, join);
     if (!taken) {
-        d_->stopThread();
-        d_->loop.publishLoss(ControlLoss::NotTaken);
+        disconnect();
+        loop.publishLoss(ControlLoss::NotTaken);
     }
     return taken;
+}
+
+// Step by step, each with its own reason for not working.
+Result<void> Controller::Private::connect(const Deadline& deadline, bool join) {
+    if (const Error error = checkLimits(options.limits, "take control"); error.code != ErrorCode::None) {
+        return error;
+    }
+    loop.publishLoss(ControlLoss::Taking);
+    if (auto opened = link.open(deadline); !opened) {
+        return opened;
+    }
+    if (options.awaitProgram) {
+        if (auto safe = link.checkModes(deadline); !safe) {
+            return safe;
+        }
+    }
+    std::optional<Echo> joined;
+    if (join) {
+        const auto found = link.findProgram(deadline);
+        if (!found) {
+            return found.error();
+        }
+        joined = *found;
+    }
+    if (auto heard = program.listen(link.version(), deadline); !heard) {
+        return heard;
+    }
+    const std::int32_t session = joined ? joined->session : ControlProgram::newSession();
+    requests.restart([&] {
+        program.setSession(session);
+        loop.begin(session, link.period(), program.arm(), now());
+        if (joined) {
+            // Nothing the client before us asked for may be taken for ours.
+            mailbox.skipTo(static_cast<std::uint64_t>(joined->epoch) + 1);
+            loop.follow(*joined);
+        }
+        link.begin(program.listener());
+    });
+    return joined ? program.awaitControl(deadline,
+                                         QStringLiteral("join the control program at %1").arg(options.host))
+                  : program.upload(session, {}, deadline);
+}
+
+void Controller::Private::disconnect() {
+    link.end();
+    program.stopListening();
 }
 
 void Controller::Private::end(const std::function<void()>& whenRunning) {
@@ -79,10 +124,10 @@ void Controller::Private::end(const std::function<void()>& whenRunning) {
         const std::lock_guard guard(patience);
         --ending;
     }
-    if (running) {
+    if (link.isRunning()) {
         whenRunning();
     }
-    stopThread();
+    disconnect();
     loop.publishLoss(ControlLoss::Released);
 }
 
@@ -92,10 +137,7 @@ void Controller::release() {
         stop(StopCause::ControlLost);
         d_->loop.requestEnd();
         // Enough to see the arm come to rest from a jog; a longer way it brakes without us.
-        const Deadline patience = Deadline::after(std::chrono::milliseconds(160));
-        while (d_->running && d_->loop.isInControl() && !patience.hasExpired()) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
-        }
+        waitUntil(Deadline::after(kLastWords), [this] { return !d_->isInControl(); });
     });
 }
 
@@ -110,85 +152,12 @@ void Controller::leave() {
     d_->end([&] {
         stopEndless();
         d_->loop.permitFinish();
-        d_->wake();
+        d_->link.wake();
         // Some 5 ms, unless the robot hangs: then its program ends the motion by itself.
-        const Deadline patience = Deadline::after(std::chrono::milliseconds(160));
-        while (d_->running && d_->loop.isInControl() && !d_->loop.isFinishPermitted() &&
-               !patience.hasExpired()) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
+        waitUntil(Deadline::after(kLastWords),
+                  [this] { return !d_->isInControl() || d_->loop.isFinishPermitted(); });
     });
     stop(StopCause::ControlLost);  // for those who wait for it here: we hear no more of it
-}
-
-void Controller::Private::run() {
-    realtime::nameThread("control");
-    loop.setGranted(options.priority <= 0 || realtime::requestThreadPriority(options.priority).ok(),
-                    options.cpus.empty() || realtime::bindToCpus(options.cpus).isEmpty());
-    std::vector<double> values(connection->outputs().size());
-    const auto isSent = [this](Inputs recipe, std::span<const double> inputs) {
-        return connection->sendInputs(recipe, inputs) != rtde::Connection::Send::Failed;
-    };
-    const auto send = [&](const Command& command) {
-        const auto inputs = encode(command);
-        bool sent = isSent(kCommandInputs, inputs);
-        if (sent && watchdogUsable && kick.exchange(false, std::memory_order_acq_rel)) {
-            constexpr std::array<double, 1> kNothing{};
-            sent = isSent(kWatchdogInputs, kNothing);
-        }
-        if (const auto* measured = sent && wrenchUsable ? wrench.take() : nullptr; measured != nullptr) {
-            sent = isSent(kWrenchInputs, *measured);
-        }
-        return sent;
-    };
-    bool alive = true;
-    std::int64_t doneNs = now();
-    const auto lastData = [this] { return loop.status().dataTimeNs; };
-    const std::int64_t silenceNs = std::chrono::nanoseconds(options.silence).count();
-    const std::int64_t begunNs = doneNs;
-    const auto answer = [&](const Command& command) {
-        doneNs = now();
-        return send(command);
-    };
-    while (alive && !quit.load(std::memory_order_acquire)) {
-        const std::int64_t due = loop.dueNs();
-        // The last of the wait for a cycle that is due is spent looking, not asleep.
-        const std::int64_t left = due == kNoCycleDue ? kLookUpNs : due - now() - kWakeUpNs;
-        const std::chrono::nanoseconds wait(std::clamp<std::int64_t>(left, 0, kLookUpNs));
-        switch (connection->readPackage(values, wait, &waker)) {
-            case rtde::Connection::Read::Package: {
-                Feedback data = layout.decode(values, now());
-                data.awaited = data.hostNs - doneNs > kBusyNs;
-                alive = answer(loop.tick(data));
-                if (loop.takePaused() && (!options.keepPaused || loop.yieldedWhenPaused())) {
-                    primary->requestProgramStop();  // set before this thread began, and until it has ended
-                }
-                break;
-            }
-            case rtde::Connection::Read::Nothing: {
-                const bool looksOn = wait.count() == 0 && now() < due;
-                Command command;
-                if ((waker.take() && loop.early(now(), command)) ||
-                    (!looksOn && loop.fallback(now(), command))) {
-                    alive = answer(command);
-                }
-                if (silenceNs > 0 && now() - std::max(lastData(), begunNs) > silenceNs) {
-                    alive = false;
-                }
-                break;
-            }
-            case rtde::Connection::Read::Closed:
-            case rtde::Connection::Read::Failed:
-            case rtde::Connection::Read::Malformed:
-                alive = false;
-                break;
-        }
-    }
-    if (!alive) {
-        loop.lost(now(), ControlLoss::LinkLost);
-        connection->close();  // frees the registers for whoever comes next
-    }
-    running.store(false, std::memory_order_release);
 }
 
 Error Controller::Private::obstacle(const QString& context) const {
@@ -217,26 +186,68 @@ Result<MotionId> Controller::Private::start(const MotionCommand& command, std::u
                                             const QString& context) {
     const MotionId id = mailbox.startUnlessStopped(stops, command, now());
     if (id == kNoMotion) {
-        return Error{ErrorCode::Stopped, context, QStringLiteral("a stop came first")};
+        return stopCameFirst(context);
     }
     // Control may have ended since it was looked at, and nobody else would end this motion then.
     if (!loop.confirmControl()) {
         mailbox.end(id, StopCause::ControlLost, now());
         return Error{ErrorCode::NotInControl, context, {}};
     }
-    wake();
+    link.wake();
+    return id;
+}
+
+Result<MotionId> Controller::Private::startSection(const QString& section, const QString& name,
+                                                   Holding holding, std::chrono::milliseconds silence,
+                                                   std::uint64_t stops, const Deadline& deadline,
+                                                   const QString& context) {
+    const std::lock_guard lock(taking);
+    const UnderWay cancellable(*this, deadline);
+    if (!loop.isInControl()) {
+        return Error{ErrorCode::NotInControl, context, {}};
+    }
+    // Braking first, and nothing that is stopped from here on may begin.
+    const std::uint64_t epoch = mailbox.stop(Brake{}, StopCause::Superseded, now());
+    if (mailbox.epoch().stops() != stops) {
+        return stopCameFirst(context);
+    }
+    if (auto sent = program.restart(section, name, deadline); !sent) {
+        Error error = sent.error();
+        error.context = context;
+        // A section that does not compile must not cost the control.
+        if (error.code == ErrorCode::ScriptError) {
+            if (auto back = program.restart({}, {}, deadline); !back) {
+                error.controllerMessage +=
+                    QStringLiteral("; and control did not come back: ") + back.error().toString();
+            }
+        }
+        return error;
+    }
+    MotionCommand command;
+    command.kind = MotionCommand::Kind::Program;
+    command.program = static_cast<std::int32_t>(ScriptCommand::Section);
+    command.held = holding == Holding::Held;
+    command.silence = silence;
+    const MotionId id = mailbox.startAfter(epoch, command, now());
+    if (id == kNoMotion) {
+        return stopCameFirst(context);
+    }
+    if (!loop.confirmControl()) {
+        mailbox.end(id, StopCause::ControlLost, now());
+        return Error{ErrorCode::NotInControl, context, {}};
+    }
     return id;
 }
 
 void Controller::stop(StopCause cause) {
     d_->mailbox.stop(cause, d_->now());
     d_->loop.permitForce(false);  // afterwards: see setForceMode()
-    d_->wake();
+    d_->link.wake();
 }
 
 bool Controller::end(MotionId motion, StopCause cause) {
     const bool ended = d_->mailbox.end(motion, cause, d_->now());
-    d_->wake();
+    d_->link.wake();
     return ended;
 }
 
@@ -249,12 +260,12 @@ ControllerStatus Controller::status() const {
 }
 
 JointLimits Controller::jointLimits() const {
-    const ArmLimits arm = d_->armNow();
+    const ArmLimits arm = d_->program.arm();
     return {arm.minPosition, arm.maxPosition, arm.maxSpeed};
 }
 
 bool Controller::isConnected() const {
-    return d_->running.load(std::memory_order_acquire);
+    return d_->link.isRunning();
 }
 
 MotionLimits Controller::limits() const {
@@ -276,7 +287,7 @@ Result<void> Controller::setSpeedCap(double metresPerSecond) {
 }
 
 SoftwareVersion Controller::version() const {
-    return d_->versionNow();
+    return d_->program.version();
 }
 
 }  // namespace tiller::control

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
 #include "robot/control/detail/argument_check.h"
 #include "robot/control/detail/controller_private.h"
 #include "robot/control/jog.h"
+#include "robot/core/wait_until.h"
 
 namespace tiller::control {
 
@@ -135,29 +135,30 @@ bool Jog::refresh(const JogTarget& target) const {
 }
 
 Result<void> Motion::wait(const Deadline& deadline) const {
-    constexpr milliseconds kLook(1);
-    MotionState now = state();
-    while (now.phase == MotionPhase::Active) {
-        if (deadline.hasExpired()) {
-            return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout,
-                         QStringLiteral("wait for a motion"), QStringLiteral("it goes on")};
-        }
-        std::this_thread::sleep_for(std::min(deadline.nextPoll(), kLook));
+    MotionState now;
+    const bool ended = waitUntil(deadline, [&] {
         now = state();
+        return now.phase != MotionPhase::Active;
+    });
+    if (!ended) {
+        return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout,
+                     QStringLiteral("wait for a motion"), QStringLiteral("it goes on")};
     }
     if (now.cause == StopCause::Completed) {
         return {};
     }
     if (controller_ != nullptr && runsSection(kind_) && now.cause == StopCause::ControlLost) {
         // The controller's own words come on another connection, a little later.
-        const Deadline soon = Deadline::after(milliseconds(500), deadline.token());
+        const Deadline soon =
+            Deadline::after(std::min(milliseconds(500), deadline.remaining()), deadline.token());
         auto& d = ControllerAccess::of(*controller_);
-        while (!soon.hasExpired() && !deadline.hasExpired()) {
-            const Error said = d.complaint(QStringLiteral("run a script"));
-            if (said.code != ErrorCode::None) {
-                return said;
-            }
-            std::this_thread::sleep_for(milliseconds(2));
+        Error said;
+        const auto heard = [&] {
+            said = d.program.complaint(QStringLiteral("run a script"));
+            return said.code != ErrorCode::None;
+        };
+        if (waitUntil(soon, heard)) {
+            return said;
         }
     }
     return errorOf(now.cause);

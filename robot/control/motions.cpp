@@ -123,7 +123,7 @@ struct Beginning {
     Controller& controller;
     Controller::Private& d = ControllerAccess::of(controller);
     std::uint64_t stops = d.mailbox.epoch().stops();  ///< before anything is looked at
-    ArmLimits arm = d.armNow();
+    ArmLimits arm = d.program.arm();
     MotionLimits limits = d.limitsNow();
     ControllerStatus status = controller.status();
     JointPositions q{status.q};
@@ -293,7 +293,7 @@ Result<Motion> Motions::movePath(const MotionPath& path, const Deadline& start, 
     if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
         return error;
     }
-    const auto fit = fitted(path, d.armNow(), controller_->status(), d.limitsNow());
+    const auto fit = fitted(path, d.program.arm(), controller_->status(), d.limitsNow());
     if (!fit) {
         return fit.error();
     }
@@ -330,12 +330,12 @@ Result<Motion> Motions::moveUntilContact(const Twist& twist, const Deadline& sta
     if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
         return error;
     }
-    if (const auto known = d.needs(kHasContact, {}, context); !known) {
+    if (const auto known = d.program.needs(kHasContact, {}, context); !known) {
         return known.error();
     }
     const Vector6 values = parameters.direction.vector();
     const std::span<const double> numbers(values.data(), 6);
-    if (const auto set = d.request(RequestKind::WatchContact, 0, numbers, context, start); !set) {
+    if (const auto set = d.requests.request(RequestKind::WatchContact, 0, numbers, context, start); !set) {
         return set.error();
     }
     MotionCommand command = program(ScriptCommand::UntilContact, parameters.holding);
@@ -387,7 +387,7 @@ Result<Motion> Motions::stopJ(double deceleration, StopCause cause) {
     auto& d = ControllerAccess::of(*controller_);
     const MotionId id = d.mailbox.stop({0, Brake::Along::Joints, deceleration, deceleration}, cause, d.now());
     d.loop.permitForce(false);
-    d.wake();
+    d.link.wake();
     return MotionAccess::make(*controller_, id, MotionKind::Stop);
 }
 
@@ -405,7 +405,7 @@ Result<Motion> Motions::stopL(double deceleration, double rotationDeceleration, 
     auto& d = ControllerAccess::of(*controller_);
     const MotionId id = d.mailbox.stop({0, Brake::Along::Line, deceleration, rotation}, cause, d.now());
     d.loop.permitForce(false);
-    d.wake();
+    d.link.wake();
     return MotionAccess::make(*controller_, id, MotionKind::Stop);
 }
 

@@ -3,19 +3,17 @@
 
 #include <QRegularExpression>
 #include <algorithm>
-#include <thread>
+#include <optional>
 
 #include "robot/control/detail/controller_private.h"
+#include "robot/core/wait_until.h"
+#include "robot/script/script_client.h"
 
 namespace tiller::control {
 
 using std::chrono::milliseconds;
 
 namespace {
-
-Error overdue(const Deadline& deadline, const QString& context, const QString& what) {
-    return {deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context, what};
-}
 
 /// What the controller calls this program in its messages.
 QString scriptName(const QString& program) {
@@ -28,82 +26,84 @@ Error stopped(const QString& context) {
     return {ErrorCode::Stopped, context, QStringLiteral("a stop or another motion came in between")};
 }
 
-}  // namespace
-
-Result<void> Controller::Private::endProgram(ControlLoss loss, const Deadline& deadline) {
-    const QString context = QStringLiteral("end the control program");
-    loop.requestEnd(loss);
-    while (running && (loop.isInControl() || loop.status().runtimeState == RuntimeState::Playing)) {
-        if (deadline.hasExpired()) {
-            return overdue(deadline, context, QStringLiteral("it goes on"));
+/// Ends a script of the user's that still runs, and takes control again. Needs `taking`.
+Result<void> bringBack(Controller::Private& d) {
+    // Its own time, which only release() may cut short: whatever ended the script, it must not go on.
+    const Deadline deadline = Deadline::after(milliseconds(5000));
+    const UnderWay cancellable(d, deadline);
+    const auto plays = [&d] { return d.loop.status().runtimeState == RuntimeState::Playing; };
+    bool told = true;
+    if (!d.link.isRunning() || plays()) {
+        script::ScriptClient client(d.options.host, d.program.primaryPort());
+        auto connected = client.connect(Deadline::after(milliseconds(1000), deadline.token()));
+        if (!connected && deadline.isCancelled()) {
+            connected = client.connect(Deadline::after(milliseconds(100)));
         }
-        std::this_thread::sleep_for(milliseconds(1));
+        if (connected) {
+            connected = client.send(QStringLiteral("stop program\n"), Deadline::after(milliseconds(100)));
+        }
+        told = connected.ok();
+        // It must not reach the robot after the control program.
+        waitUntil(Deadline::after(milliseconds(500), deadline.token()),
+                  [&] { return !d.link.isRunning() || !plays(); });
     }
-    return running ? Result<void>() : Error{ErrorCode::LinkLost, context, {}};
+    if (!d.link.isRunning()) {
+        return Error{ErrorCode::LinkLost, QStringLiteral("send the control program again"),
+                     told ? QString() : QStringLiteral("the script could not be stopped and may go on")};
+    }
+    return d.program.sendAnew(deadline);
 }
 
-Result<void> Controller::Private::restart(const QString& section, const QString& name,
-                                          const Deadline& deadline) {
-    const QString context = QStringLiteral("send the control program again");
-    if (!running) {
-        return Error{ErrorCode::NotInControl, context, {}};
-    }
-    if (auto ended = endProgram(ControlLoss::Taking, deadline); !ended) {
-        return ended;
-    }
-    {
-        const std::lock_guard lock(arm);
-        sectionName = name;
-    }
-    {
-        const std::lock_guard lock(requesting);
-        stored = {};
-    }
-    const std::int32_t next = newSession();
-    loop.expectSession(next);
-    return upload(next, section, deadline);
-}
-
-Result<MotionId> Controller::Private::startSection(const QString& section, const QString& name,
-                                                   Holding holding, milliseconds silence, std::uint64_t stops,
-                                                   const Deadline& deadline, const QString& context) {
-    const std::lock_guard lock(taking);
-    const UnderWay cancellable(*this, deadline);
-    if (!loop.isInControl()) {
-        return Error{ErrorCode::NotInControl, context, {}};
-    }
-    // Braking first, and nothing that is stopped from here on may begin.
-    const std::uint64_t epoch = mailbox.stop(Brake{}, StopCause::Superseded, now());
-    if (mailbox.epoch().stops() != stops) {
-        return stopped(context);
-    }
-    if (auto sent = restart(section, name, deadline); !sent) {
-        Error error = sent.error();
-        error.context = context;
-        // A section that does not compile must not cost the control.
-        if (error.code == ErrorCode::ScriptError) {
-            if (auto back = restart({}, {}, deadline); !back) {
-                error.controllerMessage +=
-                    QStringLiteral("; and control did not come back: ") + back.error().toString();
+/// Waits until the script has ended. It has to begin before its end means anything.
+Result<void> watchScript(Controller::Private& d, std::uint64_t epoch, std::uint64_t played,
+                         const QString& context, const Deadline& deadline) {
+    const Deadline begun = Deadline::after(milliseconds(5000), deadline.token());
+    std::optional<Deadline> told;
+    std::uint64_t statesAtEnd = 0;
+    Error bad;
+    const auto settled = [&] {
+        // Why it ended is told on another connection, a little later, but before the state after next: the
+        // first to come may have been under way.
+        const bool heardAll = told && (told->hasExpired() || d.program.statesHeard() > statesAtEnd + 1);
+        bad = d.program.complaint(context);
+        if (bad.code != ErrorCode::None || heardAll) {
+            return true;
+        }
+        const ControllerStatus now = d.loop.status();
+        if (!d.link.isRunning()) {
+            bad = {ErrorCode::LinkLost, context, QStringLiteral("the script was ended")};
+        } else if (d.mailbox.epoch().current() != epoch) {
+            bad = stopped(context);
+        } else if (deadline.hasExpired()) {
+            bad = {deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
+                   QStringLiteral("the script was ended")};
+        } else if (now.robotMode != RobotMode::Running || !allowsMotion(now.safetyMode)) {
+            bad = {
+                ErrorCode::UnsafeState, context,
+                QStringLiteral("%1, %2").arg(robotModeName(now.robotMode), safetyModeName(now.safetyMode))};
+        }
+        if (bad.code != ErrorCode::None) {
+            return true;
+        }
+        // The shortest ones play in no package; a paused one has not ended.
+        const ControlProgram::ScriptHeard heard = d.program.scriptHeard();
+        if (d.loop.playing() != played || heard.stopped) {
+            const bool over = now.runtimeState == RuntimeState::Stopped;
+            if (!told && (over || heard.stopped)) {
+                told = Deadline::after(std::min(milliseconds(500), deadline.remaining()), deadline.token());
+                statesAtEnd = d.program.statesHeard();
             }
+        } else if (begun.hasExpired() && !heard.started) {
+            bad = {ErrorCode::Timeout, context, QStringLiteral("it was never seen running")};
         }
-        return error;
-    }
-    MotionCommand command;
-    command.kind = MotionCommand::Kind::Program;
-    command.program = static_cast<std::int32_t>(ScriptCommand::Section);
-    command.held = holding == Holding::Held;
-    command.silence = silence;
-    const MotionId id = mailbox.startAfter(epoch, command, now());
-    if (id == kNoMotion) {
-        return stopped(context);
-    }
-    if (!loop.confirmControl()) {
-        mailbox.end(id, StopCause::ControlLost, now());
-        return Error{ErrorCode::NotInControl, context, {}};
-    }
-    return id;
+        return bad.code != ErrorCode::None;
+    };
+    // The deadline is one of the reasons to end it, and named among them.
+    waitUntil(Deadline::never(), settled);
+    return bad.code == ErrorCode::None ? Result<void>() : bad;
 }
+
+}  // namespace
 
 Result<Motion> Programs::startFunction(const Text& name, const Text& body, const Deadline& start,
                                        Holding holding) {
@@ -132,41 +132,6 @@ Result<Motion> Programs::startFunction(const Text& name, const Text& body, const
     return MotionAccess::make(*controller_, *id, MotionKind::Function);
 }
 
-Result<void> Controller::Private::bringBack() {
-    // Its own time, which only release() may cut short: whatever ended the script, it must not go on.
-    const Deadline deadline = Deadline::after(milliseconds(5000));
-    const UnderWay cancellable(*this, deadline);
-    const auto plays = [this] { return loop.status().runtimeState == RuntimeState::Playing; };
-    bool told = true;
-    if (!running || plays()) {
-        script::ScriptClient client(options.host, primaryPort());
-        auto connected = client.connect(Deadline::after(milliseconds(1000), deadline.token()));
-        if (!connected && deadline.isCancelled()) {
-            connected = client.connect(Deadline::after(milliseconds(100)));
-        }
-        if (connected) {
-            connected = client.send(QStringLiteral("stop program\n"), Deadline::after(milliseconds(100)));
-        }
-        told = connected.ok();
-        // It must not reach the robot after the control program.
-        const Deadline ended = Deadline::after(milliseconds(500), deadline.token());
-        while (running && plays() && !ended.hasExpired()) {
-            std::this_thread::sleep_for(milliseconds(1));
-        }
-    }
-    if (!running) {
-        return Error{ErrorCode::LinkLost, QStringLiteral("send the control program again"),
-                     told ? QString() : QStringLiteral("the script could not be stopped and may go on")};
-    }
-    const std::int32_t next = newSession();
-    {
-        const std::lock_guard again(requesting);
-        stored = {};
-    }
-    loop.expectSession(next);
-    return upload(next, {}, deadline);
-}
-
 Result<void> Programs::runScript(const Text& program, const Deadline& deadline) {
     const QString context = QStringLiteral("run a script");
     if (program.trimmed().isEmpty()) {
@@ -183,22 +148,14 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline) 
     if (d.mailbox.epoch().stops() != stops) {
         return stopped(context);
     }
-    if (auto ended = d.endProgram(ControlLoss::OwnScript, deadline); !ended) {
+    if (auto ended = d.program.end(ControlLoss::OwnScript, deadline); !ended) {
         return ended;
     }
-    d.complaint(context);  // what was said before is not about this script
-    {
-        const std::lock_guard arm(d.arm);
-        d.program = {};
-        d.program.sectionLine = 1;
-        d.program.sectionLines = static_cast<int>(program.count(QLatin1Char('\n'))) + 1;
-        d.sectionName = QString();
-        d.heardScript = {scriptName(program), false, false};
-    }
+    d.program.giveWayTo(scriptName(program), static_cast<int>(program.count(QLatin1Char('\n'))) + 1);
     const std::uint64_t played = d.loop.playing();
     Result<void> outcome;
     {
-        script::ScriptClient client(d.options.host, d.primaryPort());
+        script::ScriptClient client(d.options.host, d.program.primaryPort());
         outcome = client.connect(deadline);
         if (outcome && d.mailbox.epoch().current() != epoch) {
             outcome = stopped(context);
@@ -207,10 +164,10 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline) 
             outcome = client.send(program, deadline);
         }
         if (outcome) {
-            outcome = d.watchScript(epoch, played, context, deadline);
+            outcome = watchScript(d, epoch, played, context, deadline);
         }
     }
-    if (auto back = d.bringBack(); !back) {
+    if (auto back = bringBack(d); !back) {
         if (outcome) {
             return back;
         }
@@ -222,68 +179,22 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline) 
     return outcome;
 }
 
-// Until the script has ended. It has to begin before its end means anything.
-Result<void> Controller::Private::watchScript(std::uint64_t epoch, std::uint64_t played,
-                                              const QString& context, const Deadline& deadline) {
-    const Deadline begun = Deadline::after(milliseconds(5000), deadline.token());
-    std::optional<Deadline> told;
-    std::uint64_t statesAtEnd = 0;
-    for (;;) {
-        // Why it ended is told on another connection, a little later, but before the state after next: the
-        // first to come may have been under way.
-        const bool heardAll = told && (told->hasExpired() || statesHeard() > statesAtEnd + 1);
-        if (const Error bad = complaint(context); bad.code != ErrorCode::None) {
-            return bad;
-        }
-        if (heardAll) {
-            return {};
-        }
-        if (!running) {
-            return Error{ErrorCode::LinkLost, context, QStringLiteral("the script was ended")};
-        }
-        if (mailbox.epoch().current() != epoch) {
-            return stopped(context);
-        }
-        if (deadline.hasExpired()) {
-            return overdue(deadline, context, QStringLiteral("the script was ended"));
-        }
-        const ControllerStatus now = loop.status();
-        if (now.robotMode != RobotMode::Running || !allowsMotion(now.safetyMode)) {
-            return Error{
-                ErrorCode::UnsafeState, context,
-                QStringLiteral("%1, %2").arg(robotModeName(now.robotMode), safetyModeName(now.safetyMode))};
-        }
-        // The shortest ones play in no package; a paused one has not ended.
-        const ScriptHeard heard = scriptHeard();
-        if (loop.playing() != played || heard.stopped) {
-            const bool over = now.runtimeState == RuntimeState::Stopped;
-            if (!told && (over || heard.stopped)) {
-                told = Deadline::after(std::min(milliseconds(500), deadline.remaining()), deadline.token());
-                statesAtEnd = statesHeard();
-            }
-        } else if (begun.hasExpired() && !heard.started) {
-            return Error{ErrorCode::Timeout, context, QStringLiteral("it was never seen running")};
-        }
-        std::this_thread::sleep_for(milliseconds(1));
-    }
-}
-
 Result<void> Programs::endControlProgram(const Deadline& deadline) {
     auto& d = ControllerAccess::of(*controller_);
     const std::lock_guard lock(d.taking);
     const UnderWay cancellable(d, deadline);
     d.mailbox.stop(Brake{}, StopCause::ControlLost, d.now());
-    return d.running ? d.endProgram(ControlLoss::Released, deadline) : Result<void>();
+    return d.link.isRunning() ? d.program.end(ControlLoss::Released, deadline) : Result<void>();
 }
 
 Result<void> Programs::reupload(const Deadline& deadline) {
     auto& d = ControllerAccess::of(*controller_);
     {
         const std::lock_guard lock(d.taking);
-        if (d.running) {
+        if (d.link.isRunning()) {
             const UnderWay cancellable(d, deadline);
             d.mailbox.stop(Brake{}, StopCause::Superseded, d.now());
-            return d.restart({}, {}, deadline);
+            return d.program.restart({}, {}, deadline);
         }
     }
     return controller_->takeControl(deadline);
@@ -291,12 +202,12 @@ Result<void> Programs::reupload(const Deadline& deadline) {
 
 bool Programs::isProgramRunning() const {
     auto& d = ControllerAccess::of(*controller_);
-    return d.running && d.loop.status().runtimeState == RuntimeState::Playing;
+    return d.link.isRunning() && d.loop.status().runtimeState == RuntimeState::Playing;
 }
 
 QString Programs::controlProgram(const SoftwareVersion& version, RegisterRange registers) {
     const ArmLimits arm = ArmLimits::of(robotModel(ControllerOptions().model));
-    return controlScript(version, registers, Controller::Private::newSession(), {}, arm.maxSpeed).text;
+    return controlScript(version, registers, ControlProgram::newSession(), {}, arm.maxSpeed).text;
 }
 
 }  // namespace tiller::control

@@ -149,7 +149,7 @@ void fill(MotionCommand& command, const SpeedParameters& p, double) {
 
 SetpointRules rulesOf(Controller& controller) {
     auto& d = ControllerAccess::of(controller);
-    return {d.armNow(), std::min(d.limitsNow().tcpSpeed, kHighestToolSpeed)};
+    return {d.program.arm(), std::min(d.limitsNow().tcpSpeed, kHighestToolSpeed)};
 }
 
 template <class Target, class Parameters>
@@ -173,7 +173,7 @@ Result<void> Setpoints<Target, Parameters>::send(const Target& target, const Par
     }
     MotionCommand command;
     fill(command, target);
-    fill(command, parameters, d.versionNow().controlPeriod());
+    fill(command, parameters, d.program.version().controlPeriod());
     if constexpr (std::is_same_v<Parameters, ServoParameters>) {
         command.choice = parameters.guarded ? 1 : 2;
     }
@@ -193,7 +193,7 @@ Result<void> Setpoints<Target, Parameters>::send(const Target& target, const Par
     };
     switch (d.mailbox.changeIf(motion_.id(), command, d.now(), mayFollow)) {
         case Mailbox::Change::Done:
-            d.wake();
+            d.link.wake();
             return {};
         case Mailbox::Change::Refused:
             return refused;
@@ -227,7 +227,7 @@ Result<Motion> startStream(Controller& controller, ScriptCommand what, MotionKin
     command.kind = MotionCommand::Kind::Program;
     command.program = static_cast<std::int32_t>(what);
     command.held = holding == Holding::Held;
-    fill(command, parameters, d.versionNow().controlPeriod());
+    fill(command, parameters, d.program.version().controlPeriod());
     const auto id = d.start(command, stops, context);
     return id ? MotionAccess::make(controller, *id, kind) : Result<Motion>(id.error());
 }
@@ -248,7 +248,7 @@ Result<PoseServo> Motions::startServoL(const ServoParameters& parameters, Holdin
 
 Result<CircularServo> Motions::startServoC(const CircularServoParameters& parameters, Holding holding) {
     auto& d = ControllerAccess::of(*controller_);
-    if (const auto known = d.knows("servoc", QStringLiteral("start a stream")); !known) {
+    if (const auto known = d.program.knows("servoc", QStringLiteral("start a stream")); !known) {
         return known.error();
     }
     const auto motion =

@@ -2,10 +2,10 @@
 #include "robot/control/tool_setup.h"
 
 #include <algorithm>
-#include <thread>
 
 #include "robot/control/detail/argument_check.h"
 #include "robot/control/detail/controller_private.h"
+#include "robot/core/wait_until.h"
 
 namespace tiller::control {
 
@@ -44,9 +44,9 @@ Result<void> ToolSetup::setPayload(double mass, const std::optional<Eigen::Vecto
         return check.error();
     }
     return noAnswer(ControllerAccess::of(*controller_)
-                        .request(RequestKind::SetPayload, centreOfGravity ? 1 : 0,
-                                 std::span<const double>(numbersOf(mass, centre)).first(4),
-                                 QStringLiteral("set the payload"), deadline));
+                        .requests.request(RequestKind::SetPayload, centreOfGravity ? 1 : 0,
+                                          std::span<const double>(numbersOf(mass, centre)).first(4),
+                                          QStringLiteral("set the payload"), deadline));
 }
 
 Result<void> ToolSetup::setTargetPayload(double mass, const Eigen::Vector3d& centreOfGravity,
@@ -61,13 +61,13 @@ Result<void> ToolSetup::setTargetPayload(double mass, const Eigen::Vector3d& cen
     }
     auto& d = ControllerAccess::of(*controller_);
     const QString context = QString::fromLatin1(kContext);
-    if (const auto known = d.needs({5, 10, 0, 0}, {}, context); !known) {
+    if (const auto known = d.program.needs({5, 10, 0, 0}, {}, context); !known) {
         return known;
     }
     const Eigen::Vector3d& c = centreOfGravity;
     std::array<double, 10> numbers{mass, c.x(), c.y(), c.z()};
     std::copy(inertia.begin(), inertia.end(), numbers.begin() + 4);
-    return noAnswer(d.request(RequestKind::SetTargetPayload, 0, numbers, context, deadline));
+    return noAnswer(d.requests.request(RequestKind::SetTargetPayload, 0, numbers, context, deadline));
 }
 
 Result<void> ToolSetup::setTcp(const Pose& tcp, const Deadline& deadline) {
@@ -77,8 +77,9 @@ Result<void> ToolSetup::setTcp(const Pose& tcp, const Deadline& deadline) {
         return check.error();
     }
     const auto numbers = tcp.array();
-    return noAnswer(ControllerAccess::of(*controller_)
-                        .request(RequestKind::SetTcp, 0, numbers, QStringLiteral("set the TCP"), deadline));
+    return noAnswer(
+        ControllerAccess::of(*controller_)
+            .requests.request(RequestKind::SetTcp, 0, numbers, QStringLiteral("set the TCP"), deadline));
 }
 
 Result<void> ToolSetup::setGravity(const Eigen::Vector3d& direction, const Deadline& deadline) {
@@ -91,14 +92,14 @@ Result<void> ToolSetup::setGravity(const Eigen::Vector3d& direction, const Deadl
         return check.error();
     }
     return noAnswer(ControllerAccess::of(*controller_)
-                        .request(RequestKind::SetGravity, 0, {direction.data(), 3},
-                                 QStringLiteral("set gravity"), deadline));
+                        .requests.request(RequestKind::SetGravity, 0, {direction.data(), 3},
+                                          QStringLiteral("set gravity"), deadline));
 }
 
 Result<void> ToolSetup::zeroForceSensor(const Deadline& deadline) {
-    return noAnswer(
-        ControllerAccess::of(*controller_)
-            .request(RequestKind::ZeroForceSensor, 0, {}, QStringLiteral("zero the force sensor"), deadline));
+    return noAnswer(ControllerAccess::of(*controller_)
+                        .requests.request(RequestKind::ZeroForceSensor, 0, {},
+                                          QStringLiteral("zero the force sensor"), deadline));
 }
 
 Result<void> ToolSetup::useExternalSensor(const ExternalSensor& sensor, const Deadline& deadline) {
@@ -108,12 +109,12 @@ Result<void> ToolSetup::useExternalSensor(const ExternalSensor& sensor, const De
     }
     auto& d = ControllerAccess::of(*controller_);
     const QString context = QString::fromLatin1(kContext);
-    if (const auto known = d.needs({5, 9, 0, 0}, {3, 14, 0, 0}, context); !known) {
+    if (const auto known = d.program.needs({5, 9, 0, 0}, {3, 14, 0, 0}, context); !known) {
         return known;
     }
-    return noAnswer(d.request(RequestKind::ExternalSensor, 1,
-                              numbersOf(sensor.mass, sensor.measuringOffset, sensor.centreOfGravity), context,
-                              deadline));
+    return noAnswer(d.requests.request(RequestKind::ExternalSensor, 1,
+                                       numbersOf(sensor.mass, sensor.measuringOffset, sensor.centreOfGravity),
+                                       context, deadline));
 }
 
 Result<void> ToolSetup::useExternalSensorLegacy(const ExternalSensor& sensor, const Deadline& deadline) {
@@ -123,23 +124,23 @@ Result<void> ToolSetup::useExternalSensorLegacy(const ExternalSensor& sensor, co
     }
     auto& d = ControllerAccess::of(*controller_);
     const QString context = QString::fromLatin1(kContext);
-    if (const auto known = d.knows("enable_external_ft_sensor", context); !known) {
+    if (const auto known = d.program.knows("enable_external_ft_sensor", context); !known) {
         return known;
     }
-    return noAnswer(d.request(RequestKind::ExternalSensorLegacy, 1,
-                              numbersOf(sensor.mass, sensor.measuringOffset, sensor.centreOfGravity), context,
-                              deadline));
+    return noAnswer(d.requests.request(RequestKind::ExternalSensorLegacy, 1,
+                                       numbersOf(sensor.mass, sensor.measuringOffset, sensor.centreOfGravity),
+                                       context, deadline));
 }
 
 Result<void> ToolSetup::useOwnSensor(const Deadline& deadline) {
     auto& d = ControllerAccess::of(*controller_);
     const QString context = QStringLiteral("use the robot's own force sensor");
-    const bool modern = d.needs({5, 9, 0, 0}, {3, 14, 0, 0}, context).ok();
-    if (const auto known = d.knows("enable_external_ft_sensor", context); !modern && !known) {
+    const bool modern = d.program.needs({5, 9, 0, 0}, {3, 14, 0, 0}, context).ok();
+    if (const auto known = d.program.knows("enable_external_ft_sensor", context); !modern && !known) {
         return known;
     }
-    return noAnswer(d.request(modern ? RequestKind::ExternalSensor : RequestKind::ExternalSensorLegacy, 0, {},
-                              context, deadline));
+    return noAnswer(d.requests.request(
+        modern ? RequestKind::ExternalSensor : RequestKind::ExternalSensorLegacy, 0, {}, context, deadline));
 }
 
 Result<void> ToolSetup::setExternalWrench(const Wrench& wrench) {
@@ -148,20 +149,9 @@ Result<void> ToolSetup::setExternalWrench(const Wrench& wrench) {
     if (!check.ok()) {
         return check.error();
     }
-    auto& d = ControllerAccess::of(*controller_);
-    if (!d.running) {
-        return Error{ErrorCode::NotInControl, QStringLiteral("send a wrench"), {}};
-    }
-    if (!d.wrenchUsable) {
-        return Error{
-            ErrorCode::RegisterInUse, QStringLiteral("send a wrench"),
-            QStringLiteral("this robot has no input external_force_torque, or another client owns it")};
-    }
     std::array<double, 6> numbers{};
     std::copy_n(values.data(), numbers.size(), numbers.begin());
-    const std::lock_guard lock(d.wrenchCallers);
-    d.wrench.publish(numbers);
-    return {};
+    return ControllerAccess::of(*controller_).link.sendWrench(numbers);
 }
 
 Result<void> ToolSetup::setWatchdog(double minFrequency, const Deadline& deadline) {
@@ -176,27 +166,18 @@ Result<void> ToolSetup::setWatchdog(double minFrequency, const Deadline& deadlin
         return kicked;
     }
     return noAnswer(ControllerAccess::of(*controller_)
-                        .request(RequestKind::SetWatchdog, 0, {&minFrequency, 1},
-                                 QStringLiteral("set the watchdog"), deadline));
+                        .requests.request(RequestKind::SetWatchdog, 0, {&minFrequency, 1},
+                                          QStringLiteral("set the watchdog"), deadline));
 }
 
 Result<void> ToolSetup::kickWatchdog() {
-    auto& d = ControllerAccess::of(*controller_);
-    if (!d.running) {
-        return Error{ErrorCode::NotInControl, QStringLiteral("kick the watchdog"), {}};
-    }
-    if (!d.watchdogUsable) {
-        return Error{ErrorCode::RegisterInUse, QStringLiteral("kick the watchdog"),
-                     QStringLiteral("another client owns the register it needs")};
-    }
-    d.kick.store(true, std::memory_order_release);
-    return {};
+    return ControllerAccess::of(*controller_).link.kickWatchdog();
 }
 
 Result<void> ToolSetup::triggerProtectiveStop(const Deadline& deadline) {
     auto& d = ControllerAccess::of(*controller_);
     const QString context = QStringLiteral("trigger a protective stop");
-    if (const auto known = d.needs(kESeries, {3, 8, 0, 0}, context); !known) {
+    if (const auto known = d.program.needs(kESeries, {3, 8, 0, 0}, context); !known) {
         return known;
     }
     if (!d.loop.isInControl()) {
@@ -205,26 +186,29 @@ Result<void> ToolSetup::triggerProtectiveStop(const Deadline& deadline) {
     // The program is paused by it, so that the answer may never come: what counts is the safety mode.
     const Deadline answerTime =
         Deadline::after(std::min(std::chrono::milliseconds(100), deadline.remaining()), deadline.token());
-    const auto asked = d.request(RequestKind::ProtectiveStop, 0, {}, context, answerTime);
+    const auto asked = d.requests.request(RequestKind::ProtectiveStop, 0, {}, context, answerTime);
     if (!asked && asked.error().code == ErrorCode::Cancelled) {
         return asked.error();
     }
     // Control that was lost before it was asked for will not bring it about.
     const Deadline soon = Deadline::after(std::chrono::seconds(2), deadline.token());
-    while (d.loop.status().safetyMode != SafetyMode::ProtectiveStop) {
+    Error failed;
+    const auto settled = [&] {
+        if (d.loop.status().safetyMode == SafetyMode::ProtectiveStop) {
+            return true;
+        }
         if (!asked && asked.error().code == ErrorCode::NotInControl && soon.hasExpired()) {
-            return asked.error();
+            failed = asked.error();
+        } else if (!d.link.isRunning()) {
+            failed = {asked ? ErrorCode::LinkLost : asked.error().code, context, {}};
         }
-        if (!d.running) {
-            return Error{asked ? ErrorCode::LinkLost : asked.error().code, context, {}};
-        }
-        if (deadline.hasExpired()) {
-            return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
-                         safetyModeName(d.loop.status().safetyMode)};
-        }
-        std::this_thread::sleep_for(std::min(deadline.nextPoll(), std::chrono::milliseconds(1)));
+        return failed.code != ErrorCode::None;
+    };
+    if (!waitUntil(deadline, settled)) {
+        failed = {deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
+                  safetyModeName(d.loop.status().safetyMode)};
     }
-    return {};
+    return failed.code == ErrorCode::None ? Result<void>() : failed;
 }
 
 }  // namespace tiller::control

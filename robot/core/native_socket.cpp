@@ -65,6 +65,11 @@ bool waitReadable(Descriptor socket, std::chrono::nanoseconds atMost, const Wake
            0;
 }
 
+bool waitWritable(Descriptor socket, std::chrono::milliseconds atMost) {
+    WSAPOLLFD item{handle(socket), POLLWRNORM, 0};
+    return WSAPoll(&item, 1, static_cast<int>(atMost.count())) > 0;
+}
+
 void close(Descriptor socket) {
     ::closesocket(handle(socket));
 }
@@ -162,6 +167,11 @@ bool waitReadable(Descriptor socket, std::chrono::nanoseconds atMost, const Wake
     const auto ms = static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(atMost).count());
     return ::poll(items, count, ms) > 0 && items[0].revents != 0;
 #endif
+}
+
+bool waitWritable(Descriptor socket, std::chrono::milliseconds atMost) {
+    pollfd item{static_cast<int>(socket), POLLOUT, 0};
+    return ::poll(&item, 1, static_cast<int>(atMost.count())) > 0;
 }
 
 void close(Descriptor socket) {

@@ -55,6 +55,10 @@ private:
 /// is over. Returns  true when the socket can be read
 bool waitReadable(Descriptor socket, std::chrono::nanoseconds atMost, const Waker* waker = nullptr);
 
+/// Waits until something can be sent, or the connection has failed, or the time is over.
+/// Returns  true in the first two cases
+bool waitWritable(Descriptor socket, std::chrono::milliseconds atMost);
+
 void close(Descriptor socket);
 
 /// A second descriptor of the same connection, so that it can outlive the Qt socket that opened it. Negative

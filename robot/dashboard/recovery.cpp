@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "robot/dashboard/recovery.h"
+#include "robot/core/wait_until.h"
 
 #include <algorithm>
-#include <thread>
 
 namespace tiller::dashboard {
 
@@ -23,10 +23,7 @@ Error overdue(const Deadline& deadline, const QString& where) {
 }
 
 void pause(const Deadline& deadline, milliseconds time) {
-    const Deadline until = Deadline::after(std::min(time, deadline.remaining()), deadline.token());
-    while (!until.hasExpired()) {
-        std::this_thread::sleep_for(until.nextPoll());
-    }
+    waitUntil(Deadline::after(std::min(time, deadline.remaining()), deadline.token()), [] { return false; });
 }
 
 bool isTooEarly(const DashboardClient&, const Error& error) {

@@ -22,19 +22,20 @@ Patient patientAt(const Text& host, int portOffset) {
 
 Report examine(const Patient& patient, const Deadline& deadline,
                const std::function<void(const Finding&)>& each) {
-    return Examiner(patient, deadline, each).run();
+    Examiner examiner(patient, deadline, each);
+    if (examineAddress(examiner)) {
+        examinePorts(examiner);
+    }
+    if (examiner.isGood(Condition::Host)) {
+        examineService(examiner);
+        examineRegisters(examiner);
+        examineModel(examiner);
+        examineData(examiner);
+    }
+    return examiner.report();
 }
 
-Report Examiner::run() {
-    if (examineAddress()) {
-        examinePorts();
-    }
-    if (isGood(Condition::Host)) {
-        examineService();
-        examineRegisters();
-        examineModel();
-        examineData();
-    }
+Report Examiner::report() const {
     Report report;
     for (int i = 0; i < kConditionCount; ++i) {
         const auto condition = static_cast<Condition>(i);
@@ -69,7 +70,7 @@ bool Examiner::isGood(Condition condition) const {
 }
 
 Deadline Examiner::within(int ms) const {
-    return Deadline::after(std::min(std::chrono::milliseconds(ms), deadline_.remaining()), deadline_.token());
+    return Deadline::after(std::min(std::chrono::milliseconds(ms), deadline.remaining()), deadline.token());
 }
 
 }  // namespace tiller::doctor

@@ -5,7 +5,6 @@
 #include <QStringList>
 #include <QTcpSocket>
 #include <algorithm>
-#include <thread>
 
 #include "robot/doctor/detail/examiner.h"
 #include "robot/receive/receiver.h"
@@ -66,40 +65,84 @@ QString joined(const std::vector<std::string>& names) {
                            : list.join(QStringLiteral(", "));
 }
 
+void judgeSoftware(Examiner& examiner, const SoftwareVersion& version) {
+    const QString text = QStringLiteral("%1.%2.%3").arg(version.major).arg(version.minor).arg(version.bugfix);
+    const SoftwareVersion least = version.isCb3() ? SoftwareVersion{3, 4, 0, 0} : SoftwareVersion{5, 0, 0, 0};
+    const SoftwareVersion wanted =
+        version.isCb3() ? SoftwareVersion{3, 9, 0, 0} : SoftwareVersion{5, 3, 0, 0};
+    if (version < least) {
+        examiner.found(Condition::Software, Verdict::Bad, QStringLiteral("software.unsupported"), text,
+                       DoctorText::tr("This software is too old. Update the robot to %1.%2 or newer.")
+                           .arg(wanted.major)
+                           .arg(wanted.minor));
+    } else if (version < wanted) {
+        examiner.found(
+            Condition::Software, Verdict::Attention, QStringLiteral("software.old"), text,
+            DoctorText::tr(
+                "Some values and the registers for control are missing. Update the robot to %1.%2 or newer.")
+                .arg(wanted.major)
+                .arg(wanted.minor));
+    } else {
+        examiner.good(Condition::Software, text);
+    }
+}
+
+void judgeModes(Examiner& examiner, RobotMode mode, SafetyMode safety) {
+    if (allowsMotion(safety)) {
+        examiner.good(Condition::Safety, safetyModeName(safety));
+    } else {
+        examiner.found(
+            Condition::Safety, Verdict::Bad, QStringLiteral("safety.stopped"), safetyModeName(safety),
+            DoctorText::tr(
+                "Look at the arm, remove the cause, then recover: Recover… in the header, or on the teach "
+                "pendant."));
+    }
+    if (mode == RobotMode::Running) {
+        examiner.good(Condition::Power, robotModeName(mode));
+    } else {
+        examiner.found(Condition::Power, Verdict::Attention, QStringLiteral("power.not-running"),
+                       robotModeName(mode),
+                       DoctorText::tr("Power on and release the brakes: the header's button leads the way."));
+    }
+}
+
 }  // namespace
 
-void Examiner::examineRegisters() {
-    if (!isGood(Condition::RtdePort)) {
+void examineRegisters(Examiner& examiner) {
+    if (!examiner.isGood(Condition::RtdePort)) {
         return;
     }
     rtde::ConnectionOptions options;
-    options.host = address_;
-    options.port = static_cast<std::uint16_t>(patient_.ports.rtde);
+    options.host = examiner.address;
+    options.port = static_cast<std::uint16_t>(examiner.patient.ports.rtde);
     options.request.outputs = {"timestamp"};
     options.request.start = false;
     options.request.inputs = {{registersFrom(rtde::kFirstUpperRegister), false}, {registersFrom(0), false}};
-    const auto opened = rtde::Connection::open(options, within(kHandshakeMs));
+    const auto opened = rtde::Connection::open(options, examiner.within(kHandshakeMs));
     if (!opened) {
         const ErrorCode code = opened.error().code;
         const bool mute =
-            code == ErrorCode::Timeout && !saysAnything(address_, patient_.ports.rtde, within(kProbeMs));
-        found(Condition::Protocol, Verdict::Bad,
-              mute ? QStringLiteral("rtde.mute") : QStringLiteral("rtde.not-rtde"),
-              mute ? DoctorText::tr("the RTDE port takes connections but does not answer")
-                   : DoctorText::tr("what answers on port %1 does not speak RTDE").arg(patient_.ports.rtde),
-              mute ? DoctorText::tr(
-                         "Too many RTDE clients, or a controller that hangs: close other programs, then "
-                         "restart the "
-                         "controller.")
-                   : DoctorText::tr(
-                         "Check the address: this is another device, or another program took the port."));
+            code == ErrorCode::Timeout &&
+            !saysAnything(examiner.address, examiner.patient.ports.rtde, examiner.within(kProbeMs));
+        examiner.found(
+            Condition::Protocol, Verdict::Bad,
+            mute ? QStringLiteral("rtde.mute") : QStringLiteral("rtde.not-rtde"),
+            mute ? DoctorText::tr("the RTDE port takes connections but does not answer")
+                 : DoctorText::tr("what answers on port %1 does not speak RTDE")
+                       .arg(examiner.patient.ports.rtde),
+            mute ? DoctorText::tr(
+                       "Too many RTDE clients, or a controller that hangs: close other programs, then "
+                       "restart the "
+                       "controller.")
+                 : DoctorText::tr(
+                       "Check the address: this is another device, or another program took the port."));
         return;
     }
     const rtde::Connection& connection = **opened;
-    good(Condition::Protocol,
-         DoctorText::tr("protocol version %1").arg(static_cast<int>(connection.protocol())));
-    version_ = connection.version();
-    judgeSoftware(*version_);
+    examiner.good(Condition::Protocol,
+                  DoctorText::tr("protocol version %1").arg(static_cast<int>(connection.protocol())));
+    examiner.version = connection.version();
+    judgeSoftware(examiner, *examiner.version);
 
     const auto& inUse = connection.session().inUse();
     const auto& recipes = connection.inputs();
@@ -107,101 +150,62 @@ void Examiner::examineRegisters() {
         return;
     }
     if (!inUse[0].empty()) {
-        found(
+        examiner.found(
             Condition::UpperRegisters, Verdict::Bad, QStringLiteral("registers.upper.taken"),
             DoctorText::tr("another program holds %1").arg(joined(inUse[0])),
             DoctorText::tr("End the other program that controls this robot (another window, ROS, ur_rtde)."));
     } else if (!recipes[0].isValid()) {
-        found(Condition::UpperRegisters, Verdict::Attention, QStringLiteral("registers.upper.absent"),
-              DoctorText::tr("this software has no registers 24 to 47"),
-              DoctorText::tr("Update the robot's software to 3.9 or 5.3."));
+        examiner.found(Condition::UpperRegisters, Verdict::Attention,
+                       QStringLiteral("registers.upper.absent"),
+                       DoctorText::tr("this software has no registers 24 to 47"),
+                       DoctorText::tr("Update the robot's software to 3.9 or 5.3."));
     } else {
-        good(Condition::UpperRegisters, DoctorText::tr("24 to 47 are free"));
+        examiner.good(Condition::UpperRegisters, DoctorText::tr("24 to 47 are free"));
     }
     if (!inUse[1].empty()) {
-        found(Condition::LowerRegisters, Verdict::Attention, QStringLiteral("registers.lower.taken"),
-              DoctorText::tr("a fieldbus adapter or another program holds %1").arg(joined(inUse[1])),
-              DoctorText::tr(
-                  "Nothing to do for jogging. To use these registers, switch EtherNet/IP, PROFINET or MODBUS "
-                  "off in "
-                  "the robot's installation."));
-    } else {
-        good(Condition::LowerRegisters, DoctorText::tr("0 to 23 are free"));
-    }
-}
-
-void Examiner::judgeSoftware(const SoftwareVersion& version) {
-    const QString text = QStringLiteral("%1.%2.%3").arg(version.major).arg(version.minor).arg(version.bugfix);
-    const SoftwareVersion least = version.isCb3() ? SoftwareVersion{3, 4, 0, 0} : SoftwareVersion{5, 0, 0, 0};
-    const SoftwareVersion wanted =
-        version.isCb3() ? SoftwareVersion{3, 9, 0, 0} : SoftwareVersion{5, 3, 0, 0};
-    if (version < least) {
-        found(Condition::Software, Verdict::Bad, QStringLiteral("software.unsupported"), text,
-              DoctorText::tr("This software is too old. Update the robot to %1.%2 or newer.")
-                  .arg(wanted.major)
-                  .arg(wanted.minor));
-    } else if (version < wanted) {
-        found(
-            Condition::Software, Verdict::Attention, QStringLiteral("software.old"), text,
+        examiner.found(
+            Condition::LowerRegisters, Verdict::Attention, QStringLiteral("registers.lower.taken"),
+            DoctorText::tr("a fieldbus adapter or another program holds %1").arg(joined(inUse[1])),
             DoctorText::tr(
-                "Some values and the registers for control are missing. Update the robot to %1.%2 or newer.")
-                .arg(wanted.major)
-                .arg(wanted.minor));
+                "Nothing to do for jogging. To use these registers, switch EtherNet/IP, PROFINET or MODBUS "
+                "off in "
+                "the robot's installation."));
     } else {
-        good(Condition::Software, text);
+        examiner.good(Condition::LowerRegisters, DoctorText::tr("0 to 23 are free"));
     }
 }
 
-void Examiner::judgeModes(RobotMode mode, SafetyMode safety) {
-    if (allowsMotion(safety)) {
-        good(Condition::Safety, safetyModeName(safety));
-    } else {
-        found(Condition::Safety, Verdict::Bad, QStringLiteral("safety.stopped"), safetyModeName(safety),
-              DoctorText::tr(
-                  "Look at the arm, remove the cause, then recover: Recover… in the header, or on the teach "
-                  "pendant."));
-    }
-    if (mode == RobotMode::Running) {
-        good(Condition::Power, robotModeName(mode));
-    } else {
-        found(Condition::Power, Verdict::Attention, QStringLiteral("power.not-running"), robotModeName(mode),
-              DoctorText::tr("Power on and release the brakes: the header's button leads the way."));
-    }
-}
-
-void Examiner::examineData() {
-    if (!isGood(Condition::Protocol)) {
+void examineData(Examiner& examiner) {
+    if (!examiner.isGood(Condition::Protocol)) {
         return;
     }
     receive::ReceiverOptions options;
-    options.host = address_;
-    options.port = static_cast<std::uint16_t>(patient_.ports.rtde);
-    options.priority = patient_.priority;
+    options.host = examiner.address;
+    options.port = static_cast<std::uint16_t>(examiner.patient.ports.rtde);
+    options.priority = examiner.patient.priority;
     receive::Receiver receiver(options);
     receive::Subscription stream = receiver.subscribe();
     receive::Sample sample(receiver.layout());
     if (const auto started = receiver.start(); !started) {
-        found(Condition::DataRate, Verdict::Bad, QStringLiteral("rate.none"), started.error().toString(), {});
+        examiner.found(Condition::DataRate, Verdict::Bad, QStringLiteral("rate.none"),
+                       started.error().toString(), {});
         return;
     }
-    const Deadline deadline = within(kListenMs);
+    const Deadline deadline = examiner.within(kListenMs);
     double first = 0;
     double last = 0;
     int packages = 0;
-    while (!deadline.hasExpired() && last - first < kLookSeconds) {
-        while (stream.next(sample)) {
-            last = receive::RobotState(sample).timestamp();
-            first = packages == 0 ? last : first;
-            ++packages;
-        }
-        std::this_thread::sleep_for(deadline.nextPoll());
+    while (last - first < kLookSeconds && stream.next(sample, deadline)) {
+        last = receive::RobotState(sample).timestamp();
+        first = packages == 0 ? last : first;
+        ++packages;
     }
     const realtime::PriorityReport priority = receiver.priority();
     receiver.stop();
     if (packages == 0) {
-        found(Condition::DataRate, Verdict::Bad, QStringLiteral("rate.none"),
-              DoctorText::tr("the robot takes the subscription but sends no data"),
-              DoctorText::tr("Close other RTDE programs, then restart the robot's controller."));
+        examiner.found(Condition::DataRate, Verdict::Bad, QStringLiteral("rate.none"),
+                       DoctorText::tr("the robot takes the subscription but sends no data"),
+                       DoctorText::tr("Close other RTDE programs, then restart the robot's controller."));
         return;
     }
     // By the controller's own time stamps: how busy this PC is does not count against the robot.
@@ -210,22 +214,23 @@ void Examiner::examineData() {
     const QString detail =
         DoctorText::tr("%1 of %2 packages a second").arg(rate, 0, 'f', 0).arg(wanted, 0, 'f', 0);
     if (rate < kLeastShare * wanted) {
-        found(Condition::DataRate, Verdict::Bad, QStringLiteral("rate.low"), detail,
-              DoctorText::tr(
-                  "Packages are missing: use a cable, not a radio link; close other programs that load the "
-                  "robot or "
-                  "this PC."));
+        examiner.found(
+            Condition::DataRate, Verdict::Bad, QStringLiteral("rate.low"), detail,
+            DoctorText::tr(
+                "Packages are missing: use a cable, not a radio link; close other programs that load the "
+                "robot or "
+                "this PC."));
     } else {
-        good(Condition::DataRate, detail);
+        examiner.good(Condition::DataRate, detail);
     }
     if (priority.ok()) {
-        good(Condition::Privilege, DoctorText::tr("priority %1").arg(priority.granted));
+        examiner.good(Condition::Privilege, DoctorText::tr("priority %1").arg(priority.granted));
     } else {
-        found(Condition::Privilege, Verdict::Attention, QStringLiteral("privilege.none"),
-              DoctorText::tr("the system grants this user no real-time priority"), priority.advice);
+        examiner.found(Condition::Privilege, Verdict::Attention, QStringLiteral("privilege.none"),
+                       DoctorText::tr("the system grants this user no real-time priority"), priority.advice);
     }
     const receive::RobotState robot(sample);
-    judgeModes(robot.robotMode(), robot.safetyMode());
+    judgeModes(examiner, robot.robotMode(), robot.safetyMode());
     if (!robot.has("tcp_offset") || !robot.has("payload")) {
         return;  // older software does not tell
     }
@@ -235,13 +240,14 @@ void Examiner::examineData() {
                              .arg(robot.tcpOffset().position.norm() * 1e3, 0, 'f', 1)
                              .arg(robot.payloadMass(), 0, 'f', 2);
     if (noTool || noPayload) {
-        found(Condition::ToolAndPayload, Verdict::Attention, QStringLiteral("payload.unset"), tool,
-              DoctorText::tr(
-                  "If a tool is mounted, set TCP and payload in the robot's installation: a wrong payload "
-                  "causes "
-                  "protective stops and lets the arm sag in Freedrive."));
+        examiner.found(
+            Condition::ToolAndPayload, Verdict::Attention, QStringLiteral("payload.unset"), tool,
+            DoctorText::tr(
+                "If a tool is mounted, set TCP and payload in the robot's installation: a wrong payload "
+                "causes "
+                "protective stops and lets the arm sag in Freedrive."));
     } else {
-        good(Condition::ToolAndPayload, tool);
+        examiner.good(Condition::ToolAndPayload, tool);
     }
 }
 

@@ -39,22 +39,22 @@ void tryDoors(const QString& address, std::array<Door, 5>& doors, const Deadline
 
 }  // namespace
 
-bool Examiner::examineAddress() {
-    const QString host = patient_.host.trimmed();
+bool examineAddress(Examiner& examiner) {
+    const QString host = examiner.patient.host.trimmed();
     if (!QHostAddress(host).isNull()) {
-        address_ = host;
-        good(Condition::Address, host);
+        examiner.address = host;
+        examiner.good(Condition::Address, host);
         return true;
     }
     const QHostInfo info = host.isEmpty() ? QHostInfo() : QHostInfo::fromName(host);
     for (const QHostAddress& known : info.addresses()) {
         if (known.protocol() == QAbstractSocket::IPv4Protocol) {
-            address_ = known.toString();
-            good(Condition::Address, QStringLiteral("%1 = %2").arg(host, address_));
+            examiner.address = known.toString();
+            examiner.good(Condition::Address, QStringLiteral("%1 = %2").arg(host, examiner.address));
             return true;
         }
     }
-    found(
+    examiner.found(
         Condition::Address, Verdict::Bad, QStringLiteral("address.unresolved"),
         DoctorText::tr("\"%1\" is no address, and no host of that name is known").arg(host),
         DoctorText::tr(
@@ -64,8 +64,8 @@ bool Examiner::examineAddress() {
     return false;
 }
 
-void Examiner::examinePorts() {
-    const Ports& p = patient_.ports;
+void examinePorts(Examiner& examiner) {
+    const Ports& p = examiner.patient.ports;
     std::array<Door, 5> doors = {{
         {Condition::RtdePort, p.rtde, true, "rtde", {}},
         {Condition::PrimaryPort, p.primary, true, "primary", {}},
@@ -73,7 +73,7 @@ void Examiner::examinePorts() {
         {Condition::RealtimePort, p.realtime, false, "realtime", {}},
         {Condition::ServicePort, p.dashboard, true, "service", {}},
     }};
-    tryDoors(address_, doors, within(kConnectMs));
+    tryDoors(examiner.address, doors, examiner.within(kConnectMs));
 
     int open = 0;
     int refused = 0;
@@ -83,11 +83,11 @@ void Examiner::examinePorts() {
     }
     if (open == 0 && refused == 0) {
         const bool silent = doors[0].error.code == ErrorCode::Timeout;
-        found(
+        examiner.found(
             Condition::Host, Verdict::Bad,
             silent ? QStringLiteral("host.silent") : QStringLiteral("host.unreachable"),
-            silent ? DoctorText::tr("%1 does not answer").arg(address_)
-                   : DoctorText::tr("There is no way to %1").arg(address_),
+            silent ? DoctorText::tr("%1 does not answer").arg(examiner.address)
+                   : DoctorText::tr("There is no way to %1").arg(examiner.address),
             silent
                 ? DoctorText::tr(
                       "Check that the robot is switched on and the cable is plugged in, and that no firewall "
@@ -99,37 +99,39 @@ void Examiner::examinePorts() {
         return;
     }
     if (open == 0 && refused == static_cast<int>(doors.size())) {
-        found(Condition::Host, Verdict::Bad, QStringLiteral("host.no-robot"),
-              DoctorText::tr("%1 answers, but none of a robot's services is there").arg(address_),
-              DoctorText::tr(
-                  "Check that this is the robot's own address. A robot that has just been switched on needs "
-                  "another "
-                  "minute."));
+        examiner.found(
+            Condition::Host, Verdict::Bad, QStringLiteral("host.no-robot"),
+            DoctorText::tr("%1 answers, but none of a robot's services is there").arg(examiner.address),
+            DoctorText::tr(
+                "Check that this is the robot's own address. A robot that has just been switched on needs "
+                "another "
+                "minute."));
         return;
     }
-    good(Condition::Host, DoctorText::tr("%1 answers").arg(address_));
+    examiner.good(Condition::Host, DoctorText::tr("%1 answers").arg(examiner.address));
     for (const Door& door : doors) {
         if (door.condition == Condition::ServicePort) {
             if (door.error.code == ErrorCode::None) {
-                good(door.condition, DoctorText::tr("dashboard, port %1").arg(door.port));
+                examiner.good(door.condition, DoctorText::tr("dashboard, port %1").arg(door.port));
             }
-            continue;  // PolyScope X has another one: see examineService()
+            continue;  // PolyScope X has another one: see examineService(examiner)
         }
         if (door.error.code == ErrorCode::None) {
-            good(door.condition, DoctorText::tr("port %1").arg(door.port));
+            examiner.good(door.condition, DoctorText::tr("port %1").arg(door.port));
             continue;
         }
         const bool wasRefused = door.error.code == ErrorCode::ConnectionRefused;
-        found(door.condition, door.needed ? Verdict::Bad : Verdict::Attention,
-              QStringLiteral("port.%1.%2")
-                  .arg(QLatin1String(door.name),
-                       wasRefused ? QStringLiteral("refused") : QStringLiteral("silent")),
-              wasRefused ? DoctorText::tr("port %1 is closed").arg(door.port)
-                         : DoctorText::tr("port %1 does not answer").arg(door.port),
-              wasRefused
-                  ? DoctorText::tr("Switch this interface on at the robot: Settings, Security, Services.")
-                  : DoctorText::tr("A firewall swallows this port: allow TCP port %1 to the robot.")
-                        .arg(door.port));
+        examiner.found(
+            door.condition, door.needed ? Verdict::Bad : Verdict::Attention,
+            QStringLiteral("port.%1.%2")
+                .arg(QLatin1String(door.name),
+                     wasRefused ? QStringLiteral("refused") : QStringLiteral("silent")),
+            wasRefused ? DoctorText::tr("port %1 is closed").arg(door.port)
+                       : DoctorText::tr("port %1 does not answer").arg(door.port),
+            wasRefused
+                ? DoctorText::tr("Switch this interface on at the robot: Settings, Security, Services.")
+                : DoctorText::tr("A firewall swallows this port: allow TCP port %1 to the robot.")
+                      .arg(door.port));
     }
 }
 

@@ -22,113 +22,118 @@ QString remoteFix() {
         "watches.");
 }
 
-}  // namespace
-
-void Examiner::examineService() {
-    if (isGood(Condition::ServicePort)) {
-        examineDashboard();
-    } else {
-        examineRobotApi();
-    }
-}
-
-void Examiner::examineDashboard() {
-    dashboard::DashboardClient client(address_, patient_.ports.dashboard);
-    const Deadline deadline = within(kReplyMs);
+void examineDashboard(Examiner& examiner) {
+    dashboard::DashboardClient client(examiner.address, examiner.patient.ports.dashboard);
+    const Deadline deadline = examiner.within(kReplyMs);
     const Result<void> connected = client.connect(deadline);
     Result<SoftwareVersion> version =
         connected ? client.polyscopeVersion(deadline) : Result<SoftwareVersion>(connected.error());
     if (!version) {
         const bool mute = version.error().code == ErrorCode::Timeout;
         // The port was open: what is behind it is the condition's real content.
-        findings_.erase(Condition::ServicePort);
-        found(
+        examiner.forget(Condition::ServicePort);
+        examiner.found(
             Condition::ServicePort, Verdict::Bad,
             mute ? QStringLiteral("service.mute") : QStringLiteral("service.not-dashboard"),
             mute ? DoctorText::tr("the dashboard takes connections but does not answer")
-                 : DoctorText::tr("what answers on port %1 is not a dashboard").arg(patient_.ports.dashboard),
+                 : DoctorText::tr("what answers on port %1 is not a dashboard")
+                       .arg(examiner.patient.ports.dashboard),
             mute ? DoctorText::tr("Restart the robot's controller; if it stays like this, see its log.")
                  : DoctorText::tr("Check the address, and that no other program uses this port."));
         return;
     }
     if (version->isCb3()) {
-        good(Condition::RemoteControl, DoctorText::tr("this series has no Local/Remote switch"));
+        examiner.good(Condition::RemoteControl, DoctorText::tr("this series has no Local/Remote switch"));
         return;
     }
-    const Result<bool> remote = client.isInRemoteControl(within(kReplyMs));
+    const Result<bool> remote = client.isInRemoteControl(examiner.within(kReplyMs));
     if (remote && *remote) {
-        good(Condition::RemoteControl, DoctorText::tr("Remote"));
+        examiner.good(Condition::RemoteControl, DoctorText::tr("Remote"));
     } else if (remote) {
-        found(Condition::RemoteControl, Verdict::Bad, QStringLiteral("control.local"),
-              DoctorText::tr("Local"), remoteFix());
+        examiner.found(Condition::RemoteControl, Verdict::Bad, QStringLiteral("control.local"),
+                       DoctorText::tr("Local"), remoteFix());
     } else if (remote.error().code == ErrorCode::RemoteControlRequired) {
-        found(Condition::RemoteControl, Verdict::Bad, QStringLiteral("control.local"),
-              DoctorText::tr("Local"), remoteFix());
+        examiner.found(Condition::RemoteControl, Verdict::Bad, QStringLiteral("control.local"),
+                       DoctorText::tr("Local"), remoteFix());
     }
 }
 
-void Examiner::examineRobotApi() {
-    const int port = patient_.ports.robotApi;
-    const dashboard::RobotApiClient client(address_, port);
-    const Result<QString> version = client.apiVersion(within(kReplyMs));
+void examineRobotApi(Examiner& examiner) {
+    const int port = examiner.patient.ports.robotApi;
+    const dashboard::RobotApiClient client(examiner.address, port);
+    const Result<QString> version = client.apiVersion(examiner.within(kReplyMs));
     if (!version) {
         const bool silent = version.error().code == ErrorCode::Timeout;
-        found(Condition::ServicePort, Verdict::Bad,
-              silent ? QStringLiteral("port.service.silent") : QStringLiteral("port.service.refused"),
-              DoctorText::tr("neither the dashboard (port %1) nor the Robot API (port %2) is there")
-                  .arg(patient_.ports.dashboard)
-                  .arg(port),
-              DoctorText::tr(
-                  "Switch the Dashboard Server on at the robot: Settings, Security, Services. PolyScope X "
-                  "needs 10.11 "
-                  "or newer for the Robot API."));
+        examiner.found(
+            Condition::ServicePort, Verdict::Bad,
+            silent ? QStringLiteral("port.service.silent") : QStringLiteral("port.service.refused"),
+            DoctorText::tr("neither the dashboard (port %1) nor the Robot API (port %2) is there")
+                .arg(examiner.patient.ports.dashboard)
+                .arg(port),
+            DoctorText::tr(
+                "Switch the Dashboard Server on at the robot: Settings, Security, Services. PolyScope X "
+                "needs 10.11 "
+                "or newer for the Robot API."));
         return;
     }
-    good(Condition::ServicePort,
-         DoctorText::tr("Robot API %1, port %2; popups are closed on the tablet").arg(*version).arg(port));
-    const Result<bool> remote = client.isInRemoteControl(within(kReplyMs));
+    examiner.good(
+        Condition::ServicePort,
+        DoctorText::tr("Robot API %1, port %2; popups are closed on the tablet").arg(*version).arg(port));
+    const Result<bool> remote = client.isInRemoteControl(examiner.within(kReplyMs));
     if (!remote) {
         return;  // before 10.12 it cannot be asked
     }
     if (*remote) {
-        good(Condition::RemoteControl, DoctorText::tr("Remote"));
+        examiner.good(Condition::RemoteControl, DoctorText::tr("Remote"));
     } else {
-        found(Condition::RemoteControl, Verdict::Bad, QStringLiteral("control.local"),
-              DoctorText::tr("Local"), remoteFix());
+        examiner.found(Condition::RemoteControl, Verdict::Bad, QStringLiteral("control.local"),
+                       DoctorText::tr("Local"), remoteFix());
     }
 }
 
-void Examiner::examineModel() {
-    if (!isGood(Condition::PrimaryPort)) {
+}  // namespace
+
+void examineService(Examiner& examiner) {
+    if (examiner.isGood(Condition::ServicePort)) {
+        examineDashboard(examiner);
+    } else {
+        examineRobotApi(examiner);
+    }
+}
+
+void examineModel(Examiner& examiner) {
+    if (!examiner.isGood(Condition::PrimaryPort)) {
         return;
     }
     script::PrimaryClientOptions options;
-    options.host = address_;
-    options.port = patient_.ports.primary;
+    options.host = examiner.address;
+    options.port = examiner.patient.ports.primary;
     options.reconnect = false;
     script::PrimaryClient client(options);
     client.start();
-    const Deadline deadline = within(kStateMs);
+    const Deadline deadline = examiner.within(kStateMs);
     const Result<void> heard = client.waitForState(deadline);
     const auto configuration = client.configuration();
     if (!heard || !configuration) {
-        found(Condition::Model, Verdict::Bad, QStringLiteral("model.untold"),
-              DoctorText::tr("the primary interface does not describe the arm"),
-              DoctorText::tr("Check that this is the robot's own address, and restart its controller."));
+        examiner.found(
+            Condition::Model, Verdict::Bad, QStringLiteral("model.untold"),
+            DoctorText::tr("the primary interface does not describe the arm"),
+            DoctorText::tr("Check that this is the robot's own address, and restart its controller."));
         return;
     }
     for (const RobotModel& model : robotModels()) {
         // CB3 and e-Series share their numbers: the software tells them apart.
         if (model.robotType == configuration->robotType &&
-            (!version_ || model.isCb3() == version_->isCb3())) {
-            good(Condition::Model, QLatin1String(model.name));
+            (!examiner.version || model.isCb3() == examiner.version->isCb3())) {
+            examiner.good(Condition::Model, QLatin1String(model.name));
             return;
         }
     }
-    found(Condition::Model, Verdict::Attention, QStringLiteral("model.unknown"),
-          DoctorText::tr("robot type %1 is newer than this program").arg(configuration->robotType),
-          DoctorText::tr("Watching works. Limits and previews use the dimensions the robot reports; jog "
-                         "slowly at first."));
+    examiner.found(
+        Condition::Model, Verdict::Attention, QStringLiteral("model.unknown"),
+        DoctorText::tr("robot type %1 is newer than this program").arg(configuration->robotType),
+        DoctorText::tr("Watching works. Limits and previews use the dimensions the robot reports; jog "
+                       "slowly at first."));
 }
 
 }  // namespace tiller::doctor

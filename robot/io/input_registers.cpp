@@ -6,8 +6,8 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
-#include <thread>
 
+#include "robot/core/wait_until.h"
 #include "robot/rtde/connection.h"
 #include "robot/rtde/fields.h"
 
@@ -84,18 +84,16 @@ struct InputRegisters::Private {
         if (auto sent = send(name, value, deadline); !sent || !newest) {
             return sent;
         }
-        while (true) {
+        const auto settled = [&] {
             const auto reported = newest(name);
-            if (!reported || *reported == value) {
-                return {};  // nobody follows it, or it is there
-            }
-            if (deadline.hasExpired()) {
-                return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout,
-                             QStringLiteral("set %1").arg(QString::fromStdString(name)),
-                             QStringLiteral("the robot does not report it")};
-            }
-            std::this_thread::sleep_for(std::min(deadline.nextPoll(), milliseconds(1)));
+            return !reported || *reported == value;  // nobody follows it, or it is there
+        };
+        if (waitUntil(deadline, settled)) {
+            return {};
         }
+        return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout,
+                     QStringLiteral("set %1").arg(QString::fromStdString(name)),
+                     QStringLiteral("the robot does not report it")};
     }
 };
 

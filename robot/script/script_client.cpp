@@ -2,7 +2,6 @@
 #include "robot/script/script_client.h"
 
 #include <array>
-#include <thread>
 #include <utility>
 
 #include "robot/core/tcp_connect.h"
@@ -57,7 +56,7 @@ Result<void> ScriptClient::send(const Text& text, const Deadline& deadline) {
             close();
             return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context, {}};
         }
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        native_socket::waitWritable(socket_, deadline.nextPoll());
     }
     return {};
 }

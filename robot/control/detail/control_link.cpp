@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+#include "robot/control/detail/control_link.h"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "robot/core/wait_until.h"
+#include "robot/realtime/realtime_report.h"
+
+namespace tiller::control {
+
+using std::chrono::milliseconds;
+
+namespace {
+
+// How often the control thread looks up when no data come. In real time only: whether they are late is
+// decided by the Clock.
+constexpr std::int64_t kLookUpNs = 4 * kNsPerMs;
+// What is found so soon after the thread had something to do may have come meanwhile.
+constexpr std::int64_t kBusyNs = kNsPerMs / 20;
+
+QString rangeText(RegisterRange range) {
+    return range == RegisterRange::Upper ? QStringLiteral("upper (24-47)") : QStringLiteral("lower (0-23)");
+}
+
+RegisterRange other(RegisterRange range) {
+    return range == RegisterRange::Upper ? RegisterRange::Lower : RegisterRange::Upper;
+}
+
+// Which registers, whose they are, and what the operator can do.
+Error explainInUse(const Error& error, RegisterRange range) {
+    const QString fieldbus =
+        range == RegisterRange::Lower
+            ? QStringLiteral("switch the fieldbus (EtherNet/IP, PROFINET) off on the robot, ")
+            : QString();
+    return {ErrorCode::RegisterInUse, QStringLiteral("take the %1 registers").arg(rangeText(range)),
+            QStringLiteral("%1. End the program that owns it, %2or use the %3 registers.")
+                .arg(error.context, fieldbus, rangeText(other(range)))};
+}
+
+Error explainUnknown(const QString& context, RegisterRange range) {
+    const QString advice = range == RegisterRange::Upper
+                               ? QStringLiteral("use the lower (0-23) registers with this software")
+                               : QStringLiteral("this software is too old to be controlled over RTDE");
+    return {ErrorCode::FieldUnknown, context,
+            QStringLiteral("The controller has no %1 registers: %2.").arg(rangeText(range), advice)};
+}
+
+}  // namespace
+
+Result<void> ControlLink::open(const Deadline& deadline) {
+    rtde::ConnectionOptions wanted;
+    wanted.host = options_.host;
+    wanted.port =
+        static_cast<std::uint16_t>(options_.rtdePort != 0 ? options_.rtdePort : 30004 + options_.portOffset);
+    wanted.request.outputs = outputNames(options_.registers);
+    // Without watchdog or external wrench the arm can be moved all the same.
+    wanted.request.inputs = {{inputNames(options_.registers, kCommandInputs), true},
+                             {inputNames(options_.registers, kWatchdogInputs), false},
+                             {inputNames(options_.registers, kWrenchInputs), false}};
+    // A controller may hold the registers of a connection that has just ended for a moment longer.
+    const Deadline grace =
+        Deadline::after(std::min(milliseconds(1000), deadline.remaining() / 2), deadline.token());
+    auto opened = rtde::Connection::open(wanted, deadline);
+    waitUntil(
+        grace,
+        [&] {
+            if (opened || opened.error().code != ErrorCode::RegisterInUse) {
+                return true;
+            }
+            opened = rtde::Connection::open(wanted, deadline);
+            return opened.ok();
+        },
+        milliseconds(50));
+    if (!opened) {
+        const Error error = opened.error();
+        return error.code == ErrorCode::RegisterInUse ? explainInUse(error, options_.registers) : error;
+    }
+    connection_ = std::move(opened).value();
+    const QString context = QStringLiteral("set up registers at %1").arg(connection_->peer());
+    const rtde::Recipe& inputs = connection_->inputs().front();
+    if (!inputs.isValid() || inputs.size() != kCommandSize) {
+        return explainUnknown(context, options_.registers);
+    }
+    auto found = FeedbackLayout::of(connection_->outputs(), options_.registers);
+    if (!found) {
+        return explainUnknown(context, options_.registers);
+    }
+    layout_ = *found;
+    watchdogUsable_ = connection_->inputs()[kWatchdogInputs].isValid();
+    wrenchUsable_ = connection_->inputs()[kWrenchInputs].isValid();
+    return {};
+}
+
+Result<Feedback> ControlLink::firstData(const Deadline& deadline, const QString& context) {
+    std::vector<double> values(connection_->outputs().size());
+    while (!deadline.hasExpired()) {
+        const auto read = connection_->readPackage(values, deadline.nextPoll());
+        if (read == rtde::Connection::Read::Nothing) {
+            continue;
+        }
+        if (read != rtde::Connection::Read::Package) {
+            return connection_->error();
+        }
+        return layout_.decode(values, now());
+    }
+    return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
+                 QStringLiteral("no data package")};
+}
+
+Result<void> ControlLink::checkModes(const Deadline& deadline) {
+    const QString context = QStringLiteral("take control at %1").arg(connection_->peer());
+    const auto data = firstData(deadline, context);
+    if (!data) {
+        return data.error();
+    }
+    if (data->robotMode != RobotMode::Running || !allowsMotion(data->safetyMode)) {
+        return Error{
+            ErrorCode::UnsafeState, context,
+            QStringLiteral("%1, %2").arg(robotModeName(data->robotMode), safetyModeName(data->safetyMode))};
+    }
+    return {};
+}
+
+// By what it says alone: to a program of others, what ours is asked with would be commands.
+Result<Echo> ControlLink::findProgram(const Deadline& deadline) {
+    const QString context = QStringLiteral("join the control program at %1").arg(connection_->peer());
+    const auto data = firstData(deadline, context);
+    if (!data) {
+        return data.error();
+    }
+    const Echo& echo = data->echo;
+    if (data->runtimeState != RuntimeState::Playing || echo.sequence <= kBeforeFirstSequence ||
+        echo.session <= 0 || echo.epoch <= 0) {
+        return Error{ErrorCode::NotInControl, context, QStringLiteral("no control program of ours runs")};
+    }
+    return echo;
+}
+
+void ControlLink::begin(script::PrimaryClient& primary) {
+    // What was meant for the connection before must not reach this one.
+    kick_ = false;
+    wrench_.take();
+    quit_.store(false, std::memory_order_release);
+    running_.store(true, std::memory_order_release);
+    thread_ = std::thread([this, &primary] { run(primary); });
+}
+
+void ControlLink::end() {
+    quit_.store(true, std::memory_order_release);
+    if (thread_.joinable()) {
+        thread_.join();
+    }
+    running_.store(false, std::memory_order_release);
+    connection_.reset();
+    watchdogUsable_ = false;
+    wrenchUsable_ = false;
+}
+
+bool ControlLink::send(const Command& command) {
+    const auto isSent = [this](Inputs recipe, std::span<const double> inputs) {
+        return connection_->sendInputs(recipe, inputs) != rtde::Connection::Send::Failed;
+    };
+    const auto inputs = encode(command);
+    bool sent = isSent(kCommandInputs, inputs);
+    if (sent && watchdogUsable_ && kick_.exchange(false, std::memory_order_acq_rel)) {
+        constexpr std::array<double, 1> kNothing{};
+        sent = isSent(kWatchdogInputs, kNothing);
+    }
+    if (const auto* measured = sent && wrenchUsable_ ? wrench_.take() : nullptr; measured != nullptr) {
+        sent = isSent(kWrenchInputs, *measured);
+    }
+    return sent;
+}
+
+void ControlLink::run(script::PrimaryClient& primary) {
+    realtime::nameThread("control");
+    loop_.setGranted(options_.priority <= 0 || realtime::requestThreadPriority(options_.priority).ok(),
+                     options_.cpus.empty() || realtime::bindToCpus(options_.cpus).isEmpty());
+    std::vector<double> values(connection_->outputs().size());
+    bool alive = true;
+    std::int64_t doneNs = now();
+    const auto lastData = [this] { return loop_.status().dataTimeNs; };
+    const std::int64_t silenceNs = std::chrono::nanoseconds(options_.silence).count();
+    const std::int64_t begunNs = doneNs;
+    const auto answer = [&](const Command& command) {
+        doneNs = now();
+        return send(command);
+    };
+    while (alive && !quit_.load(std::memory_order_acquire)) {
+        const std::int64_t due = loop_.dueNs();
+        // The last of the wait for a cycle that is due is spent looking, not asleep.
+        const std::int64_t left = due == kNoCycleDue ? kLookUpNs : due - now() - kWakeUpNs;
+        const std::chrono::nanoseconds wait(std::clamp<std::int64_t>(left, 0, kLookUpNs));
+        switch (connection_->readPackage(values, wait, &waker_)) {
+            case rtde::Connection::Read::Package: {
+                Feedback data = layout_.decode(values, now());
+                data.awaited = data.hostNs - doneNs > kBusyNs;
+                alive = answer(loop_.tick(data));
+                if (loop_.takePaused() && (!options_.keepPaused || loop_.yieldedWhenPaused())) {
+                    primary.requestProgramStop();
+                }
+                break;
+            }
+            case rtde::Connection::Read::Nothing: {
+                const bool looksOn = wait.count() == 0 && now() < due;
+                Command command;
+                if ((waker_.take() && loop_.early(now(), command)) ||
+                    (!looksOn && loop_.fallback(now(), command))) {
+                    alive = answer(command);
+                }
+                if (silenceNs > 0 && now() - std::max(lastData(), begunNs) > silenceNs) {
+                    alive = false;
+                }
+                break;
+            }
+            case rtde::Connection::Read::Closed:
+            case rtde::Connection::Read::Failed:
+            case rtde::Connection::Read::Malformed:
+                alive = false;
+                break;
+        }
+    }
+    if (!alive) {
+        loop_.lost(now(), ControlLoss::LinkLost);
+        connection_->close();  // frees the registers for whoever comes next
+    }
+    running_.store(false, std::memory_order_release);
+}
+
+Result<void> ControlLink::sendWrench(const std::array<double, 6>& wrench) {
+    const QString context = QStringLiteral("send a wrench");
+    if (!isRunning()) {
+        return Error{ErrorCode::NotInControl, context, {}};
+    }
+    if (!wrenchUsable_) {
+        return Error{
+            ErrorCode::RegisterInUse, context,
+            QStringLiteral("this robot has no input external_force_torque, or another client owns it")};
+    }
+    const std::lock_guard lock(wrenchCallers_);
+    wrench_.publish(wrench);
+    return {};
+}
+
+Result<void> ControlLink::kickWatchdog() {
+    const QString context = QStringLiteral("kick the watchdog");
+    if (!isRunning()) {
+        return Error{ErrorCode::NotInControl, context, {}};
+    }
+    if (!watchdogUsable_) {
+        return Error{ErrorCode::RegisterInUse, context,
+                     QStringLiteral("another client owns the register it needs")};
+    }
+    kick_.store(true, std::memory_order_release);
+    return {};
+}
+
+}  // namespace tiller::control

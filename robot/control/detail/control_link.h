@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The control thread and its RTDE connection: takes the registers, carries each package from the robot to the
+// ControlLoop and each command back.
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "robot/control/controller.h"
+#include "robot/control/detail/control_loop.h"
+#include "robot/control/detail/registers.h"
+#include "robot/core/deadline.h"
+#include "robot/core/native_socket.h"
+#include "robot/core/result.h"
+#include "robot/realtime/triple_buffer.h"
+#include "robot/rtde/connection.h"
+#include "robot/script/primary_client.h"
+
+namespace tiller::control {
+
+/// Threads  open() to end(): one at a time; checkModes() and findProgram() between open() and begin(). All
+///          others: any. Owns one thread, "control", of the priority in the options
+class ControlLink {
+public:
+    ControlLink(const ControllerOptions& options, ControlLoop& loop) : options_(options), loop_(loop) {}
+    ~ControlLink() { end(); }
+    ControlLink(const ControlLink&) = delete;
+    ControlLink& operator=(const ControlLink&) = delete;
+
+    /// Connects and takes the registers.
+    /// Errors  those of rtde::Connection::open(), RegisterInUse and FieldUnknown with what the operator can do
+    Result<void> open(const Deadline& deadline);
+    /// Errors  UnsafeState when the arm is not ready to be moved, Timeout, Cancelled
+    Result<void> checkModes(const Deadline& deadline);
+    /// What the program that runs says of itself.
+    /// Errors  NotInControl when it is none of ours, Timeout, Cancelled
+    Result<Echo> findProgram(const Deadline& deadline);
+    SoftwareVersion version() const { return connection_->version(); }
+    /// [s]
+    double period() const { return connection_->period(); }
+
+    /// Starts the thread. primary  asked to stop a program that was paused; outlives the thread
+    void begin(script::PrimaryClient& primary);
+    /// Ends thread and connection. Harmless when there are none.
+    void end();
+    bool isRunning() const { return running_.load(std::memory_order_acquire); }
+
+    /// Has what was just asked for sent at once, where time does not stand still.
+    void wake() const {
+        if (options_.clock->runsByItself()) {
+            waker_.wake();
+        }
+    }
+    /// Sends the watchdog's register once.
+    /// Errors  NotInControl; RegisterInUse when another client owns it
+    Result<void> kickWatchdog();
+    /// wrench  [N, Nm]
+    /// Errors  NotInControl; RegisterInUse when there is no such input or another client owns it
+    Result<void> sendWrench(const std::array<double, 6>& wrench);
+
+private:
+    Result<Feedback> firstData(const Deadline& deadline, const QString& context);
+    void run(script::PrimaryClient& primary);
+    bool send(const Command& command);
+    std::int64_t now() const { return options_.clock->nowNs(); }
+
+    const ControllerOptions& options_;
+    ControlLoop& loop_;
+    std::unique_ptr<rtde::Connection> connection_;  ///< the control thread's while it runs
+    FeedbackLayout layout_;
+    std::thread thread_;
+    std::atomic<bool> quit_{false};
+    std::atomic<bool> running_{false};
+    native_socket::Waker waker_;
+    std::atomic<bool> watchdogUsable_{false};
+    std::atomic<bool> wrenchUsable_{false};
+    std::atomic<bool> kick_{false};
+    std::mutex wrenchCallers_;
+    realtime::TripleBuffer<std::array<double, 6>> wrench_;
+};
+
+}  // namespace tiller::control

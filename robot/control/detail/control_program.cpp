@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "robot/control/detail/control_program.h"
+
+#include <QRandomGenerator>
+#include <algorithm>
+
+#include "robot/core/wait_until.h"
+#include "robot/script/script_client.h"
+
+namespace tiller::control {
+
+using std::chrono::milliseconds;
+
+ControlProgram::ControlProgram(const ControllerOptions& options, ControlLoop& loop, const ControlLink& link,
+                               RequestChannel& requests)
+    : options_(options)
+    , loop_(loop)
+    , link_(link)
+    , requests_(requests)
+    , arm_(ArmLimits::of(robotModel(options.model))) {}
+
+std::int32_t ControlProgram::newSession() {
+    return static_cast<std::int32_t>(QRandomGenerator::system()->bounded(1, 0x7fffffff));
+}
+
+Result<void> ControlProgram::listen(const SoftwareVersion& version, const Deadline& deadline) {
+    script::PrimaryClientOptions listening;
+    listening.host = options_.host;
+    listening.port = primaryPort();
+    listening.clock = options_.clock;
+    listening.reconnect = false;
+    auto listener = std::make_unique<script::PrimaryClient>(listening);
+    listener->start();
+    if (auto heard = listener->waitForState(deadline); !heard) {
+        return heard;
+    }
+    ArmLimits limits = ArmLimits::of(robotModel(options_.model));
+    if (const auto told = listener->configuration()) {
+        limits = {told->dh, told->minPosition, told->maxPosition, told->maxSpeed};
+    }
+    const std::lock_guard lock(guard_);
+    arm_ = limits;
+    version_ = version;
+    refused_.clear();
+    primary_ = std::move(listener);
+    return {};
+}
+
+void ControlProgram::stopListening() {
+    std::unique_ptr<script::PrimaryClient> listener;
+    const std::lock_guard lock(guard_);
+    listener = std::move(primary_);
+}
+
+SoftwareVersion ControlProgram::version() const {
+    const std::lock_guard lock(guard_);
+    return version_;
+}
+
+ArmLimits ControlProgram::arm() const {
+    const std::lock_guard lock(guard_);
+    return arm_;
+}
+
+Result<void> ControlProgram::needs(const SoftwareVersion& eSeries, const SoftwareVersion& cb3,
+                                   const QString& context) const {
+    const SoftwareVersion has = version();
+    const SoftwareVersion& least = has.isCb3() ? cb3 : eSeries;
+    if (least.major > 0 && has >= least) {
+        return {};
+    }
+    const QString since = least.major > 0
+                              ? QStringLiteral("it needs %1.%2 or newer").arg(least.major).arg(least.minor)
+                              : QStringLiteral("this series does not have it");
+    return Error{
+        ErrorCode::VersionUnsupported, context,
+        QStringLiteral("software %1.%2.%3: %4").arg(has.major).arg(has.minor).arg(has.bugfix).arg(since)};
+}
+
+Result<void> ControlProgram::knows(const char* name, const QString& context) const {
+    const SoftwareVersion has = version();
+    const std::lock_guard lock(guard_);
+    if (!refused_.contains(QLatin1String(name))) {
+        return {};
+    }
+    return Error{ErrorCode::VersionUnsupported, context,
+                 QStringLiteral("software %1.%2.%3 has no %4")
+                     .arg(has.major)
+                     .arg(has.minor)
+                     .arg(has.bugfix)
+                     .arg(QLatin1String(name))};
+}
+
+// A name that is dropped from the language makes a controller refuse the whole program: once it has told
+// which, the program does without.
+Result<void> ControlProgram::upload(std::int32_t session, const QString& section, const Deadline& deadline) {
+    for (;;) {
+        auto sent = uploadOnce(session, section, deadline);
+        if (sent || sent.error().code != ErrorCode::ScriptError) {
+            return sent;
+        }
+        const QString name = refusedName(sent.error().controllerMessage);
+        const std::lock_guard lock(guard_);
+        if (name.isEmpty() || refused_.contains(name)) {
+            return sent;
+        }
+        refused_.append(name);
+    }
+}
+
+Result<void> ControlProgram::uploadOnce(std::int32_t session, const QString& section,
+                                        const Deadline& deadline) {
+    const QString context =
+        QStringLiteral("start the control program at %1:%2").arg(options_.host).arg(primaryPort());
+    QStringList without;
+    {
+        const std::lock_guard lock(guard_);
+        without = refused_;
+    }
+    const ControlScript script = controlScript(version(), options_.registers, session, options_.limits,
+                                               arm().maxSpeed, section, without, options_.force);
+    {
+        const std::lock_guard lock(guard_);
+        primary_->takeMessages();  // what was said before is not about us
+        script_ = script;
+    }
+    session_ = session;
+    if (options_.deliver) {
+        if (auto delivered = options_.deliver(script.text, deadline); !delivered) {
+            return delivered;
+        }
+    } else {
+        script::ScriptClient client(options_.host, primaryPort());
+        if (auto connected = client.connect(deadline); !connected) {
+            return connected;
+        }
+        if (auto sent = client.send(script.text, deadline); !sent) {
+            return sent;
+        }
+    }
+    return options_.awaitProgram ? awaitControl(deadline, context) : Result<void>();
+}
+
+Result<void> ControlProgram::awaitControl(const Deadline& deadline, const QString& context) {
+    Error bad;
+    const auto settled = [&] {
+        if (loop_.isInControl()) {
+            return true;
+        }
+        bad = complaint(context);
+        if (bad.code == ErrorCode::None && !link_.isRunning()) {
+            bad = {ErrorCode::LinkLost, context, QStringLiteral("the RTDE connection was lost")};
+        }
+        return bad.code != ErrorCode::None;
+    };
+    if (!waitUntil(deadline, settled)) {
+        bad = {deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
+               QStringLiteral("The program was sent, but it does not answer. Is the robot in "
+                              "Remote control, and are scripts allowed on this port?")};
+    }
+    return bad.code == ErrorCode::None ? Result<void>() : bad;
+}
+
+Result<void> ControlProgram::end(ControlLoss loss, const Deadline& deadline) {
+    const QString context = QStringLiteral("end the control program");
+    loop_.requestEnd(loss);
+    const bool ended = waitUntil(deadline, [this] {
+        return !link_.isRunning() ||
+               (!loop_.isInControl() && loop_.status().runtimeState != RuntimeState::Playing);
+    });
+    if (!ended) {
+        return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
+                     QStringLiteral("it goes on")};
+    }
+    return link_.isRunning() ? Result<void>() : Error{ErrorCode::LinkLost, context, {}};
+}
+
+Result<void> ControlProgram::restart(const QString& section, const QString& name, const Deadline& deadline) {
+    const QString context = QStringLiteral("send the control program again");
+    if (!link_.isRunning()) {
+        return Error{ErrorCode::NotInControl, context, {}};
+    }
+    if (auto ended = end(ControlLoss::Taking, deadline); !ended) {
+        return ended;
+    }
+    {
+        const std::lock_guard lock(guard_);
+        sectionName_ = name;
+    }
+    requests_.forget();
+    const std::int32_t next = newSession();
+    loop_.expectSession(next);
+    return upload(next, section, deadline);
+}
+
+Result<void> ControlProgram::sendAnew(const Deadline& deadline) {
+    requests_.forget();
+    const std::int32_t next = newSession();
+    loop_.expectSession(next);
+    return upload(next, {}, deadline);
+}
+
+void ControlProgram::giveWayTo(const QString& name, int lines) {
+    complaint({});  // what was said before is not about this script
+    const std::lock_guard lock(guard_);
+    script_ = {};
+    script_.sectionLine = 1;
+    script_.sectionLines = lines;
+    sectionName_ = QString();
+    scriptHeard_ = {name, false, false};
+}
+
+Error ControlProgram::complaint(const QString& context) {
+    constexpr int kReadOnlySocket = 210;
+    const std::lock_guard lock(guard_);
+    if (!primary_) {
+        return {};
+    }
+    for (const auto& message : primary_->takeMessages()) {
+        if (message.kind == script::MessageKind::Key && !scriptHeard_.name.isEmpty() &&
+            message.text == scriptHeard_.name) {
+            scriptHeard_.started = scriptHeard_.started || message.title.endsWith(QLatin1String("STARTED"));
+            scriptHeard_.stopped = scriptHeard_.stopped || message.title.endsWith(QLatin1String("STOPPED"));
+        }
+        if (message.kind == script::MessageKind::RuntimeException) {
+            const QString place = message.line > 0 ? script_.place(message.line, message.column) + ": " : "";
+            const QString name = sectionName_.isEmpty() ? QString() : sectionName_ + QLatin1Char(' ');
+            const bool ours = place.contains(QLatin1String(".script line "));
+            return {ErrorCode::ScriptError, context, (ours ? QString() : name) + place + message.text};
+        }
+        if (message.kind == script::MessageKind::ErrorCode && message.code == kReadOnlySocket) {
+            return {ErrorCode::RemoteControlRequired, context,
+                    message.text.isEmpty() ? message.codeName() : message.text};
+        }
+    }
+    return {};
+}
+
+std::uint64_t ControlProgram::statesHeard() const {
+    const std::lock_guard lock(guard_);
+    return primary_ ? primary_->state().packages : 0;
+}
+
+ControlProgram::ScriptHeard ControlProgram::scriptHeard() const {
+    const std::lock_guard lock(guard_);
+    return scriptHeard_;
+}
+
+}  // namespace tiller::control
