@@ -11,6 +11,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "widgets/common/figure_box.h"
 #include "widgets/jog/device_jog.h"
 
 namespace tiller::app {
@@ -31,17 +32,16 @@ QLabel* fieldName(const QString& text) {
     return label;
 }
 
-QDoubleSpinBox* numberField(const QString& name, const QString& accessible, double least, double most,
-                            double step, int digits, const QString& suffix) {
-    auto* box = new QDoubleSpinBox;
+FigureBox* numberField(const QString& name, const QString& accessible, double least, double most, double step,
+                       int digits, const QString& suffix) {
+    auto* box = new FigureBox;
+    box->setButtonSymbols(QAbstractSpinBox::UpDownArrows);
     box->setObjectName(name);
     box->setAccessibleName(accessible);
     box->setDecimals(digits);
     box->setRange(least, most);
     box->setSingleStep(step);
     box->setSuffix(suffix);
-    // A number is taken when it is finished.
-    box->setKeyboardTracking(false);
     return box;
 }
 

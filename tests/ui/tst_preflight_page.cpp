@@ -263,6 +263,41 @@ private Q_SLOTS:
         QCOMPARE(page->findChild<QPushButton*>("preflightConnect")->text(), QStringLiteral("Connect"));
     }
 
+    void withSomethingRedTheFirstThingToDoIsToLookAgain() {
+        Cell cell;
+        QVERIFY(cell.begin());
+        cell.robot->protectiveStop();
+        QTRY_COMPARE(cell.robot->truth().safetyMode, SafetyMode::ProtectiveStop);
+        const auto page = open(cell.patient);
+        QTRY_VERIFY_WITH_TIMEOUT(page->isFinished(), 30'000);
+        auto* again = page->findChild<QPushButton*>("preflightAgain");
+        auto* key = page->findChild<QPushButton*>("preflightConnect");
+        QCOMPARE(doctor::overall(page->report()), doctor::Verdict::Bad);
+        QVERIFY(again->property("primary").toBool() && again->isDefault());
+        QVERIFY(!key->property("primary").toBool() && !key->isDefault());
+        QVERIFY(page->findChild<QLabel*>("preflightConsequence")->isVisible());
+
+        // What is red or amber stands above all that is well, and can be seen without scrolling.
+        bool wellSeen = false;
+        QList<FindingRow*> rows = page->findChildren<FindingRow*>();
+        std::sort(rows.begin(), rows.end(), [](auto* a, auto* b) { return a->y() < b->y(); });
+        for (const FindingRow* row : std::as_const(rows)) {
+            const bool well = row->finding().verdict == doctor::Verdict::Good ||
+                              row->finding().verdict == doctor::Verdict::Skipped;
+            QVERIFY2(well || !wellSeen, qPrintable(row->objectName()));
+            QVERIFY2(well || !row->visibleRegion().isEmpty(), qPrintable(row->objectName()));
+            wellSeen = wellSeen || well;
+        }
+
+        // Return looks again; it does not connect.
+        QSignalSpy connected(page.get(), &PreflightPage::connectRequested);
+        QSignalSpy finished(page.get(), &PreflightPage::finished);
+        keepPicture(*page, "protective_stop");
+        QTest::keyClick(page.get(), Qt::Key_Return);
+        QVERIFY(finished.wait(30'000));
+        QCOMPARE(connected.size(), 0);
+    }
+
     void closingItMidwayEndsTheExamination() {
         Cell cell;
         QVERIFY(cell.begin());

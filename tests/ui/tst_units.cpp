@@ -118,9 +118,9 @@ QStringList figuresIn(const QRegularExpression& figure, const QWidget& root) {
 
 /// Where a length is shown.
 constexpr const char* kPlaces[] = {
-    "lastStopChip", "jogMotion.1",     "jogMotion.3",           "jogSpeed.0",
-    "jogSpeed.4",   "waypoint.table",  "waypoint.details.pose", "waypoint.details.facts",
-    "frame.table",  "frame.details.x", "frame.details.facts",   "jog.Z+"};
+    "lastStopChip", "jogMotion.1",     "jogMotion.3",         "jogSpeed.0",
+    "jogSpeed.4",   "waypoint.table",  "waypoint.details.x",  "waypoint.details.facts",
+    "frame.table",  "frame.details.x", "frame.details.facts", "jog.Z+"};
 
 /// Of these the ones that do not name the unit.
 QStringList placesWithout(const QRegularExpression& figure, const QWidget& root) {

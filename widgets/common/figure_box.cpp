@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/figure_box.h"
 
+#include <QAccessible>
+#include <QCoreApplication>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QToolTip>
 #include <QWheelEvent>
 
 namespace tiller {
@@ -14,13 +19,85 @@ FigureBox::FigureBox(QWidget* parent) : QDoubleSpinBox(parent) {
     setLocale(plain);
 }
 
+bool FigureBox::isRefused() const {
+    QString text = lineEdit()->text();
+    int position = 0;
+    return validate(text, position) != QValidator::Acceptable;
+}
+
+void FigureBox::explainRefusal() {
+    const auto with = [this](double figure) { return textFromValue(figure) + suffix(); };
+    const QString text = tr("“%1” was not taken: %2 to %3. Nothing was changed.")
+                             .arg(bare(lineEdit()->text()), with(minimum()), with(maximum()));
+    QToolTip::showText(mapToGlobal(QPoint(0, height())), text, this);
+    setAccessibleDescription(text);
+    QAccessibleEvent event(this, QAccessible::DescriptionChanged);
+    QAccessible::updateAccessibility(&event);
+}
+
+// What is out of the range is let stand while it is typed: to swallow a digit would make another figure of it.
+// More decimals than are shown are rounded.
 QValidator::State FigureBox::validate(QString& text, int& position) const {
     text.replace(QLatin1Char(','), QLatin1Char('.')).replace(QChar(0x2212), QLatin1Char('-'));
-    return QDoubleSpinBox::validate(text, position);
+    bool isNumber = false;
+    const double figure = locale().toDouble(bare(text), &isNumber);
+    if (!isNumber) {
+        return QDoubleSpinBox::validate(text, position);
+    }
+    return figure >= minimum() && figure <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+}
+
+double FigureBox::valueFromText(const QString& text) const {
+    bool isNumber = false;
+    const double figure = locale().toDouble(bare(text), &isNumber);
+    return isNumber ? figure : QDoubleSpinBox::valueFromText(text);
+}
+
+void FigureBox::keyPressEvent(QKeyEvent* event) {
+    const bool finishes = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (finishes && isRefused()) {
+        explainRefusal();
+        lineEdit()->selectAll();
+        return;
+    }
+    if (event->key() == Qt::Key_Escape &&
+        lineEdit()->text() != prefix() + textFromValue(value()) + suffix()) {
+        restore();
+        return;
+    }
+    QDoubleSpinBox::keyPressEvent(event);
+    if (finishes) {
+        setAccessibleDescription({});
+    }
+}
+
+void FigureBox::focusOutEvent(QFocusEvent* event) {
+    if (!isRefused()) {
+        QDoubleSpinBox::focusOutEvent(event);
+        return;
+    }
+    // The base class would put the last figure in its place, as if that had been typed.
+    QCoreApplication::sendEvent(lineEdit(), event);
+    QWidget::focusOutEvent(event);
+    explainRefusal();
 }
 
 void FigureBox::wheelEvent(QWheelEvent* event) {
     event->ignore();
+}
+
+QString FigureBox::bare(QString text) const {
+    if (!suffix().isEmpty() && text.endsWith(suffix())) {
+        text.chop(suffix().size());
+    }
+    return text.trimmed();
+}
+
+void FigureBox::restore() {
+    lineEdit()->setText(prefix() + textFromValue(value()) + suffix());
+    lineEdit()->selectAll();
+    setAccessibleDescription({});
+    QToolTip::hideText();
 }
 
 }  // namespace tiller

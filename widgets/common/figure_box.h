@@ -2,7 +2,9 @@
 #pragma once
 
 // A figure to be typed, with its unit behind it. The wheel never changes it, a comma is a decimal point, and
-// it is told of only when it is finished: by Enter, or when the focus goes on.
+// it is told of only when it is finished: by Return, or when the focus goes on. Whatever is typed stands as it
+// was typed; what is outside the range is refused, with the range, and changes nothing. Esc brings the last
+// figure back.
 
 #include <QDoubleSpinBox>
 
@@ -14,10 +16,23 @@ class FigureBox : public QDoubleSpinBox {
 public:
     explicit FigureBox(QWidget* parent = nullptr);
 
+    /// Whether the text that stands in it is no figure it takes; value() is still the one before.
+    bool isRefused() const;
+    /// Says so, with the range, beside the box.
+    void explainRefusal();
+
     QValidator::State validate(QString& text, int& position) const override;
+    double valueFromText(const QString& text) const override;
 
 protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+
+private:
+    /// Without the unit.
+    QString bare(QString text) const;
+    void restore();
 };
 
 }  // namespace tiller

@@ -5,7 +5,6 @@
 // but the frame.
 
 #include <QWidget>
-#include <array>
 #include <optional>
 
 #include "robot/project/waypoint.h"
@@ -15,7 +14,7 @@ class QLabel;
 namespace tiller {
 
 class ElidedLabel;
-class FigureBox;
+class PoseEditor;
 
 class FrameDetails : public QWidget {
     Q_OBJECT
@@ -40,17 +39,14 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void showFigures();
     void showFacts();
-    void take(int figure);
 
     std::optional<project::Frame> frame_;
     int waypoints_ = 0;
     std::optional<Pose> tcp_;
     QLabel* name_;
     ElidedLabel* facts_;
-    std::array<FigureBox*, 6> boxes_{};
-    std::array<double, 6> shown_{};
+    PoseEditor* pose_;
 };
 
 }  // namespace tiller

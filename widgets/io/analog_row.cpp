@@ -17,9 +17,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/common/figure_box.h"
 #include "widgets/common/format.h"
 #include "widgets/common/theme.h"
-#include "widgets/io/calm_spin_box.h"
 
 namespace tiller {
 
@@ -76,7 +76,7 @@ AnalogRow::AnalogRow(const QString& terminal, bool output, QWidget* parent)
         domain_->addItems({tr("4–20 mA"), tr("0–10 V")});
         domain_->setObjectName(id + QStringLiteral(".domain"));
         domain_->setAccessibleName(tr("%1 domain").arg(terminal));
-        wanted_ = new CalmSpinBox;
+        wanted_ = new FigureBox;
         wanted_->setDecimals(2);
         wanted_->setObjectName(id + QStringLiteral(".wanted"));
         wanted_->setAccessibleName(tr("%1 value").arg(terminal));
@@ -94,6 +94,10 @@ AnalogRow::AnalogRow(const QString& terminal, bool output, QWidget* parent)
         fit();
         connect(domain_, &QComboBox::currentIndexChanged, this, fit);
         connect(set_, &QPushButton::clicked, this, [this] {
+            if (wanted_->isRefused()) {
+                wanted_->explainRefusal();
+                return;
+            }
             const double low = lowest(wantedDomain());
             Q_EMIT setRequested(wantedDomain(), (wanted_->value() - low) / (highest(wantedDomain()) - low));
         });
@@ -190,9 +194,9 @@ void AnalogRow::askForScale() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setObjectName(QStringLiteral("analogScale"));
     dialog->setWindowTitle(tr("Scale of %1").arg(accessibleName()));
-    auto* low = new CalmSpinBox;
-    auto* high = new CalmSpinBox;
-    for (QDoubleSpinBox* box : {low, high}) {
+    auto* low = new FigureBox;
+    auto* high = new FigureBox;
+    for (FigureBox* box : {low, high}) {
         box->setRange(-1e6, 1e6);
         box->setDecimals(3);
     }
@@ -209,6 +213,12 @@ void AnalogRow::askForScale() {
     form->addRow(buttons);
     connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
     connect(buttons, &QDialogButtonBox::accepted, dialog, [this, dialog, low, high, unit] {
+        for (FigureBox* box : {low, high}) {
+            if (box->isRefused()) {
+                box->explainRefusal();
+                return;
+            }
+        }
         setScale({low->value(), high->value(), unit->text().remove(QLatin1Char('|')).trimmed()});
         Q_EMIT changed();
         dialog->accept();

@@ -10,11 +10,12 @@
 #include "robot/io/outputs.h"
 
 class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 
 namespace tiller {
+
+class FigureBox;
 
 /// What the ends of the electrical range mean. Without a unit: not scaled.
 struct AnalogScale {
@@ -78,7 +79,7 @@ private:
     QLabel* nameLabel_;
     QLabel* valueLabel_;
     QComboBox* domain_ = nullptr;
-    QDoubleSpinBox* wanted_ = nullptr;
+    FigureBox* wanted_ = nullptr;
     QPushButton* set_ = nullptr;
 };
 

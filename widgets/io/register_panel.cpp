@@ -6,12 +6,11 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QVBoxLayout>
 
+#include "widgets/common/figure_box.h"
 #include "widgets/common/format.h"
 #include "widgets/common/theme.h"
-#include "widgets/io/calm_spin_box.h"
 
 namespace tiller {
 
@@ -22,25 +21,10 @@ constexpr int kFirst = 12;
 constexpr int kLast = 19;
 constexpr int kUpper = 24;
 
-/// The wheel edits it only while it has the focus.
-class CalmWholeBox : public QSpinBox {
-public:
-    CalmWholeBox() { setFocusPolicy(Qt::StrongFocus); }
-
-protected:
-    void wheelEvent(QWheelEvent* event) override {
-        if (hasFocus()) {
-            QSpinBox::wheelEvent(event);
-        } else {
-            event->ignore();
-        }
-    }
-};
-
 }  // namespace
 
 RegisterPanel::RegisterPanel(QWidget* parent)
-    : QWidget(parent), kind_(new QComboBox), number_(new CalmWholeBox), value_(new CalmSpinBox) {
+    : QWidget(parent), kind_(new QComboBox), number_(new FigureBox), value_(new FigureBox) {
     setObjectName(QStringLiteral("io.registers"));
     setAccessibleName(tr("General purpose registers"));
     auto* layout = new QVBoxLayout(this);
@@ -85,6 +69,7 @@ RegisterPanel::RegisterPanel(QWidget* parent)
     auto* write = new QPushButton(tr("Write"));
     write->setObjectName(QStringLiteral("io.register.write"));
     kind_->setFixedWidth(100);
+    number_->setDecimals(0);
     number_->setFixedWidth(64);
     value_->setMinimumWidth(80);
     value_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -99,8 +84,14 @@ RegisterPanel::RegisterPanel(QWidget* parent)
     layout->addLayout(row);
     connect(kind_, &QComboBox::currentIndexChanged, this, &RegisterPanel::fitKind);
     connect(write, &QPushButton::clicked, this, [this] {
-        Q_EMIT writeRequested(
-            {static_cast<RegisterValue::Kind>(kind_->currentIndex()), number_->value(), value_->value()});
+        for (FigureBox* box : {number_, value_}) {
+            if (box->isRefused()) {
+                box->explainRefusal();
+                return;
+            }
+        }
+        Q_EMIT writeRequested({static_cast<RegisterValue::Kind>(kind_->currentIndex()),
+                               static_cast<int>(number_->value()), value_->value()});
     });
     fitKind();
 }

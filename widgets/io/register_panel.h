@@ -11,12 +11,12 @@
 #include "widgets/session/io_commands.h"
 
 class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
-class QSpinBox;
 
 namespace tiller {
+
+class FigureBox;
 
 class RegisterPanel : public QWidget {
     Q_OBJECT
@@ -46,8 +46,8 @@ private:
 
     QMap<QString, Row> rows_;
     QComboBox* kind_;
-    QSpinBox* number_;
-    QDoubleSpinBox* value_;
+    FigureBox* number_;
+    FigureBox* value_;
 };
 
 }  // namespace tiller

@@ -8,7 +8,10 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
+#include <QStyle>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "widgets/common/notation.h"
 #include "widgets/common/shapes.h"
@@ -118,15 +121,16 @@ PreflightPage::PreflightPage(const doctor::Patient& patient, QWidget* parent)
     layout->addWidget(summary_);
 
     auto* list = new QWidget(this);
-    auto* rows = new QVBoxLayout(list);
-    rows->setContentsMargins(0, 0, 8, 0);
-    rows->setSpacing(0);
+    list_ = new QVBoxLayout(list);
+    list_->setContentsMargins(0, 0, 8, 0);
+    list_->setSpacing(0);
     for (int i = 0; i < doctor::kConditionCount; ++i) {
         rows_.append(new FindingRow(static_cast<doctor::Condition>(i), list));
-        rows->addWidget(rows_.back());
+        list_->addWidget(rows_.back());
     }
-    rows->addStretch(1);
+    list_->addStretch(1);
     auto* scroll = new QScrollArea(this);
+    scroll->setObjectName(QStringLiteral("preflightConditions"));
     scroll->setAccessibleName(tr("Conditions"));
     scroll->setWidget(list);
     scroll->setWidgetResizable(true);
@@ -141,6 +145,15 @@ PreflightPage::PreflightPage(const doctor::Patient& patient, QWidget* parent)
     layout->addWidget(note_);
     showNote();
 
+    consequence_ =
+        new QLabel(tr("Connected anyway, the window shows what data there are. What is red above may keep "
+                      "it from taking control, or end a motion while it runs."),
+                   this);
+    consequence_->setObjectName(QStringLiteral("preflightConsequence"));
+    consequence_->setWordWrap(true);
+    consequence_->hide();
+    layout->addWidget(consequence_);
+
     auto* buttons = new QHBoxLayout;
     again_ = new QPushButton(tr("Look again"), this);
     again_->setObjectName(QStringLiteral("preflightAgain"));
@@ -150,7 +163,6 @@ PreflightPage::PreflightPage(const doctor::Patient& patient, QWidget* parent)
     cancel->setAutoDefault(false);
     connect_ = new QPushButton(tr("Connect"), this);
     connect_->setObjectName(QStringLiteral("preflightConnect"));
-    connect_->setProperty("primary", true);
     buttons->addWidget(again_);
     buttons->addStretch(1);
     buttons->addWidget(cancel);
@@ -183,7 +195,7 @@ void PreflightPage::examine() {
     worker_.cancelAll();
     finished_ = false;
     again_->setEnabled(false);
-    connect_->setText(tr("Connect"));
+    offer(true);
     summary_->setText(tr("Looking at %1…").arg(patient_.host));
     for (FindingRow* row : rows_) {
         row->showWaiting();
@@ -223,8 +235,46 @@ void PreflightPage::conclude(const doctor::Report& report) {
     summary_->setText(verdict == doctor::Verdict::Bad         ? tr("Something is in the way")
                       : verdict == doctor::Verdict::Attention ? tr("Ready, with warnings")
                                                               : tr("Everything is ready"));
-    connect_->setText(verdict == doctor::Verdict::Bad ? tr("Connect anyway") : tr("Connect"));
+    offer(verdict != doctor::Verdict::Bad);
+    sortRows();
     Q_EMIT finished();
+}
+
+void PreflightPage::offer(bool connecting) {
+    connect_->setText(connecting ? tr("Connect") : tr("Connect anyway"));
+    consequence_->setVisible(!connecting);
+    const auto makePrimary = [](QPushButton* key, bool primary) {
+        key->setProperty("primary", primary);
+        key->setDefault(primary);
+        key->style()->unpolish(key);
+        key->style()->polish(key);
+    };
+    makePrimary(connect_, connecting);
+    makePrimary(again_, !connecting);
+}
+
+void PreflightPage::sortRows() {
+    const auto rank = [](const FindingRow* row) {
+        switch (row->finding().verdict) {
+            case doctor::Verdict::Bad:
+                return 0;
+            case doctor::Verdict::Attention:
+                return 1;
+            case doctor::Verdict::Good:
+            case doctor::Verdict::Skipped:
+                break;
+        }
+        return 2;
+    };
+    QVector<FindingRow*> sorted = rows_;  // rows_ itself is found by condition
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [&](const FindingRow* a, const FindingRow* b) { return rank(a) < rank(b); });
+    for (int i = 0; i < sorted.size(); ++i) {
+        list_->removeWidget(sorted[i]);
+        list_->insertWidget(i, sorted[i]);
+    }
+    auto* scroll = findChild<QScrollArea*>(QStringLiteral("preflightConditions"));
+    scroll->verticalScrollBar()->setValue(0);
 }
 
 }  // namespace tiller

@@ -60,6 +60,10 @@ private:
     void examine();
     void showFinding(const doctor::Finding& finding);
     void conclude(const doctor::Report& report);
+    /// The first thing to do is the dark key and the one for Return; the other is plain.
+    void offer(bool connecting);
+    /// Bad findings first, then those to look at; each group as examined.
+    void sortRows();
 
     doctor::Patient patient_;
     doctor::Report report_;
@@ -69,6 +73,8 @@ private:
     QVector<FindingRow*> rows_;
     QLabel* summary_;
     QLabel* note_ = nullptr;
+    QLabel* consequence_;
+    QVBoxLayout* list_;
     QPushButton* again_;
     QPushButton* connect_;
     SessionWorker worker_;  // last: its job posts to this page

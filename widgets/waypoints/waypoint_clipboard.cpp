@@ -3,10 +3,13 @@
 
 #include <QCoreApplication>
 #include <QStringList>
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "robot/core/angles.h"
+#include "robot/kinematics/arm_kinematics.h"
 
 namespace tiller::waypoint_clipboard {
 namespace {
@@ -103,6 +106,15 @@ public:
     }
 
     bool has(int column) const { return places_[static_cast<std::size_t>(column)] >= 0; }
+    /// Of six columns from here on, whether one is there and not empty.
+    bool hasAny(int first) const {
+        for (int i = 0; i < 6; ++i) {
+            if (!text(first + i).isEmpty()) {
+                return true;
+            }
+        }
+        return false;
+    }
 
 private:
     int number_;
@@ -111,23 +123,26 @@ private:
     Error error_;
 };
 
-project::Waypoint waypointOf(Line& line, const project::FrameList& frames) {
+project::Waypoint waypointOf(Line& line, const project::FrameList& frames, const Defaults& defaults) {
     project::Waypoint point;
     point.id = QUuid::createUuid();
     point.name = line.text(Name);
-    if (point.name.isEmpty()) {
+    if (point.name.isEmpty() && line.has(Name)) {
         line.fail(Name, WaypointClipboard::tr("is missing"));
     }
+    const bool hasJoints = line.hasAny(Joints);
+    const bool hasPose = line.hasAny(PoseColumn) || !hasJoints;
     const QString move = line.text(Move);
-    if (move != QLatin1String("J") && move != QLatin1String("L")) {
+    if (line.has(Move) && move != QLatin1String("J") && move != QLatin1String("L")) {
         line.fail(Move, WaypointClipboard::tr("“%1” is neither J nor L").arg(move));
     }
     point.move = move == QLatin1String("L") ? project::MoveKind::Linear : project::MoveKind::Joint;
     const QString rules = line.text(Rules);
-    if (rules != QLatin1String("joints") && rules != QLatin1String("pose")) {
+    if (line.has(Rules) && rules != QLatin1String("joints") && rules != QLatin1String("pose")) {
         line.fail(Rules, WaypointClipboard::tr("“%1” is neither joints nor pose").arg(rules));
     }
-    point.ruling = rules == QLatin1String("pose") ? project::Ruling::Pose : project::Ruling::Joints;
+    const bool poseRules = line.has(Rules) ? rules == QLatin1String("pose") : !hasJoints;
+    point.ruling = poseRules ? project::Ruling::Pose : project::Ruling::Joints;
     const QString frame = line.text(Frame);
     if (!frame.isEmpty() && frame != QLatin1String("Base")) {
         if (const project::Frame* found = frames.findByName(frame)) {
@@ -136,18 +151,59 @@ project::Waypoint waypointOf(Line& line, const project::FrameList& frames) {
             line.fail(Frame, WaypointClipboard::tr("there is no frame “%1” in this project").arg(frame));
         }
     }
-    const bool joint = point.move == project::MoveKind::Joint;
-    (joint ? point.jointSpeed : point.toolSpeed) =
-        joint ? toRadians(line.number(Speed, 0.01, 1000)) : line.number(Speed, 0.01, 10000) / kMmPerM;
-    point.blend = line.number(Blend, 0, 10000) / kMmPerM;
-    for (int i = 0; i < kJointCount; ++i) {
-        point.joints[i] = toRadians(line.number(Joints + i, -720, 720));
+    if (line.has(Speed)) {
+        const bool joint = point.move == project::MoveKind::Joint;
+        (joint ? point.jointSpeed : point.toolSpeed) =
+            joint ? toRadians(line.number(Speed, 0.01, 1000)) : line.number(Speed, 0.01, 10000) / kMmPerM;
     }
-    point.pose = line.pose(PoseColumn);
-    if (line.has(Tcp)) {
-        point.tcpOffset = line.pose(Tcp);
+    if (line.has(Blend)) {
+        point.blend = line.number(Blend, 0, 10000) / kMmPerM;
+    }
+    point.tcpOffset = line.hasAny(Tcp) ? line.pose(Tcp) : defaults.tcpOffset;
+    point.joints = defaults.near;
+    if (hasJoints) {
+        for (int i = 0; i < kJointCount; ++i) {
+            point.joints[i] = toRadians(line.number(Joints + i, -720, 720));
+        }
+    }
+    if (hasPose) {
+        point.pose = line.pose(PoseColumn);
+    }
+    const DhParameters& dh =
+        (defaults.robot != nullptr ? *defaults.robot : robotModel(RobotModelId::UR5e)).dh;
+    if (!hasPose) {
+        const Pose there = kinematics::forwardTcp(dh, point.joints, point.tcpOffset);
+        point = project::taughtAt(point, point.joints, there, point.tcpOffset, frames).value_or(point);
+    } else if (const auto place = project::poseInBase(point, frames); !hasJoints && place) {
+        // Out of reach it keeps these joints, and is marked in the list.
+        point.joints =
+            kinematics::inverseNearest(dh, *place, point.tcpOffset, defaults.near).value_or(defaults.near);
     }
     return point;
+}
+
+/// Which columns a text without a heading line has, by how many there are in its first line.
+std::optional<std::array<int, ColumnCount>> placesWithoutHeading(qsizetype fields) {
+    std::array<int, ColumnCount> places{};
+    if (fields >= Tcp) {
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            places[i] = static_cast<qsizetype>(i) < fields ? static_cast<int>(i) : -1;
+        }
+        if (fields < ColumnCount) {
+            std::fill(places.begin() + Tcp, places.end(), -1);
+        }
+        return places;
+    }
+    if (fields != 6 && fields != 7) {
+        return std::nullopt;
+    }
+    places.fill(-1);
+    const int first = fields == 7 ? 1 : 0;
+    places[Name] = first - 1;
+    for (int i = 0; i < 6; ++i) {
+        places[static_cast<std::size_t>(PoseColumn + i)] = first + i;
+    }
+    return places;
 }
 
 }  // namespace
@@ -179,38 +235,38 @@ QString toText(const std::vector<project::Waypoint>& waypoints, const project::F
     return result;
 }
 
-Result<std::vector<project::Waypoint>> fromText(const QString& text, const project::FrameList& frames) {
-    std::array<int, ColumnCount> places{};
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        places[i] = static_cast<int>(i);
-    }
+Result<std::vector<project::Waypoint>> fromText(const QString& text, const project::FrameList& frames,
+                                                const Defaults& defaults) {
+    std::optional<std::array<int, ColumnCount>> places;
     const QStringList lines = QString(text).remove(QLatin1Char('\r')).split(QLatin1Char('\n'));
     std::vector<project::Waypoint> result;
-    bool first = true;
     for (int n = 0; n < lines.size(); ++n) {
         if (lines[n].trimmed().isEmpty()) {
             continue;
         }
         const QStringList fields = lines[n].split(QLatin1Char('\t'));
-        if (first && fields.contains(QString::fromUtf8(kHeadings[Name]))) {
-            for (std::size_t i = 0; i < places.size(); ++i) {
-                places[i] = static_cast<int>(fields.indexOf(QString::fromUtf8(kHeadings[i])));
+        if (!places) {
+            const auto isHeading = [&](const char* heading) {
+                return fields.contains(QString::fromUtf8(heading));
+            };
+            if (std::any_of(kHeadings.begin(), kHeadings.end(), isHeading)) {
+                places.emplace();
+                for (std::size_t i = 0; i < places->size(); ++i) {
+                    (*places)[i] = static_cast<int>(fields.indexOf(QString::fromUtf8(kHeadings[i])));
+                }
+                continue;
             }
-            first = false;
-            continue;
+            places = placesWithoutHeading(fields.size());
+            if (!places) {
+                return Error{
+                    ErrorCode::InvalidArgument,
+                    WaypointClipboard::tr("This is not a table of waypoints. Copy one from the list to "
+                                          "see its columns, or paste the six figures of a pose."),
+                    {}};
+            }
         }
-        if (first && fields.size() < Tcp) {
-            return Error{ErrorCode::InvalidArgument,
-                         WaypointClipboard::tr(
-                             "This is not a table of waypoints. Copy one from the list to see its columns."),
-                         {}};
-        }
-        if (first && fields.size() < ColumnCount) {
-            places[Tcp] = -1;
-        }
-        first = false;
-        Line line(n + 1, fields, places);
-        project::Waypoint point = waypointOf(line, frames);
+        Line line(n + 1, fields, *places);
+        project::Waypoint point = waypointOf(line, frames, defaults);
         if (line.error().code != ErrorCode::None) {
             return line.error();
         }

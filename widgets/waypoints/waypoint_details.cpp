@@ -8,12 +8,12 @@
 #include <QPainter>
 #include <QStringList>
 #include <QVBoxLayout>
-#include <array>
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "widgets/common/choice_box.h"
 #include "widgets/common/elided_label.h"
 #include "widgets/common/notation.h"
+#include "widgets/common/pose_editor.h"
 #include "widgets/common/theme.h"
 #include "widgets/waypoints/waypoint_model.h"
 
@@ -21,7 +21,6 @@ namespace tiller {
 
 namespace {
 constexpr int kMargin = 12;
-constexpr std::array kPoseSizes = {13, 12, 11};  // of letters [px]: the largest that fits
 }  // namespace
 
 WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model, QWidget* parent)
@@ -31,7 +30,8 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     , name_(new QLabel)
     , facts_(new ElidedLabel)
     , frame_(new ChoiceBox)
-    , pose_(new ElidedLabel)
+    , pose_(new PoseEditor(QStringLiteral("waypoint.details"), tr("TCP"),
+                           tr("In the waypoint's frame. Return applies it; nothing moves but the waypoint.")))
     , advice_(new ElidedLabel) {
     setObjectName(QStringLiteral("waypoint.details"));
     setAccessibleName(tr("Selected waypoint"));
@@ -41,8 +41,6 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     facts_->setObjectName(QStringLiteral("waypoint.details.facts"));
     facts_->setProperty("role", "secondary");
     facts_->setFont(textFont(15));
-    pose_->setObjectName(QStringLiteral("waypoint.details.pose"));
-    pose_->setFont(figureFont(kPoseSizes.front()));
     advice_->setObjectName(QStringLiteral("waypoint.details.advice"));
     advice_->setProperty("role", "warning");
 
@@ -55,6 +53,11 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     frame_->setMinimumContentsLength(5);
     connect(frame_, &QComboBox::activated, this, [this](int choice) {
         model_.setData(model_.index(row_, WaypointModel::Frame), frame_->itemText(choice), Qt::EditRole);
+        refresh();
+    });
+
+    connect(pose_, &PoseEditor::poseEntered, this, [this](const Pose& pose) {
+        model_.setPose(row_, pose);
         refresh();
     });
 
@@ -91,10 +94,6 @@ QString WaypointDetails::headline() const {
     return name_->text() + QLatin1Char(' ') + facts_->fullText();
 }
 
-QString WaypointDetails::poseLine() const {
-    return pose_->fullText();
-}
-
 void WaypointDetails::refresh() {
     const bool shown = row_ >= 0 && row_ < model_.rowCount();
     name_->setVisible(shown);
@@ -124,26 +123,13 @@ void WaypointDetails::refresh() {
     name_->setText(point.name);
     showFrame();
     facts_->setFullText(facts.join(QStringLiteral(" · ")));
-    pose_->setFullText(format::pose(joints && place ? *place : point.pose));
+    const Pose shownPose = joints && place ? *place : point.pose;
+    pose_->setPose(shownPose);
+    poseLine_ = format::pose(shownPose);
     advice_->setFullText(document_.reach(row_).ok()
                              ? QString()
                              : QStringLiteral("✕ ") + WaypointModel::reachAdvice(document_.reach(row_)));
     setAccessibleDescription(headline() + QStringLiteral(", ") + poseLine());
-    fitPose();
-}
-
-// A figure that is cut off is no figure: rather smaller ones.
-void WaypointDetails::fitPose() {
-    const int room = contentsRect().width() - 2 * kMargin;
-    for (const int size : kPoseSizes) {
-        const QFont font = figureFont(size);
-        if (QFontMetrics(font).horizontalAdvance(pose_->fullText()) < room || size == kPoseSizes.back()) {
-            if (font.pixelSize() != pose_->font().pixelSize()) {
-                pose_->setFont(font);
-            }
-            return;
-        }
-    }
 }
 
 void WaypointDetails::showFrame() {
@@ -165,11 +151,6 @@ void WaypointDetails::changeEvent(QEvent* event) {
         refresh();
     }
     QWidget::changeEvent(event);
-}
-
-void WaypointDetails::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    fitPose();
 }
 
 void WaypointDetails::paintEvent(QPaintEvent*) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The lower end of the tab: the selected waypoint in figures, how far it is from where the arm stands, and
-// the frame it is given in, which can be chosen here.
+// The lower end of the tab: the selected waypoint in figures, which can be typed, how far it is from where the
+// arm stands, and the frame it is given in, which can be chosen. Typing moves nothing but the waypoint.
 
 #include <QWidget>
 #include <optional>
@@ -16,6 +16,7 @@ namespace tiller {
 
 class ChoiceBox;
 class ElidedLabel;
+class PoseEditor;
 class ProjectDocument;
 class WaypointModel;
 
@@ -32,16 +33,15 @@ public:
     void setUsedIn(std::optional<int> steps);
 
     QString headline() const;
-    QString poseLine() const;
+    /// Its pose in words, for screen readers.
+    QString poseLine() const { return poseLine_; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
     void changeEvent(QEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void refresh();
-    void fitPose();
     void showFrame();
 
     ProjectDocument& document_;
@@ -52,7 +52,8 @@ private:
     QLabel* name_;
     ElidedLabel* facts_;
     ChoiceBox* frame_;
-    ElidedLabel* pose_;
+    PoseEditor* pose_;
+    QString poseLine_;
     ElidedLabel* advice_;
 };
 

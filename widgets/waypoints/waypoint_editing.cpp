@@ -65,9 +65,22 @@ void WaypointEditing::copy() const {
     }
 }
 
+void WaypointEditing::setLive(const JointPositions& q, const Pose& tcpOffset) {
+    liveJoints_ = q;
+    liveTcp_ = tcpOffset;
+}
+
 void WaypointEditing::paste() {
+    waypoint_clipboard::Defaults defaults;
+    defaults.robot = &document_.robot();
+    defaults.near = liveJoints_;
+    defaults.tcpOffset = liveTcp_;
+    if (const QModelIndex beside = table_.currentIndex(); beside.isValid()) {
+        defaults.near = document_.waypoints().at(beside.row()).joints;
+        defaults.tcpOffset = document_.waypoints().at(beside.row()).tcpOffset;
+    }
     Result<std::vector<project::Waypoint>> pasted =
-        waypoint_clipboard::fromText(QApplication::clipboard()->text(), document_.frames());
+        waypoint_clipboard::fromText(QApplication::clipboard()->text(), document_.frames(), defaults);
     if (!pasted) {
         Q_EMIT refused(tr("Nothing was pasted"), pasted.error().context);
         return;
@@ -78,7 +91,7 @@ void WaypointEditing::paste() {
     }
     project::WaypointList names = document_.waypoints();
     for (project::Waypoint& point : *pasted) {
-        point.name = names.uniqueName(point.name);
+        point.name = point.name.isEmpty() ? names.nextName(tr("waypoint")) : names.uniqueName(point.name);
         names.append(point);
     }
     const QModelIndex current = table_.currentIndex();

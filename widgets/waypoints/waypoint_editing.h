@@ -6,6 +6,9 @@
 
 #include <QObject>
 
+#include "robot/core/joints.h"
+#include "robot/core/spatial.h"
+
 #include "robot/project/waypoint_list.h"
 
 namespace tiller {
@@ -26,8 +29,11 @@ public:
     void move(int by);
     /// As a table that a spreadsheet takes, too.
     void copy() const;
-    /// After the current row.
+    /// After the current row. A pose that comes without joints gets the posture nearest to the current row's, or
+    /// else to the arm's.
     void paste();
+    /// Where the arm is [rad], with which TCP.
+    void setLive(const JointPositions& q, const Pose& tcpOffset);
 
 Q_SIGNALS:
     /// Nothing was done: a sentence that says why, and figures or rows of the text that was not understood.
@@ -40,6 +46,9 @@ private:
 
     ProjectDocument& document_;
     WaypointTable& table_;
+    JointPositions liveJoints_{0,     -1.57, 1.57,
+                               -1.57, -1.57, 0};  ///< until there are data: the arm bent forward
+    Pose liveTcp_;
 };
 
 }  // namespace tiller

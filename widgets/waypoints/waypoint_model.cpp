@@ -293,6 +293,34 @@ bool WaypointModel::setMove(int row, const QString& text) {
     return true;
 }
 
+void WaypointModel::setPose(int row, const Pose& pose) {
+    if (row < 0 || row >= rowCount()) {
+        return;
+    }
+    project::Waypoint point = waypointAt(row);
+    const bool joints = point.ruling == project::Ruling::Joints;
+    std::optional<Pose> place = pose;
+    if (!joints) {
+        point.pose = pose;
+        place = project::poseInBase(point, document_.frames());
+    }
+    const auto q =
+        place ? kinematics::inverseNearest(document_.robot().dh, *place, point.tcpOffset, point.joints)
+              : std::nullopt;
+    if (joints) {
+        const auto moved =
+            q ? project::taughtAt(point, *q, *place, point.tcpOffset, document_.frames()) : std::nullopt;
+        if (!moved) {
+            Q_EMIT editRefused(tr("The arm cannot get there. “%1” stays as it was.").arg(point.name));
+            return;
+        }
+        point = *moved;
+    } else if (q) {
+        point.joints = *q;
+    }
+    document_.changeWaypoint(row, point, tr("Change the pose of “%1”").arg(point.name));
+}
+
 QStringList WaypointModel::frameChoices() const {
     QStringList result = {QStringLiteral("—"), tr("Base")};
     for (const project::Frame& frame : document_.frames()) {

@@ -27,6 +27,11 @@ public:
     /// The names a frame column can hold: "—" (the joints rule), "Base" and the taught frames.
     QStringList frameChoices() const;
 
+    /// The waypoint shall be here: in its frame, or in Base where the joints rule. Its joints become those of the
+    /// nearest posture that gets there. A place out of reach is kept, marked, where the pose rules, and refused
+    /// where the joints do.
+    void setPose(int row, const Pose& pose);
+
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;

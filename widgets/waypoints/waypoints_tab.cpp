@@ -146,6 +146,9 @@ void WaypointsTab::onState(const SessionState& state) {
     if (!detailsTimer_.isActive()) {
         detailsTimer_.start();
     }
+    if (state.hasData()) {
+        editing_->setLive(state.q, state.tcpOffset);
+    }
     goTo_->setState(state);
     updateAvailability();
 }

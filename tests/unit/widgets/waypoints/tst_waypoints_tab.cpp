@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -12,7 +13,9 @@
 #include <memory>
 #include <vector>
 
+#include "robot/core/angles.h"
 #include "robot/core/clock.h"
+#include "robot/kinematics/arm_kinematics.h"
 #include "tests/support/key_events.h"
 #include "tests/support/live_state.h"
 #include "widgets/common/hold_button.h"
@@ -417,13 +420,84 @@ private Q_SLOTS:
         QTRY_VERIFY2(details->headline().contains("61.2 mm"), qPrintable(details->headline()));
         QVERIFY(details->headline().startsWith("waypoint 1"));
         QVERIFY(details->poseLine().contains("RX"));
-        // Every figure of it can be read, in the smallest window too.
-        auto* pose = details->findChild<QLabel*>("waypoint.details.pose");
-        for (const int width : {900, 496, 900}) {
-            details->resize(width, details->height());
-            QTRY_COMPARE(pose->text(), details->poseLine());
-            QVERIFY(QFontInfo(pose->font()).fixedPitch());
+    }
+
+    void aPoseAloneCanBePasted() {
+        feed(liveState());
+        tab_->teach();
+        const project::Waypoint taught = document_->waypoints().at(0);
+        const Pose there = kinematics::forwardTcp(document_->robot().dh, taught.joints, taught.tcpOffset);
+        const Eigen::Vector3d rpy = rpyFromRotationVector(there.rotation) * toDegrees(1);
+        const auto paste = [this](const QString& text) {
+            QApplication::clipboard()->setText(text);
+            tab_->findChild<QAction*>("waypoint.action.paste")->trigger();
+        };
+        const QString figures = QStringLiteral("%1\t%2\t%3\t%4\t%5\t%6")
+                                    .arg(there.position.x() * 1000)
+                                    .arg(there.position.y() * 1000)
+                                    .arg(there.position.z() * 1000 + 30)
+                                    .arg(rpy.x())
+                                    .arg(rpy.y())
+                                    .arg(rpy.z());
+        // Six figures out of a spreadsheet, without a heading.
+        paste(figures);
+        QCOMPARE(document_->waypoints().size(), 2);
+        project::Waypoint pasted = document_->waypoints().at(1);
+        QVERIFY(pasted.ruling == project::Ruling::Pose);
+        QVERIFY(document_->reach(1).ok());
+        QVERIFY(!pasted.name.isEmpty());
+        for (int i = 0; i < kJointCount; ++i) {
+            QVERIFY(std::abs(pasted.joints[i] - taught.joints[i]) < 0.5);
         }
+        // With a heading, some columns only.
+        paste("Name\tX mm\tY mm\tZ mm\tRX °\tRY °\tRZ °\nover it\t" + figures);
+        QCOMPARE(document_->waypoints().size(), 3);
+        QCOMPARE(document_->waypoints().at(2).name, QStringLiteral("over it"));
+        QVERIFY(document_->waypoints().at(2).move == project::MoveKind::Joint);
+        // Half a pose is none: nothing is pasted, and the reason is said.
+        paste("Name\tX mm\tY mm\nhalf\t1\t2");
+        QCOMPARE(document_->waypoints().size(), 3);
+    }
+
+    void aPoseIsTypedAndTheJointsFollow() {
+        feed(liveState());
+        tab_->teach();
+        tab_->selectRow(0);
+        const project::Waypoint before = document_->waypoints().at(0);
+        QVERIFY(before.ruling == project::Ruling::Joints);
+        auto* z = tab_->findChild<QDoubleSpinBox*>("waypoint.details.z");
+        const double from = z->value();
+        const auto type = [](QDoubleSpinBox* box, const QString& text) {
+            box->setFocus();
+            box->selectAll();
+            QTest::keyClicks(box, text);
+            QTest::keyClick(box, Qt::Key_Return);
+        };
+        type(z, QString::number(from + 50));
+        const project::Waypoint after = document_->waypoints().at(0);
+        QVERIFY(after.ruling == project::Ruling::Joints);
+        const Pose there = kinematics::forwardTcp(document_->robot().dh, after.joints, after.tcpOffset);
+        QVERIFY(std::abs(there.position.z() * 1000 - (from + 50)) < 0.01);
+        // The nearest posture: no joint has turned over.
+        for (int i = 0; i < kJointCount; ++i) {
+            QVERIFY(std::abs(after.joints[i] - before.joints[i]) < 0.5);
+        }
+        QCOMPARE(document_->undoStack().undoText(), QStringLiteral("Change the pose of “waypoint 1”"));
+
+        // Where the arm cannot get, nothing is changed, and the box says where the waypoint is.
+        type(z, QStringLiteral("9000"));
+        QCOMPARE(document_->waypoints().at(0), after);
+        QVERIFY(std::abs(z->value() - (from + 50)) < 0.01);
+
+        // A pose that rules may be anywhere: it is kept and marked.
+        tab_->findChild<QComboBox*>("waypoint.details.frame")->setFocus();
+        QTest::keyClick(tab_->findChild<QComboBox*>("waypoint.details.frame"), Qt::Key_Down);
+        QVERIFY(document_->waypoints().at(0).ruling == project::Ruling::Pose);
+        type(z, QStringLiteral("9000"));
+        QCOMPARE(document_->waypoints().at(0).pose.position.z(), 9.0);
+        QVERIFY(!document_->reach(0).ok());
+        document_->undoStack().undo();
+        QVERIFY(document_->reach(0).ok());
     }
 
     void theFrameIsChosenInTheDetailsAndThePlaceStays() {
