@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/connect_dialog.h"
 
+#include <QAction>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QHostAddress>
@@ -9,7 +10,10 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QStyle>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
 
 #include "widgets/common/room.h"
 
@@ -30,7 +34,16 @@ QString hostProblem(const QString& host) {
     return {};
 }
 
-ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* parent) : QDialog(parent) {
+ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* parent)
+    : QDialog(parent)
+    , remembered_(remembered)
+    , host_(new QLineEdit)
+    , name_(new QLineEdit)
+    , list_(new QListWidget)
+    , forget_(new QPushButton(tr("Forget")))
+    , simulator_(new QPushButton(tr("Start the simulated robot")))
+    , connect_(new QPushButton(tr("Connect")))
+    , hint_(new QLabel) {
     setObjectName("connectDialog");
     setWindowTitle(tr("Connect"));
     setMinimumWidth(520);
@@ -38,65 +51,12 @@ ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* p
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(24, 24, 24, 24);
     layout->setSpacing(16);
-
-    auto* simulatorTitle = new QLabel(tr("Try the simulator"));
-    simulatorTitle->setProperty("role", "strong");
-    auto* simulatorText =
-        new QLabel(tr("A simulated UR5e inside this program. Everything works, nothing can be hurt."));
-    simulatorText->setProperty("role", "secondary");
-    simulatorText->setWordWrap(true);
-    auto* simulatorButton = new QPushButton(tr("Start the simulated robot"));
-    simulatorButton->setObjectName("startSimulator");
-    simulatorButton->setProperty("primary", true);
-    simulatorButton->setDefault(true);
-    simulatorButton->setMinimumHeight(44);
-    layout->addWidget(simulatorTitle);
-    layout->addWidget(simulatorText);
-    layout->addWidget(simulatorButton);
+    // Who has a robot came for it; a newcomer has none.
+    QWidget* const robot = robotPart();
+    QWidget* const simulator = simulatorPart();
+    layout->addWidget(remembered.isEmpty() ? simulator : robot);
     layout->addSpacing(12);
-
-    auto* robotTitle = new QLabel(tr("Connect a robot"));
-    robotTitle->setProperty("role", "strong");
-    layout->addWidget(robotTitle);
-    auto* form = new QFormLayout;
-    host_ = new QLineEdit(remembered.isEmpty() ? QString() : remembered.first().host);
-    host_->setObjectName("robotHost");
-    host_->setAccessibleName(tr("Address or host name of the robot"));
-    host_->setPlaceholderText(QStringLiteral("192.168.0.10"));
-    name_ = new QLineEdit(remembered.isEmpty() ? QString() : remembered.first().name);
-    portOffset_ = remembered.isEmpty() ? 0 : remembered.first().portOffset;
-    name_->setObjectName("robotName");
-    name_->setAccessibleName(tr("Name shown for the robot"));
-    name_->setPlaceholderText(tr("Lab UR5e"));
-    form->addRow(tr("Address"), host_);
-    form->addRow(tr("Name"), name_);
-    layout->addLayout(form);
-
-    if (!remembered.isEmpty()) {
-        auto* list = new QListWidget;
-        list->setObjectName("rememberedRobots");
-        list->setAccessibleName(tr("Robots connected to before"));
-        for (const RobotAddress& robot : remembered) {
-            list->addItem(robot.name == robot.host ? robot.host
-                                                   : QStringLiteral("%1 · %2").arg(robot.name, robot.host));
-        }
-        list->setMaximumHeight(120);
-        connect(list, &QListWidget::currentRowChanged, this, [this, remembered](int row) {
-            if (row >= 0) {
-                host_->setText(remembered[row].host);
-                name_->setText(remembered[row].name);
-                portOffset_ = remembered[row].portOffset;
-            }
-        });
-        connect(list, &QListWidget::itemActivated, this, [this] { connect_->click(); });
-        layout->addWidget(list);
-    }
-
-    hint_ = new QLabel;
-    hint_->setObjectName("connectHint");
-    hint_->setProperty("role", "secondary");
-    hint_->setWordWrap(true);
-    layout->addWidget(hint_);
+    layout->addWidget(remembered.isEmpty() ? robot : simulator);
 
     auto* safety = new QLabel(
         tr("Before you move a real arm: keep everybody out of its reach, have the emergency stop at "
@@ -109,27 +69,101 @@ ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* p
     auto* buttons = new QHBoxLayout;
     auto* cancel = new QPushButton(tr("Cancel"));
     cancel->setObjectName("cancelConnect");
-    connect_ = new QPushButton(tr("Connect"));
-    connect_->setObjectName("connectRobot");
-    connect_->setAutoDefault(false);
     auto* project = new QPushButton(tr("Open a project…"));
     project->setObjectName("openProject");
     project->setToolTip(tr("Waypoints from a file, without a robot: everything but moving works."));
-    project->setAutoDefault(false);
+    for (QPushButton* button : {project, cancel, connect_, simulator_, forget_}) {
+        button->setAutoDefault(false);  // the focus does not make a key the one for Return
+    }
     buttons->addWidget(project);
     buttons->addStretch();
     buttons->addWidget(cancel);
     buttons->addWidget(connect_);
     layout->addLayout(buttons);
 
-    connect(simulatorButton, &QPushButton::clicked, this, [this] { choose(Choice::Simulator); });
+    connect(simulator_, &QPushButton::clicked, this, [this] { choose(Choice::Simulator); });
     connect(project, &QPushButton::clicked, this, [this] { choose(Choice::Project); });
     connect(connect_, &QPushButton::clicked, this, [this] { choose(Choice::Robot); });
-    connect(host_, &QLineEdit::textEdited, this, [this] { portOffset_ = 0; });
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+    connect(host_, &QLineEdit::textEdited, this, &ConnectDialog::followAddress);
     connect(host_, &QLineEdit::textChanged, this, &ConnectDialog::updateButtons);
-    connect(host_, &QLineEdit::returnPressed, connect_, &QPushButton::click);
+    connect(name_, &QLineEdit::textEdited, this, [this] { nameTyped_ = true; });
+    connect(name_, &QLineEdit::textChanged, this, &ConnectDialog::updateButtons);
+    showRobot(0);
     updateButtons();
+    host_->setFocus();
+    host_->selectAll();
+}
+
+QWidget* ConnectDialog::simulatorPart() {
+    auto* part = new QWidget;
+    auto* layout = new QVBoxLayout(part);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(16);
+    auto* title = new QLabel(tr("Try the simulator"));
+    title->setProperty("role", "strong");
+    auto* text =
+        new QLabel(tr("A simulated UR5e inside this program. Everything works, nothing can be hurt."));
+    text->setProperty("role", "secondary");
+    text->setWordWrap(true);
+    simulator_->setObjectName("startSimulator");
+    simulator_->setMinimumHeight(44);
+    layout->addWidget(title);
+    layout->addWidget(text);
+    layout->addWidget(simulator_);
+    return part;
+}
+
+QWidget* ConnectDialog::robotPart() {
+    auto* part = new QWidget;
+    auto* layout = new QVBoxLayout(part);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(16);
+    auto* title = new QLabel(tr("Connect a robot"));
+    title->setProperty("role", "strong");
+    layout->addWidget(title);
+    host_->setObjectName("robotHost");
+    host_->setAccessibleName(tr("Address or host name of the robot"));
+    host_->setPlaceholderText(QStringLiteral("192.168.0.10"));
+    name_->setObjectName("robotName");
+    name_->setAccessibleName(tr("Name shown for the robot"));
+    name_->setPlaceholderText(tr("Lab UR5e"));
+    auto* form = new QFormLayout;
+    form->addRow(tr("Address"), host_);
+    form->addRow(tr("Name"), name_);
+    layout->addLayout(form);
+
+    list_->setObjectName("rememberedRobots");
+    list_->setAccessibleName(tr("Robots connected to before"));
+    list_->setMaximumHeight(120);
+    for (const RobotAddress& robot : std::as_const(remembered_)) {
+        list_->addItem(robot.name == robot.host ? robot.host
+                                                : QStringLiteral("%1 · %2").arg(robot.name, robot.host));
+    }
+    forget_->setObjectName("forgetRobot");
+    forget_->setToolTip(
+        tr("Takes the selected robot off this list (Delete). Nothing is changed on the robot."));
+    auto* forgetKey = new QAction(list_);
+    forgetKey->setShortcut(QKeySequence::Delete);
+    forgetKey->setShortcutContext(Qt::WidgetShortcut);
+    list_->addAction(forgetKey);
+    auto* row = new QHBoxLayout;
+    row->addWidget(list_, 1);
+    row->addWidget(forget_, 0, Qt::AlignTop);
+    layout->addLayout(row);
+    list_->setVisible(!remembered_.isEmpty());
+    forget_->setVisible(!remembered_.isEmpty());
+    connect(list_, &QListWidget::currentRowChanged, this, &ConnectDialog::showRobot);
+    connect(list_, &QListWidget::itemActivated, this, [this] { connect_->click(); });
+    connect(forgetKey, &QAction::triggered, this, &ConnectDialog::forgetRobot);
+    connect(forget_, &QPushButton::clicked, this, &ConnectDialog::forgetRobot);
+
+    hint_->setObjectName("connectHint");
+    hint_->setProperty("role", "secondary");
+    hint_->setWordWrap(true);
+    layout->addWidget(hint_);
+    connect_->setObjectName("connectRobot");
+    return part;
 }
 
 void ConnectDialog::showEvent(QShowEvent* event) {
@@ -142,10 +176,55 @@ void ConnectDialog::choose(Choice choice) {
     accept();
 }
 
+void ConnectDialog::showRobot(int row) {
+    if (row < 0 || row >= remembered_.size()) {
+        return;
+    }
+    host_->setText(remembered_[row].host);
+    name_->setText(remembered_[row].name);
+    nameTyped_ = false;
+}
+
+void ConnectDialog::forgetRobot() {
+    const int row = list_->currentRow() >= 0 ? list_->currentRow() : 0;
+    if (row >= remembered_.size()) {
+        return;
+    }
+    Q_EMIT forgetRequested(remembered_.takeAt(row));
+    delete list_->takeItem(row);
+    list_->setVisible(!remembered_.isEmpty());
+    forget_->setVisible(!remembered_.isEmpty());
+    host_->clear();
+    name_->clear();
+    nameTyped_ = false;
+    showRobot(std::max(0, list_->currentRow()));
+}
+
+void ConnectDialog::followAddress() {
+    if (nameTyped_) {
+        return;
+    }
+    const QString host = host_->text().trimmed();
+    const auto known = std::find_if(remembered_.cbegin(), remembered_.cend(),
+                                    [&host](const RobotAddress& robot) { return robot.host == host; });
+    name_->setText(known == remembered_.cend() ? QString() : known->name);
+}
+
 void ConnectDialog::updateButtons() {
     const QString problem = hostProblem(host_->text().trimmed());
+    const bool nothing = host_->text().isEmpty() && name_->text().isEmpty();
     connect_->setEnabled(problem.isEmpty());
     hint_->setText(problem);
+    const auto makeDefault = [](QPushButton* key, bool is) {
+        key->setDefault(is);
+        if (key->property("primary").toBool() != is) {
+            key->setProperty("primary", is);
+            key->style()->unpolish(key);
+            key->style()->polish(key);
+        }
+    };
+    makeDefault(connect_, problem.isEmpty());
+    makeDefault(simulator_, nothing);
     if (isVisible()) {
         makeRoom(*this);
     }
@@ -154,7 +233,10 @@ void ConnectDialog::updateButtons() {
 RobotAddress ConnectDialog::address() const {
     const QString host = host_->text().trimmed();
     const QString name = name_->text().trimmed();
-    return {name.isEmpty() ? host : name, host, portOffset_, false};
+    const auto known = std::find_if(remembered_.cbegin(), remembered_.cend(),
+                                    [&host](const RobotAddress& robot) { return robot.host == host; });
+    const int portOffset = known == remembered_.cend() ? 0 : known->portOffset;
+    return {name.isEmpty() ? host : name, host, portOffset, false};
 }
 
 }  // namespace tiller::app

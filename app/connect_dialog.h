@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The first thing a newcomer sees: try the simulator, connect a robot, or open a session.
+// The first thing a newcomer sees: try the simulator, connect a robot, or open a project.
 
 #include <QDialog>
 
@@ -20,25 +20,41 @@ class ConnectDialog : public QDialog {
 public:
     enum class Choice { Simulator, Robot, Project };
 
+    /// remembered  newest first
     explicit ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* parent = nullptr);
 
     /// What was chosen, once accepted.
     Choice choice() const { return choice_; }
-    /// Name and host as entered; the port offset of "host:+100" understood.
+    /// Name and host as entered; the port offset of a remembered robot if its address was not changed.
     RobotAddress address() const;
+
+Q_SIGNALS:
+    /// The operator does not want to be offered it any more.
+    void forgetRequested(const tiller::RobotAddress& robot);
 
 protected:
     void showEvent(QShowEvent* event) override;
 
 private:
-    void updateButtons();
+    QWidget* simulatorPart();
+    QWidget* robotPart();
     void choose(Choice choice);
+    /// What Return does follows from what is entered.
+    void updateButtons();
+    void showRobot(int row);
+    void forgetRobot();
+    /// A name belongs to the address it was remembered with, until it is typed.
+    void followAddress();
 
+    QVector<RobotAddress> remembered_;
     QLineEdit* host_;
     QLineEdit* name_;
+    QListWidget* list_;
+    QPushButton* forget_;
+    QPushButton* simulator_;
     QPushButton* connect_;
     QLabel* hint_;
-    int portOffset_ = 0;  ///< of the remembered robot, if its address was not changed
+    bool nameTyped_ = false;
     Choice choice_ = Choice::Robot;
 };
 

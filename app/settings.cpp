@@ -44,6 +44,12 @@ void Settings::rememberRobot(const RobotAddress& robot) {
     writeRobots(robots.mid(0, kRobotsRemembered));
 }
 
+void Settings::forgetRobot(const RobotAddress& robot) {
+    QVector<RobotAddress> robots = rememberedRobots();
+    robots.removeIf([&robot](const RobotAddress& other) { return other.host == robot.host; });
+    writeRobots(robots);
+}
+
 void Settings::writeRobots(const QVector<RobotAddress>& robots) {
     QSettings settings = openSettings(file_);
     settings.remove("robots");

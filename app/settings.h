@@ -26,6 +26,7 @@ public:
     /// Newest first. The simulated robot is none of them.
     QVector<RobotAddress> rememberedRobots() const;
     void rememberRobot(const RobotAddress& robot);
+    void forgetRobot(const RobotAddress& robot);
     QString theme() const;  ///< "light" or "dark"; empty when never chosen
     void setTheme(const QString& theme);
     QByteArray windowState() const;

@@ -11,6 +11,7 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QSettings>
+#include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
@@ -20,6 +21,7 @@
 #include "app/main_window.h"
 #include "app/start_project.h"
 #include "resources/resources.h"
+#include "robot/simulator/simulator.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/theme.h"
 #include "widgets/project/project_document.h"
@@ -127,6 +129,108 @@ private Q_SLOTS:
         QCOMPARE(dialog.findChild<QLabel*>("connectHint")->text().isEmpty(), possible);
     }
 
+    void returnDoesWhatTheFieldsMean() {
+        ConnectDialog dialog({});
+        dialog.show();
+        auto* host = dialog.findChild<QLineEdit*>("robotHost");
+        auto* name = dialog.findChild<QLineEdit*>("robotName");
+        QSignalSpy accepted(&dialog, &QDialog::accepted);
+        QCOMPARE(dialog.focusWidget(), host);
+        // A name is being entered: no simulator is wanted, and there is no address yet.
+        QTest::keyClicks(name, "Left arm");
+        QTest::keyClick(name, Qt::Key_Return);
+        QCOMPARE(accepted.size(), 0);
+        QVERIFY(!dialog.findChild<QPushButton*>("startSimulator")->isDefault());
+        QTest::keyClicks(host, "192.168.0.10");
+        QVERIFY(dialog.findChild<QPushButton*>("connectRobot")->isDefault());
+        QTest::keyClick(name, Qt::Key_Return);
+        QCOMPARE(accepted.size(), 1);
+        QVERIFY(dialog.choice() == ConnectDialog::Choice::Robot);
+        QCOMPARE(dialog.address().name, QStringLiteral("Left arm"));
+    }
+
+    void whoHasARobotIsOfferedItFirst() {
+        const QVector<RobotAddress> robots = {{"Left arm", "192.168.0.10", 0, false},
+                                              {"Right arm", "192.168.0.11", 100, false}};
+        ConnectDialog dialog(robots);
+        dialog.show();
+        QCOMPARE(dialog.focusWidget(), dialog.findChild<QLineEdit*>("robotHost"));
+        auto* key = dialog.findChild<QPushButton*>("connectRobot");
+        QVERIFY(key->isDefault() && key->property("primary").toBool());
+        QVERIFY(dialog.findChild<QListWidget*>("rememberedRobots")->mapTo(&dialog, QPoint()).y() <
+                dialog.findChild<QPushButton*>("startSimulator")->mapTo(&dialog, QPoint()).y());
+        QTest::keyClick(dialog.focusWidget(), Qt::Key_Return);
+        QVERIFY(dialog.choice() == ConnectDialog::Choice::Robot);
+        QCOMPARE(dialog.address().host, QStringLiteral("192.168.0.10"));
+    }
+
+    void anotherAddressIsAnotherRobot() {
+        const QVector<RobotAddress> robots = {{"Left arm", "192.168.0.10", 0, false},
+                                              {"Right arm", "192.168.0.11", 100, false}};
+        ConnectDialog dialog(robots);
+        dialog.show();
+        auto* host = dialog.findChild<QLineEdit*>("robotHost");
+        auto* name = dialog.findChild<QLineEdit*>("robotName");
+        const auto enter = [host](const QString& address) {
+            host->selectAll();
+            QTest::keyClicks(host, address);
+        };
+        QCOMPARE(name->text(), QStringLiteral("Left arm"));
+        enter("192.168.0.77");
+        QCOMPARE(dialog.address().name, QStringLiteral("192.168.0.77"));
+        QCOMPARE(dialog.address().portOffset, 0);
+        // One that is known has its own name and ports.
+        enter("192.168.0.11");
+        QCOMPARE(dialog.address().name, QStringLiteral("Right arm"));
+        QCOMPARE(dialog.address().portOffset, 100);
+        // A name that was typed stays.
+        name->selectAll();
+        QTest::keyClicks(name, "Bench");
+        enter("192.168.0.78");
+        QCOMPARE(dialog.address().name, QStringLiteral("Bench"));
+    }
+
+    void aRobotCanBeForgotten() {
+        app::Settings settings(file());
+        settings.rememberRobot({"Right arm", "192.168.0.11", 0, false});
+        settings.rememberRobot({"Wrong arm", "192.168.0.99", 0, false});
+        app::MainWindow window{app::Settings(file())};
+        window.show();
+        window.askForRobot();
+        auto* dialog = window.findChild<ConnectDialog*>();
+        auto* list = dialog->findChild<QListWidget*>("rememberedRobots");
+        QCOMPARE(list->count(), 2);
+        list->setFocus();
+        list->setCurrentRow(0);
+        QTest::keyClick(list, Qt::Key_Delete);
+        QCOMPARE(list->count(), 1);
+        QCOMPARE(dialog->address().name, QStringLiteral("Right arm"));
+        const QVector<RobotAddress> robots = app::Settings(file()).rememberedRobots();
+        QCOMPARE(robots.size(), 1);
+        QCOMPARE(robots.first().host, QStringLiteral("192.168.0.11"));
+        QTest::mouseClick(dialog->findChild<QPushButton*>("forgetRobot"), Qt::LeftButton);
+        QVERIFY(app::Settings(file()).rememberedRobots().isEmpty());
+        QVERIFY(!list->isVisible());
+        dialog->reject();
+    }
+
+    void onlyARobotThatAnsweredIsRemembered() {
+        simulator::SimulatorOptions options;
+        options.anyFreePorts = false;
+        options.listenAddress = QStringLiteral("127.0.0.62");
+        simulator::Simulator robot(options);
+        QVERIFY(robot.start().ok());
+        app::MainWindow window{app::Settings(file())};
+        window.show();
+        window.connectRobot({"Nobody", "127.0.0.254", 0, false});
+        QVERIFY(window.session().state().link != LinkState::Disconnected);
+        QVERIFY(app::Settings(file()).rememberedRobots().isEmpty());
+        window.connectRobot({"Bench", "127.0.0.62", 0, false});
+        QTRY_COMPARE_WITH_TIMEOUT(window.session().state().link, LinkState::Live, 30'000);
+        QTRY_COMPARE(app::Settings(file()).rememberedRobots().size(), 1);
+        QCOMPARE(app::Settings(file()).rememberedRobots().first().name, QStringLiteral("Bench"));
+    }
+
     void aRobotIsLookedAtBeforeItIsConnected() {
         VirtualClock clock;
         app::MainWindow window(app::Settings(file()), clock);
@@ -142,20 +246,19 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(page->isFinished(), 60'000);
         QTest::mouseClick(page->findChild<QPushButton*>("preflightConnect"), Qt::LeftButton);
         QVERIFY(window.session().state().link != LinkState::Disconnected);
-        const QVector<RobotAddress> robots = app::Settings(file()).rememberedRobots();
-        QCOMPARE(robots.size(), 1);
-        QCOMPARE(robots.first().name, QStringLiteral("Left arm"));
+        QVERIFY2(app::Settings(file()).rememberedRobots().isEmpty(), "nobody answered there");
     }
 
     void severalRobotsStandInTheSelectorNewestFirst() {
+        app::Settings settings(file());
+        for (int i = 0; i < 12; ++i) {
+            settings.rememberRobot(
+                {QStringLiteral("Arm %1").arg(i), QStringLiteral("127.0.1.%1").arg(i), 0, false});
+        }
+        settings.rememberRobot({"Arm 9", "127.0.1.9", 0, false});
         VirtualClock clock;
         app::MainWindow window(app::Settings(file()), clock);
         window.show();
-        for (int i = 0; i < 12; ++i) {
-            window.connectRobot(
-                {QStringLiteral("Arm %1").arg(i), QStringLiteral("127.0.1.%1").arg(i), 0, false});
-        }
-        window.connectRobot({"Arm 9", "127.0.1.9", 0, false});
         const QVector<RobotAddress> robots = app::Settings(file()).rememberedRobots();
         QCOMPARE(robots.size(), 8);
         QCOMPARE(robots[0].name, QStringLiteral("Arm 9"));
