@@ -29,8 +29,8 @@ void ScriptSockets::setOwnServices(const QString& address, std::map<int, int> po
     ownPorts_ = std::move(ports);
 }
 
-bool ScriptSockets::open(std::string_view name, std::string_view address, int port) {
-    close(name);
+bool ScriptSockets::openSocket(std::string_view name, std::string_view address, int port) {
+    closeSocket(name);
     if (address.empty() || port <= 0 || port > 65535) {
         return false;
     }
@@ -58,7 +58,7 @@ bool ScriptSockets::open(std::string_view name, std::string_view address, int po
     return true;
 }
 
-ScriptSockets::State ScriptSockets::state(std::string_view name) const {
+ScriptSockets::State ScriptSockets::socketState(std::string_view name) const {
     const Connection* connection = find(name);
     if (connection == nullptr) {
         return State::Closed;
@@ -75,7 +75,7 @@ ScriptSockets::State ScriptSockets::state(std::string_view name) const {
     }
 }
 
-void ScriptSockets::close(std::string_view name) {
+void ScriptSockets::closeSocket(std::string_view name) {
     const auto it = sockets_.find(name);
     if (it != sockets_.end()) {
         it->second.socket->flush();
@@ -83,7 +83,7 @@ void ScriptSockets::close(std::string_view name) {
     }
 }
 
-bool ScriptSockets::send(std::string_view name, std::string_view bytes) {
+bool ScriptSockets::sendSocket(std::string_view name, std::string_view bytes) {
     const Connection* connection = find(name);
     if (connection == nullptr || connection->socket->state() != QAbstractSocket::ConnectedState) {
         return false;
@@ -96,7 +96,7 @@ bool ScriptSockets::send(std::string_view name, std::string_view bytes) {
     return true;
 }
 
-std::string_view ScriptSockets::received(std::string_view name) const {
+std::string_view ScriptSockets::receivedBytes(std::string_view name) const {
     const Connection* connection = find(name);
     if (connection == nullptr) {
         return {};
@@ -105,7 +105,7 @@ std::string_view ScriptSockets::received(std::string_view name) const {
     return {connection->received.constData(), static_cast<std::size_t>(connection->received.size())};
 }
 
-void ScriptSockets::consume(std::string_view name, std::size_t count) {
+void ScriptSockets::consumeBytes(std::string_view name, std::size_t count) {
     const auto it = sockets_.find(name);
     if (it != sockets_.end()) {
         it->second.received.remove(0, static_cast<qsizetype>(count));
@@ -116,7 +116,7 @@ void ScriptSockets::consume(std::string_view name, std::size_t count) {
     }
 }
 
-void ScriptSockets::service() {
+void ScriptSockets::serviceSockets() {
     for (auto& [name, connection] : sockets_) {
         connection.takeIn();
     }

@@ -20,23 +20,21 @@
 namespace tiller::simulator {
 
 /// Threads  the simulator's, which processes events between control periods. Blocks: never.
-class ScriptSockets {
+class ScriptSockets : public virtual urscript::SocketHost {
 public:
-    using State = urscript::SocketHost::State;
-
     /// What a program finds at 127.0.0.1, for it the controller itself, by the port it knows.
     void setOwnServices(const QString& address, std::map<int, int> ports);
 
-    bool open(std::string_view name, std::string_view address, int port);
-    State state(std::string_view name) const;
-    void close(std::string_view name);
-    void closeAll() { sockets_.clear(); }
-    bool send(std::string_view name, std::string_view bytes);
-    std::string_view received(std::string_view name) const;
-    void consume(std::string_view name, std::size_t count);
+    bool openSocket(std::string_view name, std::string_view address, int port) override;
+    State socketState(std::string_view name) const override;
+    void closeSocket(std::string_view name) override;
+    bool sendSocket(std::string_view name, std::string_view bytes) override;
+    std::string_view receivedBytes(std::string_view name) const override;
+    void consumeBytes(std::string_view name, std::size_t count) override;
+    void closeAllSockets() { sockets_.clear(); }
 
     /// Takes in what has arrived.
-    void service();
+    void serviceSockets();
 
 private:
     struct Connection {

@@ -93,8 +93,8 @@ Result<void> Services::open(const SimulatorOptions& options) {
             own.emplace(Ports().*entry.port, entry.server->port());
         }
     }
-    plant_.scriptHost().sockets().setOwnServices(everywhere ? Text("127.0.0.1") : options.listenAddress,
-                                                 std::move(own));
+    plant_.scriptHost().setOwnServices(everywhere ? Text("127.0.0.1") : options.listenAddress,
+                                       std::move(own));
     return {};
 }
 

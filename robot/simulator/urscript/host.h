@@ -444,19 +444,20 @@ private:
     WorldModel world_;
 };
 
-/// Everything a script can reach.
-class Host : public MotionHost,
-             public SuperpositionHost,
-             public StateHost,
-             public KinematicsHost,
-             public SetupHost,
-             public RegisterHost,
-             public IoHost,
-             public SocketHost,
-             public MessageHost,
-             public ModbusHost,
-             public ProgramHost,
-             public WorldHost {
+/// Everything a script can reach. Its interfaces are virtual bases, so that a host can be put together from classes
+/// that each serve one or several of them.
+class Host : public virtual MotionHost,
+             public virtual SuperpositionHost,
+             public virtual StateHost,
+             public virtual KinematicsHost,
+             public virtual SetupHost,
+             public virtual RegisterHost,
+             public virtual IoHost,
+             public virtual SocketHost,
+             public virtual MessageHost,
+             public virtual ModbusHost,
+             public virtual ProgramHost,
+             public virtual WorldHost {
 public:
     ArmFrames armFrames() const { return {flangePose(), tcpPose(Source::Actual)}; }
     /// A pose given in one frame, in another.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/simulator/urscript/parser.h"
 
-#include "robot/simulator/urscript/parser_impl.h"
+#include "robot/simulator/urscript/expression_parser.h"
 
 namespace tiller::simulator::urscript {
 
@@ -14,15 +14,40 @@ using ast::FunctionKind;
 using ast::Stmt;
 using ast::StmtKind;
 
-void Parser::unit() {
+namespace {
+
+class Parser : private ExpressionParser {
+public:
+    using ExpressionParser::ExpressionParser;
+
+    void unit();
+    void statements();
+
+private:
+    Function* definition(Function* parent);
+    Block block(Function& owner);
+    Stmt* statement(Function& owner);
+    Stmt* loopStatement(StmtKind kind);
+    Stmt* ifStatement(Function& owner);
+    Stmt* assignment(const Token& name);
+    Stmt* simpleStatement();
+    void checkTarget(const Expr* target, const Token& at) const;
+    void skipLabels();
+
+    int loops_ = 0;
+};
+
+void Parser::skipLabels() {
     while (peek().kind == TokenKind::Label) {
-        ++at_;
+        take();
     }
+}
+
+void Parser::unit() {
+    skipLabels();
     if (peek().kind == TokenKind::KwDef || peek().kind == TokenKind::KwSec) {
         definition(nullptr);
-        while (peek().kind == TokenKind::Label) {
-            ++at_;
-        }
+        skipLabels();
         if (peek().kind != TokenKind::End) {
             fail(peek());
         }
@@ -226,8 +251,6 @@ void Parser::checkTarget(const Expr* target, const Token& at) const {
         fail(at);
     }
 }
-
-namespace {
 
 ParseOutcome parseBy(void (Parser::*production)(), std::string_view source) {
     ParseOutcome out;

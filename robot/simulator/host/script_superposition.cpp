@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-//
-// The part of ScriptHost that lays something over the path: offsets, conveyors and their encoders.
+#include "robot/simulator/host/script_superposition.h"
 
 #include <cmath>
 #include <numbers>
 
 #include "robot/simulator/box/plant.h"
-#include "robot/simulator/host/script_host.h"
 
 namespace tiller::simulator {
 
@@ -24,13 +22,13 @@ Result<void> mayTrack(arm::Arm& arm, double ticks) {
 
 }  // namespace
 
-void ScriptHost::stepConveyors() {
+void ScriptSuperposition::stepConveyors() {
     arm::Arm& arm = plant_.arm();
     encoders_.step(plant_.pins().digitalInputs, arm.environment().conveyorSpeeds(), plant_.stepTime());
     arm.superposition().setTravel(encoders_.travel(trackedEncoder_));
 }
 
-Result<void> ScriptHost::enablePathOffset() {
+Result<void> ScriptSuperposition::enablePathOffset() {
     const arm::Compliance& compliance = plant_.arm().compliance();
     if (compliance.isForceMode() || compliance.isFreedrive()) {
         return urscript::scriptError("path_offset_enable: not while force mode or freedrive is active");
@@ -39,7 +37,7 @@ Result<void> ScriptHost::enablePathOffset() {
     return {};
 }
 
-Result<void> ScriptHost::setPathOffset(const Pose& offset, int type) {
+Result<void> ScriptSuperposition::setPathOffset(const Pose& offset, int type) {
     if (!offset.allFinite()) {
         return urscript::scriptError("path_offset_set: the offset must be finite numbers");
     }
@@ -47,11 +45,11 @@ Result<void> ScriptHost::setPathOffset(const Pose& offset, int type) {
     return {};
 }
 
-Result<Pose> ScriptHost::pathOffset(int type) const {
+Result<Pose> ScriptSuperposition::pathOffset(int type) const {
     return plant_.arm().superposition().offset(static_cast<arm::OffsetFrame>(type));
 }
 
-Result<void> ScriptHost::setPathOffsetFilter(double alpha) {
+Result<void> ScriptSuperposition::setPathOffsetFilter(double alpha) {
     if (alpha < 0 || alpha > 1) {
         return urscript::scriptError("path_offset_set_alpha_filter: alpha must be from 0 to 1");
     }
@@ -59,7 +57,7 @@ Result<void> ScriptHost::setPathOffsetFilter(double alpha) {
     return {};
 }
 
-Result<void> ScriptHost::setPathOffsetLimits(double translation, double rotation) {
+Result<void> ScriptSuperposition::setPathOffsetLimits(double translation, double rotation) {
     if (translation < 0 || rotation < 0) {
         return urscript::scriptError("path_offset_set_max_offset: limits must not be negative");
     }
@@ -67,7 +65,8 @@ Result<void> ScriptHost::setPathOffsetLimits(double translation, double rotation
     return {};
 }
 
-Result<void> ScriptHost::trackConveyorLinear(const Pose& direction, double ticksPerMeter, int encoder) {
+Result<void> ScriptSuperposition::trackConveyorLinear(const Pose& direction, double ticksPerMeter,
+                                                      int encoder) {
     arm::Arm& arm = plant_.arm();
     if (Result<void> may = mayTrack(arm, ticksPerMeter); !may) {
         return may;
@@ -82,8 +81,8 @@ Result<void> ScriptHost::trackConveyorLinear(const Pose& direction, double ticks
     return {};
 }
 
-Result<void> ScriptHost::trackConveyorCircular(const Pose& center, double ticksPerRevolution, bool rotateTool,
-                                               int encoder) {
+Result<void> ScriptSuperposition::trackConveyorCircular(const Pose& center, double ticksPerRevolution,
+                                                        bool rotateTool, int encoder) {
     arm::Arm& arm = plant_.arm();
     if (Result<void> may = mayTrack(arm, ticksPerRevolution); !may) {
         return may;
@@ -97,21 +96,21 @@ Result<void> ScriptHost::trackConveyorCircular(const Pose& center, double ticksP
     return {};
 }
 
-Result<double> ScriptHost::encoderTicks(int encoder) const {
+Result<double> ScriptSuperposition::encoderTicks(int encoder) const {
     return encoders_.ticks(encoder);
 }
 
-Result<void> ScriptHost::setEncoderTicks(int encoder, double ticks) {
+Result<void> ScriptSuperposition::setEncoderTicks(int encoder, double ticks) {
     encoders_.set(encoder, ticks);
     return {};
 }
 
-Result<void> ScriptHost::enableEncoder(int encoder, int decoder, int inputA, int inputB) {
+Result<void> ScriptSuperposition::enableEncoder(int encoder, int decoder, int inputA, int inputB) {
     encoders_.enablePulses(encoder, decoder, inputA, inputB);
     return {};
 }
 
-Result<void> ScriptHost::setEncoderRange(int encoder, int rangeId) {
+Result<void> ScriptSuperposition::setEncoderRange(int encoder, int rangeId) {
     encoders_.enableCount(encoder, rangeId);
     return {};
 }

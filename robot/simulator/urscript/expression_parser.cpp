@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Expressions: operators by strength, literals, calls, and what may follow them.
-
-#include "robot/simulator/urscript/parser_impl.h"
+#include "robot/simulator/urscript/expression_parser.h"
 
 namespace tiller::simulator::urscript {
 
 using ast::Expr;
 using ast::ExprKind;
 
-bool Parser::startsExpression(TokenKind kind) {
+bool ExpressionParser::startsExpression(TokenKind kind) {
     switch (kind) {
         case TokenKind::Identifier:
         case TokenKind::Integer:
@@ -30,12 +28,12 @@ bool Parser::startsExpression(TokenKind kind) {
     }
 }
 
-Expr* Parser::expression() {
+Expr* ExpressionParser::expression() {
     const Level level(*this);
     return binary(0);
 }
 
-Parser::Operator Parser::operatorOf(TokenKind kind) {
+ExpressionParser::Operator ExpressionParser::operatorOf(TokenKind kind) {
     switch (kind) {
         case TokenKind::KwOr:
             return {0, ExprKind::Or};
@@ -70,7 +68,7 @@ Parser::Operator Parser::operatorOf(TokenKind kind) {
     }
 }
 
-Expr* Parser::binary(int weakest) {
+Expr* ExpressionParser::binary(int weakest) {
     Expr* left = nullptr;
     if (peek().kind == TokenKind::KwNot) {
         const Level level(*this);
@@ -91,7 +89,7 @@ Expr* Parser::binary(int weakest) {
     }
 }
 
-Expr* Parser::unary() {
+Expr* ExpressionParser::unary() {
     const Token& token = peek();
     if (token.kind != TokenKind::Minus && token.kind != TokenKind::Plus) {
         return postfix(primary());
@@ -109,13 +107,13 @@ Expr* Parser::unary() {
     return newExpr(minus ? ExprKind::Negate : ExprKind::Plus, token, {unary()});
 }
 
-Expr* Parser::variable(const Token& name) {
+Expr* ExpressionParser::variable(const Token& name) {
     Expr* e = newExpr(ExprKind::Variable, name);
     e->text = name.text;
     return e;
 }
 
-Expr* Parser::primary() {
+Expr* ExpressionParser::primary() {
     const Token& token = take();
     switch (token.kind) {
         case TokenKind::Integer: {
@@ -178,7 +176,7 @@ Expr* Parser::primary() {
 }
 
 // After the opening bracket, up to and including `close`.
-std::vector<Expr*> Parser::items(TokenKind close) {
+std::vector<Expr*> ExpressionParser::items(TokenKind close) {
     std::vector<Expr*> out;
     if (!accept(close)) {
         do {
@@ -190,7 +188,7 @@ std::vector<Expr*> Parser::items(TokenKind close) {
 }
 
 // `p[`: six elements make a pose; one or two index a variable of that name.
-Expr* Parser::poseOrIndex(const Token& name) {
+Expr* ExpressionParser::poseOrIndex(const Token& name) {
     const Token& bracket = take();
     std::vector<Expr*> elements = items(TokenKind::RightBracket);
     if (elements.size() == 6) {
@@ -203,7 +201,7 @@ Expr* Parser::poseOrIndex(const Token& name) {
     return newExpr(ExprKind::Index, bracket, std::move(elements));
 }
 
-Expr* Parser::structLiteral(const Token& token) {
+Expr* ExpressionParser::structLiteral(const Token& token) {
     expect(TokenKind::LeftParen);
     std::vector<Expr*> values;
     std::vector<std::string_view> names;
@@ -224,7 +222,7 @@ Expr* Parser::structLiteral(const Token& token) {
     return e;
 }
 
-Expr* Parser::call(const Token& name) {
+Expr* ExpressionParser::call(const Token& name) {
     take();
     std::vector<Expr*> values;
     std::vector<std::string_view> names;
@@ -249,7 +247,7 @@ Expr* Parser::call(const Token& name) {
     return e;
 }
 
-Expr* Parser::postfix(Expr* e) {
+Expr* ExpressionParser::postfix(Expr* e) {
     while (true) {
         const Token& token = peek();
         if (token.kind == TokenKind::LeftBracket) {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The parser itself; parser.cpp holds definitions and statements, parser_expressions.cpp the rest. Others
-// include parser.h.
+// Expressions of a script, and below them the tokens they are read from and the nodes they become. The parser of
+// statements (parser.cpp) builds on both.
 
 #include <algorithm>
 #include <limits>
 #include <utility>
 
+#include "robot/simulator/urscript/ast.h"
 #include "robot/simulator/urscript/lexer.h"
 #include "robot/simulator/urscript/parser.h"
 
@@ -18,15 +19,12 @@ struct ParseFailure {
     CompileError error;
 };
 
-class Parser {
-public:
-    Parser(std::string_view source, const std::vector<Token>& tokens, ast::Tree& tree)
+/// Takes tokens one after the other and makes the nodes of the tree.
+class TreeBuilder {
+protected:
+    TreeBuilder(std::string_view source, const std::vector<Token>& tokens, ast::Tree& tree)
         : source_(source), tokens_(tokens), tree_(tree) {}
 
-    void unit();
-    void statements();
-
-private:
     // ---- tokens
     const Token& peek(std::size_t ahead = 0) const {
         return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
@@ -65,17 +63,17 @@ private:
     // Recursion of productions is bounded here, and with it the stack.
     class Level {
     public:
-        explicit Level(Parser& parser) : parser_(parser) {
-            if (++parser_.level_ > kMaxNesting) {
-                parser_.fail(parser_.peek());
+        explicit Level(TreeBuilder& builder) : builder_(builder) {
+            if (++builder_.level_ > kMaxNesting) {
+                builder_.fail(builder_.peek());
             }
         }
-        ~Level() { --parser_.level_; }
+        ~Level() { --builder_.level_; }
         Level(const Level&) = delete;
         Level& operator=(const Level&) = delete;
 
     private:
-        Parser& parser_;
+        TreeBuilder& builder_;
     };
 
     // ---- nodes
@@ -109,43 +107,37 @@ private:
         return f;
     }
 
-    // ---- definitions
-    ast::Function* definition(ast::Function* parent);
+private:
+    std::string_view source_;
+    const std::vector<Token>& tokens_;
+    ast::Tree& tree_;
+    std::size_t at_ = 0;
+    int level_ = 0;
+};
 
-    // ---- statements
-    ast::Block block(ast::Function& owner);
-    ast::Stmt* statement(ast::Function& owner);
-    ast::Stmt* loopStatement(ast::StmtKind kind);
-    ast::Stmt* ifStatement(ast::Function& owner);
-    ast::Stmt* assignment(const Token& name);
-    ast::Stmt* simpleStatement();
-    void checkTarget(const ast::Expr* target, const Token& at) const;
+class ExpressionParser : protected TreeBuilder {
+protected:
+    using TreeBuilder::TreeBuilder;
 
-    // ---- expressions, weakest operator first
     static bool startsExpression(TokenKind kind);
     ast::Expr* expression();
+    ast::Expr* variable(const Token& name);
+    ast::Expr* primary();
+    ast::Expr* postfix(ast::Expr* e);
+
+private:
     struct Operator {
-        int strength;
+        int strength;  ///< the weakest is 0
         ast::ExprKind kind;
     };
     static constexpr int kNotStrength = 2;  // between `and` and the comparisons
     static Operator operatorOf(TokenKind kind);
     ast::Expr* binary(int weakest);
     ast::Expr* unary();
-    ast::Expr* variable(const Token& name);
-    ast::Expr* primary();
     std::vector<ast::Expr*> items(TokenKind close);
     ast::Expr* poseOrIndex(const Token& name);
     ast::Expr* structLiteral(const Token& token);
     ast::Expr* call(const Token& name);
-    ast::Expr* postfix(ast::Expr* e);
-
-    std::string_view source_;
-    const std::vector<Token>& tokens_;
-    ast::Tree& tree_;
-    std::size_t at_ = 0;
-    int level_ = 0;
-    int loops_ = 0;
 };
 
 }  // namespace tiller::simulator::urscript

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-//
-// The motion part of ScriptHost: URScript's commands in the arm's words.
+#include "robot/simulator/host/script_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +7,6 @@
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/simulator/box/plant.h"
-#include "robot/simulator/host/script_host.h"
 
 namespace tiller::simulator {
 
@@ -119,7 +117,7 @@ struct Starter {
 
 }  // namespace
 
-Result<void> ScriptHost::startMotion(urscript::ThreadId thread, const urscript::MotionCommand& command) {
+Result<void> ScriptMotion::startMotion(urscript::ThreadId thread, const urscript::MotionCommand& command) {
     const arm::MotionStart start = std::visit(Starter{plant_.arm()}, command);
     if (!start.ok()) {
         return refusal(start.error, start.joint);
@@ -131,16 +129,17 @@ Result<void> ScriptHost::startMotion(urscript::ThreadId thread, const urscript::
 }
 
 // What the target has ended, the arm has not: a stop waits a little for it, unless it stands already.
-bool ScriptHost::comesToRest(Motion& motion) const {
+bool ScriptMotion::comesToRest(Motion& motion) const {
     const bool waits = plant_.assumptions().stopReturns == Assumptions::StopReturns::Standing;
-    if (waits && motion.settles && state().standstillTime < kSettling && motion.settled < kSettling) {
-        motion.settled += stepTime();
+    if (waits && motion.settles && plant_.arm().state().standstillTime < kSettling &&
+        motion.settled < kSettling) {
+        motion.settled += plant_.stepTime();
         return false;
     }
     return true;
 }
 
-Result<bool> ScriptHost::motionFinished(urscript::ThreadId thread) {
+Result<bool> ScriptMotion::motionFinished(urscript::ThreadId thread) {
     const auto it = motions_.find(thread);
     if (it == motions_.end()) {
         return true;
@@ -163,13 +162,13 @@ Result<bool> ScriptHost::motionFinished(urscript::ThreadId thread) {
     return true;
 }
 
-void ScriptHost::motionAbandoned(urscript::ThreadId thread) {
+void ScriptMotion::motionAbandoned(urscript::ThreadId thread) {
     if (motions_.erase(thread) > 0) {
         plant_.arm().motion().abandon();
     }
 }
 
-Result<void> ScriptHost::begunForces(const arm::ForceModeParameters& parameters) {
+Result<void> ScriptMotion::begunForces(const arm::ForceModeParameters& parameters) {
     if (plant_.arm().superposition().active()) {
         return urscript::scriptError("force mode and path offset or conveyor tracking exclude each other");
     }
@@ -177,12 +176,12 @@ Result<void> ScriptHost::begunForces(const arm::ForceModeParameters& parameters)
     return error == arm::MotionError::None ? Result<void>() : Result<void>(refusal(error, -1));
 }
 
-Result<void> ScriptHost::forceMode(const urscript::ForceMode& mode) {
+Result<void> ScriptMotion::forceMode(const urscript::ForceMode& mode) {
     return begunForces({mode.taskFrame, mode.compliant, mode.wrench, mode.type, mode.limits});
 }
 
 // Force mode along the tool's z axis; the other axes follow the program.
-Result<void> ScriptHost::screwDriving(double force, double speedLimit) {
+Result<void> ScriptMotion::screwDriving(double force, double speedLimit) {
     arm::ForceModeParameters parameters;
     parameters.compliant[2] = true;
     parameters.wrench.force.z() = force;
@@ -191,25 +190,25 @@ Result<void> ScriptHost::screwDriving(double force, double speedLimit) {
     return begunForces(parameters);
 }
 
-Result<void> ScriptHost::endScrewDriving() {
+Result<void> ScriptMotion::endScrewDriving() {
     plant_.arm().compliance().endForceMode();
     return {};
 }
 
-void ScriptHost::endForceMode() {
+void ScriptMotion::endForceMode() {
     plant_.arm().compliance().endForceMode();
 }
 
-Result<void> ScriptHost::setForceModeDamping(double damping) {
+Result<void> ScriptMotion::setForceModeDamping(double damping) {
     plant_.arm().compliance().setDamping(damping);
     return {};
 }
 
-double ScriptHost::forceModeDamping() const {
+double ScriptMotion::forceModeDamping() const {
     return plant_.arm().compliance().damping();
 }
 
-Result<void> ScriptHost::setForceModeGainScaling(double scaling) {
+Result<void> ScriptMotion::setForceModeGainScaling(double scaling) {
     if (plant_.options().software.isCb3()) {
         return urscript::scriptError("force_mode_set_gain_scaling: not on this series of controllers");
     }
@@ -217,11 +216,11 @@ Result<void> ScriptHost::setForceModeGainScaling(double scaling) {
     return {};
 }
 
-double ScriptHost::forceModeGainScaling() const {
+double ScriptMotion::forceModeGainScaling() const {
     return plant_.arm().compliance().gainScaling();
 }
 
-Result<void> ScriptHost::freedrive(const urscript::Freedrive& mode) {
+Result<void> ScriptMotion::freedrive(const urscript::Freedrive& mode) {
     arm::Arm& arm = plant_.arm();
     if (arm.superposition().active()) {
         return urscript::scriptError("freedrive and path offset or conveyor tracking exclude each other");
@@ -236,21 +235,21 @@ Result<void> ScriptHost::freedrive(const urscript::Freedrive& mode) {
     return error == arm::MotionError::None ? Result<void>() : Result<void>(refusal(error, -1));
 }
 
-void ScriptHost::endFreedrive() {
+void ScriptMotion::endFreedrive() {
     plant_.arm().compliance().endFreedrive();
 }
 
-int ScriptHost::freedriveStatus() const {
+int ScriptMotion::freedriveStatus() const {
     return plant_.arm().compliance().freedriveStatus();
 }
 
-Result<void> ScriptHost::setJointPositions(const JointPositions& q) {
+Result<void> ScriptMotion::setJointPositions(const JointPositions& q) {
     plant_.arm().setJointPositions(q);
     return {};
 }
 
 // Only wrist 3 of the smallest arms turns without end, and only whole turns are forgotten.
-Result<void> ScriptHost::resetRevolutionCounter(const JointPositions& qNear) {
+Result<void> ScriptMotion::resetRevolutionCounter(const JointPositions& qNear) {
     constexpr double kTurn = 2 * std::numbers::pi;
     arm::Arm& arm = plant_.arm();
     const RobotModelId id = arm.model().id;

@@ -1,82 +1,80 @@
 // SPDX-License-Identifier: MIT
-//
-// The readings, kinematics and set-up parts of ScriptHost.
+#include "robot/simulator/host/script_arm.h"
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/rtde/fields.h"
 #include "robot/simulator/box/plant.h"
-#include "robot/simulator/host/script_host.h"
 #include "robot/simulator/servers/rtde/rtde_values.h"
 
 namespace tiller::simulator {
 
-const arm::ArmState& ScriptHost::state() const {
+const arm::ArmState& ScriptArm::state() const {
     return plant_.arm().state();
 }
-const DhParameters& ScriptHost::dh() const {
+const DhParameters& ScriptArm::dh() const {
     return plant_.arm().model().dh;
 }
 
 // ---- readings -------------------------------------------------------------------------------------------
 
-JointPositions ScriptHost::jointPositions(urscript::Source source) const {
+JointPositions ScriptArm::jointPositions(urscript::Source source) const {
     return source == urscript::Source::Actual ? state().actualQ : state().targetQ;
 }
-JointVelocities ScriptHost::jointVelocities(urscript::Source source) const {
+JointVelocities ScriptArm::jointVelocities(urscript::Source source) const {
     return source == urscript::Source::Actual ? state().actualQd : state().targetQd;
 }
-JointAccelerations ScriptHost::jointAccelerations(urscript::Source) const {
+JointAccelerations ScriptArm::jointAccelerations(urscript::Source) const {
     return state().targetQdd;  // the arm measures no accelerations
 }
 
-Result<JointPositions> ScriptHost::jointPositionsHistory(int steps) const {
+Result<JointPositions> ScriptArm::jointPositionsHistory(int steps) const {
     if (const auto q = plant_.arm().jointHistory(steps)) {
         return *q;
     }
     return urscript::scriptError("get_actual_joint_positions_history: no record of so many steps ago");
 }
 
-JointTorques ScriptHost::externalJointTorques() const {
+JointTorques ScriptArm::externalJointTorques() const {
     return state().externalTorque;
 }
-Pose ScriptHost::tcpPose(urscript::Source source) const {
+Pose ScriptArm::tcpPose(urscript::Source source) const {
     return source == urscript::Source::Actual ? state().actualTcpPose : state().targetTcpPose;
 }
-Twist ScriptHost::tcpSpeed(urscript::Source source) const {
+Twist ScriptArm::tcpSpeed(urscript::Source source) const {
     return source == urscript::Source::Actual ? state().actualTcpSpeed : state().targetTcpSpeed;
 }
-Pose ScriptHost::flangePose() const {
+Pose ScriptArm::flangePose() const {
     return state().actualFlangePose;
 }
-Pose ScriptHost::targetWaypoint() const {
+Pose ScriptArm::targetWaypoint() const {
     return plant_.arm().motion().targetWaypoint();
 }
-Wrench ScriptHost::tcpForce() const {
+Wrench ScriptArm::tcpForce() const {
     return plant_.telemetry().tcpForce;
 }
-bool ScriptHost::isSteady() const {
+bool ScriptArm::isSteady() const {
     return state().isSteady();
 }
-int ScriptHost::toolContact(const Eigen::Vector3d& direction) const {
+int ScriptArm::toolContact(const Eigen::Vector3d& direction) const {
     return plant_.arm().toolContact(direction);
 }
-double ScriptHost::jointTemperature(int joint) const {
+double ScriptArm::jointTemperature(int joint) const {
     return state().jointTemperature[joint];
 }
-double ScriptHost::controllerTemperature() const {
+double ScriptArm::controllerTemperature() const {
     return 24.0;  // as MasterboardData reports it
 }
-double ScriptHost::toolTemperature() const {
+double ScriptArm::toolTemperature() const {
     return state().toolTemperature;
 }
-double ScriptHost::toolCurrent() const {
+double ScriptArm::toolCurrent() const {
     return state().toolCurrent;
 }
-Eigen::Vector3d ScriptHost::toolAccelerometer() const {
+Eigen::Vector3d ScriptArm::toolAccelerometer() const {
     return state().toolAccelerometer;
 }
 
-Result<urscript::StateHost::FieldValue> ScriptHost::rtdeValue(std::string_view name) const {
+Result<urscript::StateHost::FieldValue> ScriptArm::rtdeValue(std::string_view name) const {
     const rtde::Field* field = rtde::findOutput(name);
     const auto source = field == nullptr ? std::nullopt : fieldSource(*field);
     if (!source) {
@@ -108,17 +106,17 @@ Result<urscript::StateHost::FieldValue> ScriptHost::rtdeValue(std::string_view n
 
 // ---- kinematics -----------------------------------------------------------------------------------------
 
-Pose ScriptHost::forwardKinematics(const std::optional<JointPositions>& q,
-                                   const std::optional<Pose>& tcp) const {
+Pose ScriptArm::forwardKinematics(const std::optional<JointPositions>& q,
+                                  const std::optional<Pose>& tcp) const {
     return kinematics::forwardTcp(dh(), q.value_or(state().actualQ), tcp.value_or(plant_.arm().tcp()));
 }
 
-std::optional<JointPositions> ScriptHost::inverseKinematics(const InverseRequest& request) const {
+std::optional<JointPositions> ScriptArm::inverseKinematics(const InverseRequest& request) const {
     return kinematics::inverseNearest(dh(), request.pose, request.tcp.value_or(plant_.arm().tcp()),
                                       request.qNear.value_or(state().actualQ));
 }
 
-bool ScriptHost::isWithinSafetyLimits(const urscript::MoveTarget& target) const {
+bool ScriptArm::isWithinSafetyLimits(const urscript::MoveTarget& target) const {
     if (const auto* q = std::get_if<JointPositions>(&target)) {
         return q->values.cwiseAbs().maxCoeff() <= kJointPositionLimit;
     }
@@ -127,14 +125,14 @@ bool ScriptHost::isWithinSafetyLimits(const urscript::MoveTarget& target) const 
     return inverseKinematics(request).has_value();
 }
 
-Result<Matrix6> ScriptHost::jacobian(const std::optional<JointPositions>& q,
-                                     const std::optional<Pose>& tcp) const {
+Result<Matrix6> ScriptArm::jacobian(const std::optional<JointPositions>& q,
+                                    const std::optional<Pose>& tcp) const {
     return kinematics::jacobian(dh(), q.value_or(state().actualQ), tcp.value_or(plant_.arm().tcp()));
 }
 
-Result<Matrix6> ScriptHost::jacobianTimeDerivative(const std::optional<JointPositions>& q,
-                                                   const std::optional<JointVelocities>& qd,
-                                                   const std::optional<Pose>& tcp) const {
+Result<Matrix6> ScriptArm::jacobianTimeDerivative(const std::optional<JointPositions>& q,
+                                                  const std::optional<JointVelocities>& qd,
+                                                  const std::optional<Pose>& tcp) const {
     constexpr double kStep = 1e-5;  // [s]; central differences, good to 1e-9
     const Vector6 at = q.value_or(state().actualQ).values;
     const Vector6 way = kStep * qd.value_or(state().actualQd).values;
@@ -144,32 +142,32 @@ Result<Matrix6> ScriptHost::jacobianTimeDerivative(const std::optional<JointPosi
                    (2 * kStep));
 }
 
-Result<Matrix6> ScriptHost::massMatrix(const std::optional<JointPositions>& q, bool includeRotors) const {
+Result<Matrix6> ScriptArm::massMatrix(const std::optional<JointPositions>& q, bool includeRotors) const {
     return plant_.arm().massMatrix(q.value_or(state().actualQ), includeRotors);
 }
 
-Result<JointTorques> ScriptHost::coriolisTorques(const std::optional<JointPositions>& q,
-                                                 const std::optional<JointVelocities>& qd) const {
+Result<JointTorques> ScriptArm::coriolisTorques(const std::optional<JointPositions>& q,
+                                                const std::optional<JointVelocities>& qd) const {
     return plant_.arm().coriolisTorques(q.value_or(state().actualQ), qd.value_or(state().actualQd));
 }
 
 // ---- set-up ---------------------------------------------------------------------------------------------
 
-Pose ScriptHost::tcpOffset() const {
+Pose ScriptArm::tcpOffset() const {
     return plant_.arm().tcp();
 }
 
-Result<void> ScriptHost::setTcpOffset(const Pose& flangeToTcp, std::string_view) {
+Result<void> ScriptArm::setTcpOffset(const Pose& flangeToTcp, std::string_view) {
     plant_.arm().setTcp(flangeToTcp);
     return {};
 }
 
-urscript::Payload ScriptHost::payload() const {
+urscript::Payload ScriptArm::payload() const {
     const arm::Payload& now = plant_.arm().payload();
     return {now.mass, now.centreOfGravity, now.inertia};
 }
 
-Result<void> ScriptHost::setPayload(const urscript::Payload& payload, double transition, bool zeroSensor) {
+Result<void> ScriptArm::setPayload(const urscript::Payload& payload, double transition, bool zeroSensor) {
     plant_.arm().setPayload({payload.mass, payload.centreOfGravity, payload.inertia}, transition);
     if (zeroSensor) {
         plant_.arm().zeroForceSensor();
@@ -177,26 +175,26 @@ Result<void> ScriptHost::setPayload(const urscript::Payload& payload, double tra
     return {};
 }
 
-Eigen::Vector3d ScriptHost::gravity() const {
+Eigen::Vector3d ScriptArm::gravity() const {
     return plant_.arm().gravity();
 }
 
-Result<void> ScriptHost::setGravity(const Eigen::Vector3d& gravity) {
+Result<void> ScriptArm::setGravity(const Eigen::Vector3d& gravity) {
     plant_.arm().setGravity(gravity);
     return {};
 }
 
 // Kept and given back: the simulated base stands still, whatever a program thinks.
-Result<void> ScriptHost::setBaseAcceleration(const Eigen::Vector3d& acceleration) {
+Result<void> ScriptArm::setBaseAcceleration(const Eigen::Vector3d& acceleration) {
     baseAcceleration_ = acceleration;
     return {};
 }
 
-void ScriptHost::zeroForceSensor() {
+void ScriptArm::zeroForceSensor() {
     plant_.arm().zeroForceSensor();
 }
 
-Result<void> ScriptHost::setExternalForceSensor(const urscript::ExternalForceSensor& sensor) {
+Result<void> ScriptArm::setExternalForceSensor(const urscript::ExternalForceSensor& sensor) {
     plant_.setExternalSensorInUse(sensor.enabled && sensor.viaRtde);
     // A sensor that falls silent pauses the program, unless the program asks for something else.
     constexpr double kLeastFrequency = 10.0;

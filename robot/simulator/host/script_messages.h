@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What a program says to people and asks of them.
+
+#include <map>
+#include <optional>
+
+#include "robot/simulator/urscript/host.h"
+
+namespace tiller::simulator {
+
+class Plant;
+
+/// Threads  the simulator's
+class ScriptMessages : public virtual urscript::MessageHost {
+public:
+    explicit ScriptMessages(Plant& plant) : plant_(plant) {}
+
+    /// A person answers what a program asks for, the oldest question first. False when nothing is asked, or
+    /// something of another type.
+    bool answerRequest(const urscript::RequestAnswer& answer);
+    /// What kind of value the oldest question asks for; nothing when none is open.
+    std::optional<urscript::RequestKind> asked() const;
+    void forgetRequests() { requests_.clear(); }
+
+    void textMessage(std::string_view text) override;
+    void programLabel(int number, std::string_view text) override;
+    int showPopup(const urscript::Popup& popup) override;
+    bool popupOpen(int id) const override;
+    Result<int> requestValue(urscript::RequestKind kind, std::string_view text) override;
+    std::optional<urscript::RequestAnswer> requestedValue(int id) override;
+
+private:
+    struct Request {
+        urscript::RequestKind kind;
+        std::optional<urscript::RequestAnswer> answer;
+    };
+
+    std::map<int, Request> requests_;  ///< by id
+    int lastRequest_ = 0;
+    Plant& plant_;
+};
+
+}  // namespace tiller::simulator

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What a program lays over the path: offsets, conveyors and their encoders.
+
+#include "robot/simulator/box/encoders.h"
+#include "robot/simulator/urscript/host.h"
+
+namespace tiller::simulator {
+
+class Plant;
+
+/// Threads  the simulator's
+class ScriptSuperposition : public virtual urscript::SuperpositionHost {
+public:
+    explicit ScriptSuperposition(Plant& plant) : plant_(plant) {}
+
+    /// Once a control period, after the scripts: counts the encoders and moves what they carry.
+    void stepConveyors();
+    const Encoders& encoders() const { return encoders_; }
+
+    Result<void> enablePathOffset() override;
+    Result<void> setPathOffset(const Pose& offset, int type) override;
+    Result<Pose> pathOffset(int type) const override;
+    Result<void> setPathOffsetFilter(double alpha) override;
+    Result<void> setPathOffsetLimits(double translation, double rotation) override;
+    Result<void> trackConveyorLinear(const Pose& direction, double ticksPerMeter, int encoder) override;
+    Result<void> trackConveyorCircular(const Pose& center, double ticksPerRevolution, bool rotateTool,
+                                       int encoder) override;
+    Result<double> encoderTicks(int encoder) const override;
+    Result<void> setEncoderTicks(int encoder, double ticks) override;
+    Result<void> enableEncoder(int encoder, int decoder, int inputA, int inputB) override;
+    Result<void> setEncoderRange(int encoder, int rangeId) override;
+
+private:
+    Encoders encoders_;
+    int trackedEncoder_ = 0;  ///< which of them moves the conveyor that is tracked
+    Plant& plant_;
+};
+
+}  // namespace tiller::simulator
