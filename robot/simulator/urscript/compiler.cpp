@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Tree to bytecode, statements: every name is resolved, so that a text that calls something unknown anywhere
-// never starts.
+// Every name is resolved, so that a text that calls something unknown anywhere never starts.
 
 #include "robot/simulator/urscript/compiler.h"
+
+#include <utility>
 
 #include "robot/simulator/urscript/parser.h"
 
@@ -33,16 +34,13 @@ std::unique_ptr<Bytecode> Compiler::run() {
 }
 
 void Compiler::function(const Function& f) {
-    function_ = &f;
-    code_ = &out_->functions[static_cast<std::size_t>(f.index)];
+    enter(f);
     code_->name = std::string(f.name);
     code_->kind = f.kind;
     code_->outermost = isOutermost(f);
     for (const auto& parameter : f.parameters) {
         code_->optional.push_back(parameter.defaultValue != nullptr);
     }
-    locals_.clear();
-    explicitLocals_.clear();
     depth_ = 0;
     const bool outermost = f.index == 0;
     if (!outermost) {

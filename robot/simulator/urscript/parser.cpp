@@ -18,7 +18,8 @@ namespace {
 
 class Parser : private ExpressionParser {
 public:
-    using ExpressionParser::ExpressionParser;
+    Parser(std::string_view source, const std::vector<Token>& tokens, ast::Tree& tree)
+        : ExpressionParser(source, tokens, tree) {}
 
     void unit();
     void statements();

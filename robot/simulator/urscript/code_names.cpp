@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Which variable or function a name means.
+#include "robot/simulator/urscript/code_names.h"
 
-#include "robot/simulator/urscript/compiler.h"
+#include <utility>
 
 namespace tiller::simulator::urscript {
 
@@ -15,7 +15,14 @@ using ast::Position;
 using ast::Stmt;
 using ast::StmtKind;
 
-void Compiler::collectGlobals() {
+void CodeNames::enter(const Function& f) {
+    function_ = &f;
+    code_ = &out_->functions[static_cast<std::size_t>(f.index)];
+    locals_.clear();
+    explicitLocals_.clear();
+}
+
+void CodeNames::collectGlobals() {
     for (const auto& parameter : tree_.functions.front().parameters) {
         globalSlot(parameter.name);
     }
@@ -24,7 +31,7 @@ void Compiler::collectGlobals() {
     }
 }
 
-void Compiler::collectGlobals(const Block& block, bool outermost) {
+void CodeNames::collectGlobals(const Block& block, bool outermost) {
     for (const Stmt* s : block) {
         if (s->kind == StmtKind::Assign && (outermost || s->scope == AssignScope::Global)) {
             const Expr* target = rootOf(s->target);
@@ -43,7 +50,7 @@ void Compiler::collectGlobals(const Block& block, bool outermost) {
     }
 }
 
-void Compiler::collectLocals(const Block& block) {
+void CodeNames::collectLocals(const Block& block) {
     for (const Stmt* s : block) {
         if (s->kind == StmtKind::Assign && s->target->kind == ExprKind::Variable) {
             const std::string_view name = s->target->text;
@@ -59,14 +66,14 @@ void Compiler::collectLocals(const Block& block) {
     }
 }
 
-const Expr* Compiler::rootOf(const Expr* target) {
+const Expr* CodeNames::rootOf(const Expr* target) {
     while (target->kind != ExprKind::Variable) {
         target = target->children[0];
     }
     return target;
 }
 
-int Compiler::findGlobal(std::string_view name) const {
+int CodeNames::findGlobal(std::string_view name) const {
     if (const auto it = globals_.find(name); it != globals_.end()) {
         return it->second;
     }
@@ -78,7 +85,7 @@ int Compiler::findGlobal(std::string_view name) const {
     return -1;
 }
 
-int Compiler::globalSlot(std::string_view name) {
+int CodeNames::globalSlot(std::string_view name) {
     if (const int slot = findGlobal(name); slot >= 0) {
         return slot;
     }
@@ -89,7 +96,7 @@ int Compiler::globalSlot(std::string_view name) {
     return slot;
 }
 
-int Compiler::localSlot(std::string_view name) {
+int CodeNames::localSlot(std::string_view name) {
     const auto [it, added] = locals_.try_emplace(name, static_cast<int>(code_->localNames.size()));
     if (added) {
         code_->localNames.emplace_back(name);
@@ -97,7 +104,7 @@ int Compiler::localSlot(std::string_view name) {
     return it->second;
 }
 
-Compiler::Slot Compiler::resolve(std::string_view name) {
+CodeNames::Slot CodeNames::resolve(std::string_view name) {
     if (const auto it = locals_.find(name); it != locals_.end()) {
         return {false, it->second};
     }
@@ -111,7 +118,7 @@ Compiler::Slot Compiler::resolve(std::string_view name) {
     return {};
 }
 
-Compiler::Callee Compiler::findFunction(std::string_view name) const {
+CodeNames::Callee CodeNames::findFunction(std::string_view name) const {
     const auto here = [this](const Function* f) { return Callee{indexOf(*f), f->kind, f, nullptr}; };
     for (const Function* scope = function_; scope != nullptr; scope = scope->parent) {
         for (const Function* f : scope->nested) {
@@ -134,24 +141,25 @@ Compiler::Callee Compiler::findFunction(std::string_view name) const {
 }
 
 // In the numbering of the machine: a line's own functions come behind all there are.
-int Compiler::indexOf(const Function& f) const {
+int CodeNames::indexOf(const Function& f) const {
     return surroundings_ == nullptr || f.index == 0
                ? f.index
                : static_cast<int>(surroundings_->functions.size()) + f.index - 1;
 }
 
-bool Compiler::isOutermost(const Function& f) const {
+bool CodeNames::isOutermost(const Function& f) const {
     return f.parent != nullptr && f.parent->index == 0;
 }
 
-void Compiler::report(Position at, std::string text) {
+void CodeNames::report(Position at, std::string text) {
     // The first in the text, whatever the order of the functions.
     if (!error_ || std::pair(at.line, at.column) < std::pair(error_->line, error_->column)) {
         error_ = CompileError{at.line, at.column, std::move(text)};
     }
 }
 
-void Compiler::nameNotFound(Position at, std::string_view name) {
+void CodeNames::nameNotFound(Position at, std::string_view name) {
     report(at, "compile_error_name_not_found:" + std::string(name) + ":");
 }
+
 }  // namespace tiller::simulator::urscript

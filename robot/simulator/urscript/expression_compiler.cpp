@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Expressions, calls and the paths of nested assignments.
-
-#include <algorithm>
-
-#include "robot/simulator/urscript/compiler.h"
+#include "robot/simulator/urscript/expression_compiler.h"
 
 namespace tiller::simulator::urscript {
 
@@ -36,7 +32,7 @@ Method methodOf(std::string_view name) {
 }  // namespace
 
 // Emits the index expressions of an element or member, outermost first.
-Path Compiler::pathOf(const Expr* target, bool global) {
+Path ExpressionCompiler::pathOf(const Expr* target, bool global) {
     std::vector<const Expr*> chain;
     while (target->kind != ExprKind::Variable) {
         chain.push_back(target);
@@ -65,14 +61,14 @@ Path Compiler::pathOf(const Expr* target, bool global) {
     return path;
 }
 
-bool Compiler::isPath(const Expr* e) {
+bool ExpressionCompiler::isPath(const Expr* e) {
     while (e->kind == ExprKind::Index || e->kind == ExprKind::Member) {
         e = e->children[0];
     }
     return e->kind == ExprKind::Variable;
 }
 
-void Compiler::expression(const Expr* e) {
+void ExpressionCompiler::expression(const Expr* e) {
     switch (e->kind) {
         case ExprKind::Int:
             emit(Op::PushInt, e->at, e->integer, 0, 1);
@@ -151,7 +147,7 @@ void Compiler::expression(const Expr* e) {
     }
 }
 
-Op Compiler::operatorOf(ExprKind kind) {
+Op ExpressionCompiler::operatorOf(ExprKind kind) {
     switch (kind) {
         case ExprKind::Negate:
             return Op::Negate;
@@ -186,7 +182,7 @@ Op Compiler::operatorOf(ExprKind kind) {
     }
 }
 
-void Compiler::method(const Expr* e) {
+void ExpressionCompiler::method(const Expr* e) {
     MethodCall call;
     call.name = std::string(e->text);
     call.method = methodOf(e->text);
@@ -207,7 +203,7 @@ void Compiler::method(const Expr* e) {
     emit(Op::CallMethod, e->at, static_cast<int>(out_->methods.size()) - 1, 0, 1 - operands);
 }
 
-void Compiler::call(const Expr* e) {
+void ExpressionCompiler::call(const Expr* e) {
     if (e->children.size() > 255) {
         report(e->at, "Too many arguments: " + std::string(e->text));
         return;
@@ -254,7 +250,7 @@ void Compiler::call(const Expr* e) {
 
 // One value per parameter, in the order of the parameters. Wrong arguments are found when the call is
 // reached.
-int Compiler::arguments(const Expr* e, const std::vector<Formal>& formals) {
+int ExpressionCompiler::arguments(const Expr* e, const std::vector<Formal>& formals) {
     std::vector<const Expr*> given(formals.size(), nullptr);
     std::string problem;
     for (std::size_t i = 0; i < e->children.size(); ++i) {
@@ -299,4 +295,5 @@ int Compiler::arguments(const Expr* e, const std::vector<Formal>& formals) {
     }
     return static_cast<int>(formals.size());
 }
+
 }  // namespace tiller::simulator::urscript
