@@ -90,7 +90,8 @@ struct Path {
     enum class Step : std::uint8_t { Index, Index2, Member };
     bool global = false;
     int slot = 0;
-    std::vector<std::pair<Step, std::string>> steps;
+    using Part = std::pair<Step, std::string>;
+    std::vector<Part> steps;
     int indexValues = 0;  ///< values on the stack for the steps
 };
 

@@ -8,15 +8,7 @@
 namespace tiller::simulator::urscript {
 
 Interpreter::Machine::Machine(std::shared_ptr<const Program> p, Host& host, const Limits& limits)
-    : program(std::move(p))
-    , host_(host)
-    , limits_(limits)
-    , code_(program->code())
-    , mode_(code_)
-    , remote_(host)
-    , context_{host, limits_, program->kind(), 0, limits.randomSeed, &mode_, &remote_} {
-    context_.stepNs = std::llround(host.stepTime() * 1e9);
-    globals_.resize(code_.globals.size());
+    : Execution(*p, host, limits), program(std::move(p)) {
     start(0, -1);
 }
 
@@ -24,8 +16,7 @@ Interpreter::Machine::~Machine() {
     stop();
 }
 
-// --------------------------------------------------------------------------------------------------- the
-// frame
+// ---- the frame --------------------------------------------------------------------------------------------
 
 Interpreter::State Interpreter::Machine::runFrame() {
     if (state != State::Running) {
@@ -33,12 +24,12 @@ Interpreter::State Interpreter::Machine::runFrame() {
     }
     inFrame_ = true;
     hostTold_ = false;
-    ++frame;
+    ++frame_;
     beginFrame();
     // Cooperative: a thread runs until it blocks, so nothing else runs between two of its statements,
     // critical section or not, and everything else runs while it waits, critical section or not.
     while (!over_) {
-        Thread* const thread = next();
+        ScriptThread* const thread = next();
         if (thread == nullptr) {
             break;
         }
@@ -67,8 +58,8 @@ void Interpreter::Machine::beginFrame() {
         // What a thread overdrew is paid back from the next slices; what it left over is lost.
         thread->sliceNs = std::min(context_.stepNs, thread->sliceNs + context_.stepNs);
         thread->operations = limits_.threadOperationsPerFrame;
-        if (thread->state == Thread::State::Polling) {
-            thread->state = Thread::State::Ready;
+        if (thread->state == ScriptThread::State::Polling) {
+            thread->state = ScriptThread::State::Ready;
             thread->sliceNs = context_.stepNs;
         }
     }
@@ -100,17 +91,17 @@ void Interpreter::Machine::pollMotion() {
     }
 }
 
-bool Interpreter::Machine::runnable(const Thread& thread) const {
+bool Interpreter::Machine::runnable(const ScriptThread& thread) const {
     if (thread.sliceNs <= 0) {
         return false;
     }
-    return thread.state == Thread::State::Ready ||
-           (thread.state == Thread::State::Joining && find(thread.joined) == nullptr);
+    return thread.state == ScriptThread::State::Ready ||
+           (thread.state == ScriptThread::State::Joining && find(thread.joined) == nullptr);
 }
 
 // Who has most of the frame left; among equals the eldest.
-Interpreter::Machine::Thread* Interpreter::Machine::next() const {
-    Thread* best = nullptr;
+ScriptThread* Interpreter::Machine::next() const {
+    ScriptThread* best = nullptr;
     for (const auto& thread : threads_) {
         if ((best == nullptr || thread->sliceNs > best->sliceNs) && runnable(*thread)) {
             best = thread.get();
@@ -119,8 +110,8 @@ Interpreter::Machine::Thread* Interpreter::Machine::next() const {
     return best;
 }
 
-void Interpreter::Machine::run(Thread& thread) {
-    thread.state = Thread::State::Ready;
+void Interpreter::Machine::run(ScriptThread& thread) {
+    thread.state = ScriptThread::State::Ready;
     const std::int64_t before = thread.operations;
     try {
         execute(thread);
@@ -138,14 +129,14 @@ void Interpreter::Machine::run(Thread& thread) {
     }
 }
 
-ast::Position Interpreter::Machine::position(const Thread& thread) {
+ast::Position Interpreter::Machine::position(const ScriptThread& thread) {
     const CallFrame& call = thread.calls.back();
     // pc is the next instruction, but a builtin that waits is its own next one.
     const int pc = std::max(thread.again ? call.pc : call.pc - 1, 0);
     return call.function->positions[static_cast<std::size_t>(pc)];
 }
 
-void Interpreter::Machine::fail(const Thread& thread, const std::string& text) {
+void Interpreter::Machine::fail(const ScriptThread& thread, const std::string& text) {
     if (state != State::Running) {
         return;
     }
@@ -171,8 +162,7 @@ void Interpreter::Machine::finishProgram() {
     }
 }
 
-// ------------------------------------------------------------------------------------------- control from
-// outside
+// ---- control from outside ----------------------------------------------------------------------------------
 
 void Interpreter::Machine::pause() {
     if (state != State::Running) {
@@ -204,33 +194,45 @@ void Interpreter::Machine::stop() {
     finishProgram();
 }
 
-// -------------------------------------------------------------------------------------------------------
-// threads
+// ---- threads ------------------------------------------------------------------------------------------------
 
-Interpreter::Machine::Thread& Interpreter::Machine::start(int function, ThreadId parent) {
-    auto thread = std::make_unique<Thread>();
+ScriptThread& Interpreter::Machine::start(int function, ThreadId parent) {
+    auto thread = std::make_unique<ScriptThread>();
     thread->id = nextId_++;
     thread->parent = parent;
     thread->sliceNs = limits_.threadsBeginNextFrame && parent >= 0 ? 0 : context_.stepNs;
     thread->operations = limits_.threadOperationsPerFrame;
     thread->calls.reserve(8);
     threads_.push_back(std::move(thread));
-    Thread& started = *threads_.back();
+    ScriptThread& started = *threads_.back();
     enter(started, function, 0);
     return started;
 }
 
-Interpreter::Machine::Thread* Interpreter::Machine::find(ThreadId id) const {
+ThreadId Interpreter::Machine::startThread(int function, ThreadId parent) {
+    if (threadCount() >= limits_.threads ||
+        threads_.size() >= 8 * static_cast<std::size_t>(limits_.threads)) {
+        fault("Too many threads");
+    }
+    return start(function, parent).id;
+}
+
+void Interpreter::Machine::finish() {
+    state = State::Finished;
+    over_ = true;
+}
+
+ScriptThread* Interpreter::Machine::find(ThreadId id) const {
     for (const auto& thread : threads_) {
-        if (thread->id == id && thread->state != Thread::State::Ended) {
+        if (thread->id == id && thread->state != ScriptThread::State::Ended) {
             return thread.get();
         }
     }
     return nullptr;
 }
 
-void Interpreter::Machine::endThread(Thread& thread) {
-    thread.state = Thread::State::Ended;
+void Interpreter::Machine::endThread(ScriptThread& thread) {
+    thread.state = ScriptThread::State::Ended;
     if (context_.motionOwner == thread.id) {
         context_.motionOwner = -1;
         host_.motionAbandoned(thread.id);
@@ -244,14 +246,14 @@ void Interpreter::Machine::endThread(Thread& thread) {
 }
 
 void Interpreter::Machine::killTree(ThreadId id) {
-    Thread* thread = find(id);
+    ScriptThread* thread = find(id);
     if (thread == nullptr) {
         return;
     }
     std::vector<ThreadId> doomed{id};
     for (std::size_t i = 0; i < doomed.size(); ++i) {
         for (const auto& other : threads_) {
-            if (other->parent == doomed[i] && other->state != Thread::State::Ended) {
+            if (other->parent == doomed[i] && other->state != ScriptThread::State::Ended) {
                 doomed.push_back(other->id);
             }
         }
@@ -262,7 +264,7 @@ void Interpreter::Machine::killTree(ThreadId id) {
 }
 
 void Interpreter::Machine::removeEnded() {
-    std::erase_if(threads_, [](const auto& thread) { return thread->state == Thread::State::Ended; });
+    std::erase_if(threads_, [](const auto& thread) { return thread->state == ScriptThread::State::Ended; });
 }
 
 ThreadId Interpreter::Machine::handleOf(const Value& v) const {
@@ -275,8 +277,8 @@ ThreadId Interpreter::Machine::handleOf(const Value& v) const {
 }
 
 int Interpreter::Machine::currentLine() const {
-    const Thread* main = find(0);
-    if (frame == 0 || main == nullptr || main->calls.empty()) {
+    const ScriptThread* main = find(0);
+    if (frame_ == 0 || main == nullptr || main->calls.empty()) {
         return 0;
     }
     return position(*main).line;
@@ -284,14 +286,14 @@ int Interpreter::Machine::currentLine() const {
 
 int Interpreter::Machine::threadCount() const {
     return static_cast<int>(std::count_if(threads_.begin(), threads_.end(), [](const auto& thread) {
-        return thread->state != Thread::State::Ended;
+        return thread->state != ScriptThread::State::Ended;
     }));
 }
 
 // Nothing may run in code that goes: threads that do are ended.
 void Interpreter::Machine::forgetLines() {
     for (const auto& thread : threads_) {
-        if (thread->id != 0 && thread->state != Thread::State::Ended &&
+        if (thread->id != 0 && thread->state != ScriptThread::State::Ended &&
             std::any_of(thread->calls.begin(), thread->calls.end(),
                         [this](const CallFrame& call) { return call.unit != &code_.program; })) {
             endThread(*thread);
@@ -308,50 +310,6 @@ const Value* Interpreter::Machine::global(std::string_view name) const {
     }
     const std::size_t slot = static_cast<std::size_t>(it - code_.globals.begin());
     return slot >= globals_.size() || globals_[slot].isUnset() ? nullptr : &globals_[slot];
-}
-
-// ---------------------------------------------------------------------------------------------------------
-// the face
-
-Interpreter::Interpreter(std::shared_ptr<const Program> program, Host& host, const Limits& limits)
-    : machine_(std::make_unique<Machine>(std::move(program), host, limits)) {}
-Interpreter::~Interpreter() = default;
-
-Interpreter::State Interpreter::runFrame() {
-    return machine_->runFrame();
-}
-void Interpreter::pause() {
-    machine_->pause();
-}
-void Interpreter::resume() {
-    machine_->resume();
-}
-void Interpreter::stop() {
-    machine_->stop();
-}
-Interpreter::State Interpreter::state() const {
-    return machine_->state;
-}
-const std::optional<RuntimeError>& Interpreter::error() const {
-    return machine_->error;
-}
-const Program& Interpreter::program() const {
-    return *machine_->program;
-}
-int Interpreter::currentLine() const {
-    return machine_->currentLine();
-}
-std::int64_t Interpreter::frame() const {
-    return machine_->frame;
-}
-int Interpreter::threadCount() const {
-    return machine_->threadCount();
-}
-const Value* Interpreter::global(std::string_view name) const {
-    return machine_->global(name);
-}
-InterpreterMode& Interpreter::mode() {
-    return machine_->mode();
 }
 
 }  // namespace tiller::simulator::urscript

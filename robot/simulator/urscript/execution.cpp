@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Executes bytecode. The common cases (numbers, jumps, variables) are handled here; all else goes to
-// operators.cpp.
+#include "robot/simulator/urscript/execution.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "robot/simulator/urscript/virtual_machine.h"
-#include "robot/simulator/urscript/virtual_machine_fast.h"
+#include "robot/simulator/urscript/fast_operators.h"
+#include "robot/simulator/urscript/value_access.h"
 
 namespace tiller::simulator::urscript {
 
@@ -14,9 +13,25 @@ namespace {
 
 using Type = Value::Type;
 
+bool isRemote(const Value& v) {
+    return v.is(Type::Struct) && v.structure().handle != 0;
+}
+
 }  // namespace
 
-void Interpreter::Machine::execute(Thread& thread) {
+Execution::Execution(const Program& program, Host& host, const Limits& limits)
+    : host_(host)
+    , limits_(limits)
+    , code_(program.code())
+    , mode_(code_)
+    , remote_(host)
+    , context_{host, limits_, program.kind(), 0, limits.randomSeed, &mode_, &remote_} {
+    context_.stepNs = std::llround(host.stepTime() * 1e9);
+    globals_.resize(code_.globals.size());
+}
+
+// The common cases (numbers, jumps, variables) are handled here; all else goes to operators.cpp.
+void Execution::execute(ScriptThread& thread) {
     // Cached copies of what the innermost call works on; `reload` after anything that calls or returns.
     const FunctionCode* function = nullptr;
     const Bytecode* unit = nullptr;
@@ -101,9 +116,9 @@ void Interpreter::Machine::execute(Thread& thread) {
                 } else {
                     save();
                     settle();
-                    store(v, std::move(*sp),
-                          global ? code_.globals[static_cast<std::size_t>(instruction.b)]
-                                 : function->localNames[static_cast<std::size_t>(instruction.b)]);
+                    assign(v, std::move(*sp),
+                           global ? code_.globals[static_cast<std::size_t>(instruction.b)]
+                                  : function->localNames[static_cast<std::size_t>(instruction.b)]);
                 }
                 break;
             }
@@ -214,7 +229,7 @@ void Interpreter::Machine::execute(Thread& thread) {
                 }
                 sp = values;
                 *sp++ = Value::structure(std::move(data));
-                checkBounds(sp[-1]);
+                checkBounds(sp[-1], limits_.listLength);
                 break;
             }
             case Op::Index:
@@ -330,14 +345,10 @@ void Interpreter::Machine::execute(Thread& thread) {
             case Op::Run:
                 save();
                 settle();
-                if (program->kind() == ProgramKind::Secondary) {
+                if (context_.kind == ProgramKind::Secondary) {
                     fault(kTooMuchBehind);
                 }
-                if (threadCount() >= limits_.threads ||
-                    threads_.size() >= 8 * static_cast<std::size_t>(limits_.threads)) {
-                    fault("Too many threads");
-                }
-                (sp++)->setInt(start(instruction.b, thread.id).id);
+                (sp++)->setInt(startThread(instruction.b, thread.id));
                 charge(50);
                 break;
             case Op::Join: {
@@ -346,8 +357,8 @@ void Interpreter::Machine::execute(Thread& thread) {
                 settle();
                 const ThreadId id = handleOf(*sp);
                 sp->reset();
-                if (id > 0 && find(id) != nullptr) {
-                    thread.state = Thread::State::Joining;
+                if (id > 0 && isAlive(id)) {
+                    thread.state = ScriptThread::State::Joining;
                     thread.joined = id;
                     return;
                 }
@@ -362,7 +373,7 @@ void Interpreter::Machine::execute(Thread& thread) {
                 sp->reset();
                 if (id > 0) {
                     killTree(id);
-                    if (thread.state == Thread::State::Ended) {
+                    if (thread.state == ScriptThread::State::Ended) {
                         return;
                     }
                 }
@@ -374,16 +385,15 @@ void Interpreter::Machine::execute(Thread& thread) {
             case Op::Halt:
                 save();
                 settle();
-                state = State::Finished;
-                over_ = true;
+                finish();
                 return;
             case Op::Pause:
                 save();
                 settle();
-                if (program->kind() == ProgramKind::Secondary) {
+                if (context_.kind == ProgramKind::Secondary) {
                     fault(kTooMuchBehind);
                 }
-                pauseRequested_ = true;
+                requestPause();
                 thread.sliceNs = std::min<std::int64_t>(thread.sliceNs, 0);
                 return;
             case Op::Label: {
@@ -395,6 +405,217 @@ void Interpreter::Machine::execute(Thread& thread) {
             }
         }
     }
+}
+
+void Execution::enter(ScriptThread& thread, int function, int arguments) {
+    push(thread, code_.functions[static_cast<std::size_t>(function)], arguments);
+}
+
+void Execution::push(ScriptThread& thread, const LinkedCode::Callee& callee, int arguments) {
+    const FunctionCode& f = *callee.function;
+    if (static_cast<int>(thread.calls.size()) >= limits_.callDepth) {
+        fault("Too many nested function calls");
+    }
+    const std::size_t base = thread.top - static_cast<std::size_t>(arguments);
+    thread.top = base + static_cast<std::size_t>(f.locals);
+    const std::size_t needed = thread.top + static_cast<std::size_t>(f.stack) + 1;
+    if (thread.stack.size() < needed) {
+        thread.stack.resize(std::max(needed, thread.stack.size() * 2));
+    }
+    // Everything above the top is Unset, so the other locals are already.
+    thread.calls.push_back({&f, callee.unit, 0, base});
+}
+
+// The next line of interpreter mode, called from where its builtin stands.
+void Execution::enterLine(ScriptThread& thread) {
+    const Unit& unit = mode_.begin();
+    globals_.resize(std::max(globals_.size(), code_.globals.size()));
+    push(thread, {&unit.code->functions.front(), &unit}, 0);
+}
+
+// Back to the caller with the result; false when the thread has returned from its outermost function.
+bool Execution::leave(ScriptThread& thread, Value result) {
+    const CallFrame done = thread.calls.back();
+    for (std::size_t i = done.base; i < thread.top; ++i) {
+        thread.stack[i].reset();
+    }
+    thread.top = done.base;
+    if (thread.calls.size() == 1) {
+        if (thread.id == 0) {
+            finish();
+        }
+        endThread(thread);
+        return false;
+    }
+    thread.calls.pop_back();
+    if (done.unit->owned != nullptr && done.function == &done.unit->code->functions.front()) {
+        mode_.lineDone();  // its result is nobody's
+    } else {
+        thread.stack[thread.top++] = std::move(result);
+    }
+    return true;
+}
+
+// Wait: it is to be executed again, or the slice is used up.
+Execution::After Execution::callBuiltin(ScriptThread& thread, const Instruction& instruction) {
+    const Builtin& builtin = builtins()[static_cast<std::size_t>(instruction.b)];
+    const std::size_t first = thread.top - instruction.a;
+    Call call(context_, builtin, thread.id, std::span(thread.stack.data() + first, instruction.a));
+    if (thread.again) {
+        call.first = false;
+        call.state = thread.builtinState;
+        call.waitedNs = (frame_ - thread.builtinSince) * context_.stepNs;
+    }
+    const Status status = builtin.function(call);
+    if (mode_.takeForget()) {
+        forgetLines();
+    }
+    thread.operations -= 8 + call.cost;
+    // However much a client sends, and however often the program asks for more: reading takes time.
+    call.endFrame =
+        call.endFrame || (call.readSocket && limits_.threadOperationsPerFrame - thread.operations >=
+                                                 limits_.readingOperationsPerFrame);
+    const bool secondary = context_.kind == ProgramKind::Secondary;
+    if (secondary && (status == Status::Again || call.consumedNs > 0 || call.endFrame)) {
+        fault(kTooMuchBehind);
+    }
+    if (status == Status::Again) {
+        if (!thread.again) {
+            thread.again = true;
+            thread.builtinSince = frame_;
+        }
+        thread.builtinState = call.state;
+        thread.state = ScriptThread::State::Polling;
+        --thread.calls.back().pc;
+        return After::Wait;
+    }
+    thread.again = false;
+    if (status == Status::Line) {
+        --thread.calls.back().pc;
+        enterLine(thread);
+        return After::Reload;
+    }
+    for (std::size_t i = first; i < thread.top; ++i) {
+        thread.stack[i].reset();
+    }
+    thread.stack[first] = std::move(call.result);
+    thread.top = first + 1;
+    thread.sliceNs -= call.consumedNs;
+    if (call.endFrame) {
+        thread.sliceNs = std::min<std::int64_t>(thread.sliceNs, 0);
+    }
+    // Whoever has used some of its time lets those go first who have more left.
+    return thread.sliceNs > 0 && call.consumedNs == 0 && !isStopRequested() ? After::GoOn : After::Wait;
+}
+
+// False: the thread waits, and comes here again.
+bool Execution::callRemote(ScriptThread& thread, std::int32_t handle, const MethodCall& call,
+                           std::span<const Value> arguments, Value& result) {
+    if (context_.kind == ProgramKind::Secondary) {
+        fault(kTooMuchBehind);
+    }
+    if (call.name == "closeXMLRPCClientConnection") {
+        result = Value::none();  // every call has its own connection
+        return true;
+    }
+    if (!thread.again) {
+        const Result<std::int64_t> begun = remote_.begin(handle, call.name, arguments);
+        if (!begun.ok()) {
+            fault(begun.error());
+        }
+        thread.builtinState = *begun;
+        thread.builtinSince = frame_;
+    } else {
+        Result<std::optional<Value>> outcome = remote_.result(thread.builtinState);
+        if (!outcome.ok()) {
+            fault(outcome.error());
+        }
+        if (*outcome) {
+            thread.again = false;
+            result = std::move(**outcome);
+            return true;
+        }
+    }
+    thread.again = true;
+    thread.state = ScriptThread::State::Polling;
+    --thread.calls.back().pc;
+    return false;
+}
+
+void Execution::unset(const ScriptThread& thread, bool global, int slot) const {
+    const std::size_t i = static_cast<std::size_t>(slot);
+    const std::string& name = global ? code_.globals[i] : thread.calls.back().function->localNames[i];
+    fault("Variable '" + name + "' has no value");
+}
+
+Value& Execution::variable(ScriptThread& thread, const Path& path) {
+    const std::size_t slot = static_cast<std::size_t>(path.slot);
+    Value& v = path.global ? globals_[slot] : thread.stack[thread.calls.back().base + slot];
+    if (v.isUnset()) {
+        unset(thread, path.global, path.slot);
+    }
+    return v;
+}
+
+void Execution::storePath(ScriptThread& thread, const Path& path) {
+    Value& root = variable(thread, path);
+    Value* const end = thread.stack.data() + thread.top;
+    Value* const first = end - 1 - path.indexValues;
+    const Value* indices = first;
+    Value element = std::move(end[-1]);
+    const bool nested = element.nested();
+    Value& holder = descend(root, path, path.steps.size() - 1, indices);
+    // Writing to a shared list copies it.
+    thread.operations -= holder.is(Type::List) ? static_cast<std::int64_t>(holder.list().size() / 32) : 1;
+    assignElement(holder, path.steps.back(), indices, std::move(element));
+    if (nested) {
+        checkBounds(root, limits_.listLength);
+    }
+    for (Value* v = first; v != end; ++v) {
+        v->reset();
+    }
+    thread.top -= static_cast<std::size_t>(end - first);
+}
+
+// False: the thread waits for the result.
+bool Execution::callMethod(ScriptThread& thread, const MethodCall& call) {
+    Value* const end = thread.stack.data() + thread.top;
+    Value* const arguments = end - call.arguments;
+    Value* first = arguments;
+    Value result;
+    if (call.onPath) {
+        Value& root = variable(thread, call.path);
+        first = arguments - call.path.indexValues;
+        const Value* indices = first;
+        Value& object = descend(root, call.path, call.path.steps.size(), indices);
+        if (isRemote(object)) {
+            const std::int32_t handle = object.structure().handle;
+            if (!callRemote(thread, handle, call, {arguments, end}, result)) {
+                return false;
+            }
+        } else {
+            result = applyMethod(object, call, arguments);
+        }
+        if (call.arguments > 0 && end[-1].nested() && !isRemote(object)) {
+            checkBounds(root, limits_.listLength);
+        }
+        thread.operations -= object.is(Type::List) ? static_cast<std::int64_t>(object.list().size() / 32) : 1;
+    } else {
+        --first;
+        if (isRemote(*first)) {
+            if (!callRemote(thread, first->structure().handle, call, {arguments, end}, result)) {
+                return false;
+            }
+        } else {
+            result = applyMethod(*first, call, arguments);
+        }
+    }
+    for (Value* v = first; v != end; ++v) {
+        v->reset();
+    }
+    *first = std::move(result);
+    thread.top = static_cast<std::size_t>(first - thread.stack.data()) + 1;
+    return true;
 }
 
 }  // namespace tiller::simulator::urscript

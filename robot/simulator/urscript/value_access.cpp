@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Variables: what may be assigned to what, and the way down to an element or member.
+#include "robot/simulator/urscript/value_access.h"
 
 #include <algorithm>
 
+#include "robot/simulator/urscript/builtin.h"
 #include "robot/simulator/urscript/operators.h"
-#include "robot/simulator/urscript/virtual_machine.h"
 
 namespace tiller::simulator::urscript {
 
@@ -33,13 +33,9 @@ int family(const Value& v) {
     }
 }
 
-bool isRemote(const Value& v) {
-    return v.is(Type::Struct) && v.structure().handle != 0;
-}
-
 }  // namespace
 
-void Interpreter::Machine::store(Value& variable, Value v, const std::string& name) const {
+void assign(Value& variable, Value v, const std::string& name) {
     if (!variable.isUnset()) {
         const int before = family(variable);
         const int after = family(v);
@@ -60,24 +56,8 @@ void Interpreter::Machine::store(Value& variable, Value v, const std::string& na
     variable = std::move(v);
 }
 
-void Interpreter::Machine::unset(const Thread& thread, bool global, int slot) const {
-    const std::size_t i = static_cast<std::size_t>(slot);
-    const std::string& name = global ? code_.globals[i] : thread.calls.back().function->localNames[i];
-    fault("Variable '" + name + "' has no value");
-}
-
-Value& Interpreter::Machine::variable(Thread& thread, const Path& path) {
-    const std::size_t slot = static_cast<std::size_t>(path.slot);
-    Value& v = path.global ? globals_[slot] : thread.stack[thread.calls.back().base + slot];
-    if (v.isUnset()) {
-        unset(thread, path.global, path.slot);
-    }
-    return v;
-}
-
 // The value `steps` steps down, as this holder's own. Moves `indices` past those used.
-Value& Interpreter::Machine::descend(Value& root, const Path& path, std::size_t steps,
-                                     const Value*& indices) const {
+Value& descend(Value& root, const Path& path, std::size_t steps, const Value*& indices) {
     Value* v = &root;
     for (std::size_t i = 0; i < steps; ++i) {
         const auto& [step, name] = path.steps[i];
@@ -98,24 +78,15 @@ Value& Interpreter::Machine::descend(Value& root, const Path& path, std::size_t 
     return *v;
 }
 
-void Interpreter::Machine::checkBounds(const Value& root) const {
-    std::size_t budget = limits_.listLength;
+void checkBounds(const Value& root, std::size_t listLength) {
+    std::size_t budget = listLength;
     if (!root.withinBounds(kMaxValueDepth, budget)) {
         fault("Value is nested too deep or too large");
     }
 }
 
-void Interpreter::Machine::storePath(Thread& thread, const Path& path) {
-    Value& root = variable(thread, path);
-    Value* const end = thread.stack.data() + thread.top;
-    Value* const first = end - 1 - path.indexValues;
-    const Value* indices = first;
-    Value element = std::move(end[-1]);
-    const bool nested = element.nested();
-    Value& holder = descend(root, path, path.steps.size() - 1, indices);
-    // Writing to a shared list copies it.
-    thread.operations -= holder.is(Type::List) ? static_cast<std::int64_t>(holder.list().size() / 32) : 1;
-    const auto& [step, name] = path.steps.back();
+void assignElement(Value& holder, const Path::Part& part, const Value* indices, Value element) {
+    const auto& [step, name] = part;
     switch (step) {
         case Path::Step::Index:
             assignIndexed(holder, indices[0], element);
@@ -128,61 +99,13 @@ void Interpreter::Machine::storePath(Thread& thread, const Path& path) {
             if (member == nullptr) {
                 fault(std::string(holder.typeName()) + " has no member '" + name + "'");
             }
-            store(*member, std::move(element), name);
+            assign(*member, std::move(element), name);
             break;
         }
     }
-    if (nested) {
-        checkBounds(root);
-    }
-    for (Value* v = first; v != end; ++v) {
-        v->reset();
-    }
-    thread.top -= static_cast<std::size_t>(end - first);
 }
 
-// False: the thread waits for the result.
-bool Interpreter::Machine::callMethod(Thread& thread, const MethodCall& call) {
-    Value* const end = thread.stack.data() + thread.top;
-    Value* const arguments = end - call.arguments;
-    Value* first = arguments;
-    Value result;
-    if (call.onPath) {
-        Value& root = variable(thread, call.path);
-        first = arguments - call.path.indexValues;
-        const Value* indices = first;
-        Value& object = descend(root, call.path, call.path.steps.size(), indices);
-        if (isRemote(object)) {
-            const std::int32_t handle = object.structure().handle;
-            if (!callRemote(thread, handle, call, {arguments, end}, result)) {
-                return false;
-            }
-        } else {
-            result = applyMethod(object, call, arguments);
-        }
-        if (call.arguments > 0 && end[-1].nested() && !isRemote(object)) {
-            checkBounds(root);
-        }
-        thread.operations -= object.is(Type::List) ? static_cast<std::int64_t>(object.list().size() / 32) : 1;
-    } else {
-        --first;
-        if (isRemote(*first)) {
-            if (!callRemote(thread, first->structure().handle, call, {arguments, end}, result)) {
-                return false;
-            }
-        } else {
-            result = applyMethod(*first, call, arguments);
-        }
-    }
-    for (Value* v = first; v != end; ++v) {
-        v->reset();
-    }
-    *first = std::move(result);
-    thread.top = static_cast<std::size_t>(first - thread.stack.data()) + 1;
-    return true;
-}
-
-Value Interpreter::Machine::applyMethod(Value& object, const MethodCall& call, const Value* arguments) const {
+Value applyMethod(Value& object, const MethodCall& call, const Value* arguments) {
     const auto takes = [&](int least, int most) {
         if (call.arguments < least || call.arguments > most) {
             fault("Type error: wrong number of arguments for method '" + call.name + "'");

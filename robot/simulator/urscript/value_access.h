@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What may be assigned to what, the way down to an element or member, and the methods of values. All of them end in
+// a Fault where the language forbids it.
+
+#include <cstddef>
+#include <string>
+
+#include "robot/simulator/urscript/bytecode.h"
+#include "robot/simulator/urscript/value.h"
+
+namespace tiller::simulator::urscript {
+
+/// name  of the variable, in messages
+void assign(Value& variable, Value v, const std::string& name);
+/// The value `steps` steps down, as this holder's own. Moves `indices` past those used.
+Value& descend(Value& root, const Path& path, std::size_t steps, const Value*& indices);
+/// The last step of a path.
+void assignElement(Value& holder, const Path::Part& part, const Value* indices, Value element);
+void checkBounds(const Value& root, std::size_t listLength);
+Value applyMethod(Value& object, const MethodCall& call, const Value* arguments);
+
+}  // namespace tiller::simulator::urscript
