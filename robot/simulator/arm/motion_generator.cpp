@@ -4,492 +4,394 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/simulator/arm/motion.h"
+#include "robot/kinematics/arm_kinematics.h"
 #include "robot/simulator/arm/torque_motion.h"
 
 namespace tiller::simulator::arm {
 
 namespace {
-constexpr double kRampAcceleration = 12;       // rad/s2 of the fastest joint while program time changes pace
-constexpr double kFastestRamp = 10;            // 1/s
-constexpr double kEmergencyDeceleration = 25;  // rad/s2
-constexpr double kAbandonedDeceleration = 4;   // rad/s2
-constexpr double kTorqueEndDeceleration = 10;  // rad/s2
-constexpr double kAccelerationTolerance = 1e-3;
+constexpr double kSamePlace = 1e-7;  // m or rad
+constexpr double kRunOutLeast = 4;   // rad/s2 for what is left of a killed motion
+constexpr double kBranchTolerance = 1e-3;
+
+MotionStart refuse(MotionError error, int joint = -1) {
+    MotionStart start;
+    start.error = error;
+    start.joint = joint;
+    return start;
+}
+
+bool finiteTarget(const MoveTarget& target) {
+    return std::visit([](const auto& t) { return t.allFinite(); }, target);
+}
+
+bool positive(double x) {
+    return std::isfinite(x) && x > 0;
+}
+
+bool notNegative(double x) {
+    return std::isfinite(x) && x >= 0;
+}
 }  // namespace
 
-MotionGenerator::MotionGenerator(const ArmGeometry& geometry, double period, const JointPositions& start)
-    : geometry_(geometry)
-    , period_(period)
-    , planner_(geometry, limits_)
-    , path_(geometry, period)
-    , velocity_(geometry, limits_, period) {
-    limits_.speed = geometry.maxSpeed();
-    state_.q = start.values;
-}
-
-void MotionGenerator::setTcp(const Pose& T_flange_tcp) {
-    tcpToCome_ = T_flange_tcp;
-    if (mode_ != Mode::Path || !path_.followsTool()) {
-        adoptTcp();
+ToolPoint MotionGenerator::toolPoint(const MoveTarget& target) const {
+    if (const auto* pose = std::get_if<Pose>(&target)) {
+        return ToolPoint(pose->transform());
     }
+    return ToolPoint(geometry_.tcpPose(std::get<JointPositions>(target).values));
 }
 
-void MotionGenerator::adoptTcp() {
-    if (!tcpToCome_) {
-        return;
-    }
-    geometry_.setTcp(*tcpToCome_);
-    tcpToCome_.reset();
-    if (mode_ == Mode::Velocity) {
-        velocity_.toolChanged(state_, velocityScale());
-    }
+bool MotionGenerator::reachable(const ToolPoint& point) const {
+    const Eigen::Isometry3d flange = point.transform() * geometry_.tcpTransform().inverse();
+    return kinematics::inverse(geometry_.model().dh, flange).count > 0;
 }
 
-MotionStart MotionGenerator::begin() {
-    MotionStart start;
-    start.id = ++lastId_;
-    records_[start.id % kRecords] = {start.id, MotionProgress::Running};
-    abandonedFor_ = -1;
-    return start;
-}
-
-MotionStart MotionGenerator::ignored() {
-    const MotionStart start = begin();
-    finish(start.id, MotionProgress::Returned);
-    return start;
-}
-
-void MotionGenerator::finish(MotionId id, MotionProgress progress) {
-    Record& record = records_[id % kRecords];
-    if (id != 0 && record.id == id && record.progress == MotionProgress::Running) {
-        record.progress = progress;
-    }
-}
-
-void MotionGenerator::supersede() {
-    finish(activeId_, MotionProgress::Superseded);
-    finish(goalId_, MotionProgress::Superseded);
-    activeId_ = goalId_ = 0;
-}
-
-MotionProgress MotionGenerator::progress(MotionId id) const {
-    const Record& record = records_[id % kRecords];
-    return record.id == id && id != 0 ? record.progress : MotionProgress::Superseded;
-}
-
-std::optional<MotionError> MotionGenerator::refusal() const {
-    if (!operational_ || protectiveStop_) {
-        return MotionError::NotOperational;
-    }
-    return std::nullopt;
-}
-
-void MotionGenerator::abandon() {
-    if (mode_ != Mode::Rest && !(mode_ == Mode::Path && path_.current().kind == Segment::Kind::Stop)) {
-        abandonedFor_ = 0;
-    }
-    supersede();
-}
-
-Pose MotionGenerator::targetWaypoint() const {
-    if (mode_ == Mode::Path && path_.goal().kind != Segment::Kind::Stop) {
-        return Pose(path_.goal().endPoint.transform());
-    }
-    return Pose(geometry_.tcpPose(state_.q));
-}
-
-std::optional<MotionWarning> MotionGenerator::takeWarning() {
-    if (warningCount_ == 0) {
-        return std::nullopt;
-    }
-    const MotionWarning first = warnings_[0];
-    std::copy(warnings_.begin() + 1, warnings_.end(), warnings_.begin());
-    --warningCount_;
-    return first;
-}
-
-void MotionGenerator::setOperational(bool operational) {
-    if (operational_ && !operational) {
-        // The brakes take over: no position control, no velocity.
-        supersede();
-        path_.drop();
-        velocity_.drop();
-        mode_ = Mode::Rest;
-        state_.qd.setZero();
-    }
-    operational_ = operational;
-}
-
-void MotionGenerator::relocate(const JointTarget& state) {
-    supersede();
-    path_.drop();
-    velocity_.drop();
-    mode_ = Mode::Rest;
-    state_ = state;
-    if (moving()) {
-        startStop(10, 0);
-    }
-}
-
-void MotionGenerator::rebase(const JointTarget& state) {
-    if (mode_ == Mode::Rest) {
-        state_.q = state.q;
-    } else if (mode_ == Mode::Velocity) {
-        state_.q = state.q;
-        velocity_.relocated(state.q);
-    }
-}
-
-void MotionGenerator::abort(double deceleration) {
-    supersede();
-    const bool brakes =
-        mode_ == Mode::Path && path_.current().kind == Segment::Kind::Stop && !path_.nextWaiting();
-    // What a pause has slowed down must not get faster again because the program ends.
-    if (!brakes || (held_ && !path_.current().realTime)) {
-        path_.drop();
-        velocity_.drop();
-        mode_ = Mode::Rest;
-        startStop(deceleration, 0, readings_.programStopsScaled);
-    }
-    held_ = false;
-}
-
-void MotionGenerator::raise(StopReason reason, int joint) {
-    if (!protectiveStop_) {
-        protectiveStop_ = ProtectiveStop{reason, joint, activeId_};
-    }
-    finish(activeId_, MotionProgress::Failed);
-    finish(goalId_, MotionProgress::Failed);
-    activeId_ = goalId_ = 0;
-    path_.drop();
-    velocity_.drop();
-    mode_ = Mode::Rest;
-    startStop(kEmergencyDeceleration, 0, readings_.programStopsScaled);
-}
-
-void MotionGenerator::raiseFrom(const JointTarget& state, StopReason reason) {
-    state_ = state;
-    raise(reason, -1);
-    stepStop();
-}
-
-// What is left of the present velocity, braked in joint space: all joints together.
-bool MotionGenerator::jointRunOut(double deceleration, Segment& segment, double pace) const {
-    const Vector6 qd = state_.qd / pace;  // by the time the stop is measured in, as all below
-    const double hardest = limits_.acceleration / (pace * pace);
-    const double fastest = qd.cwiseAbs().maxCoeff();
-    if (fastest <= 1e-9) {
-        return false;
-    }
-    double duration = fastest / std::clamp(deceleration, 0.01, hardest);
-    for (int j = 0; j < kJointCount; ++j) {
-        const double v = std::abs(qd[j]);
-        if (v > 1e-9) {
-            const double left = limits_.position - (qd[j] > 0 ? state_.q[j] : -state_.q[j]);
-            duration = std::min(duration, 2 * std::max(0.0, left) / v);
+MotionError MotionGenerator::buildSegment(Segment& segment, Segment::Kind kind, const Vector6& fromQ,
+                                          const ToolPoint& fromTool, const MoveTarget& target,
+                                          const MoveTarget* via, ArcOrientation orientation, int& joint) {
+    segment.kind = kind;
+    segment.realTime = false;
+    segment.time = 0;
+    segment.endFault.reset();
+    segment.endFaultJoint = -1;
+    segment.inToolSpace = kind != Segment::Kind::Joint;
+    if (segment.inToolSpace) {
+        const ToolPoint to = toolPoint(target);
+        if (kind == Segment::Kind::Circular) {
+            segment.path =
+                ToolPath::arc(fromTool, toolPoint(*via).p, to, orientation == ArcOrientation::FixedToArc);
+        } else {
+            segment.path = ToolPath::line(fromTool, to);
         }
+        return MotionError::None;
     }
-    duration = std::max(duration, fastest / hardest);
-    segment = Segment{};
-    segment.kind = Segment::Kind::Stop;
-    segment.realTime = pace >= 1;
-    segment.from = segment.q = state_.q;
-    segment.direction = qd / fastest;
-    segment.profile = SpeedProfile::stop(fastest, duration);
-    segment.endQ = state_.q + qd * (0.5 * duration);
-    return true;
-}
-
-double MotionGenerator::stopPace(bool scaled) const {
-    constexpr double kStandingTime = 1e-3;  // program time slower than this stands still
-    // A pause that has begun freezes program time, and no stop with it. Nor can program time that stands still
-    // brake what moves all the same.
-    return !scaled || held_ || programScale_ < kStandingTime ? 1 : programScale_;
-}
-
-void MotionGenerator::startStop(double deceleration, MotionId id, bool scaled) {
-    path_.drop();
-    velocity_.drop();
-    pathScale_ = programScale_;
-    if (!jointRunOut(deceleration, runOut_, stopPace(scaled))) {
-        state_.qd.setZero();
-        mode_ = Mode::Rest;
-        finish(id, MotionProgress::Returned);
-        return;
-    }
-    runOut_.id = activeId_ = id;
-    path_.start(runOut_);
-    mode_ = Mode::Path;
-}
-
-void MotionGenerator::startVelocity(MotionId id, std::optional<double> t) {
-    supersede();
-    path_.drop();
-    // A period is not a whole part of a time stretched by the slider; what a command took too long must not
-    // add up from one to the next.
-    const bool follows = mode_ == Mode::Velocity && !blocking_ && sinceReturned_ == 0;
-    const double spent = follows && t ? overrun_ : 0.0;
-    overrun_ = 0;
-    if (mode_ != Mode::Velocity) {
-        velocityPace_ = velocityScale();
-    }
-    mode_ = Mode::Velocity;
-    activeId_ = id;
-    blocking_ = true;
-    blocksUntilSpeed_ = !t.has_value();
-    blockingLeft_ = t.value_or(0) - spent;
-    sinceReturned_ = 0;
-}
-
-void MotionGenerator::step() {
-    stepScale();
-    if (abandonedFor_ >= 0) {
-        abandonedFor_ += period_;
-        if (abandonedFor_ > Motion::kSpeedHold) {
-            abandonedFor_ = -1;
-            startStop(kAbandonedDeceleration, 0);
-        }
-    }
-    if (mode_ == Mode::Rest) {
-        adoptTcp();
-    }
-    switch (mode_) {
-        case Mode::Rest:
-            state_.qd.setZero();
-            scaling_ = held_ ? 0 : 1;
-            explainScaling(1, false);
-            break;
-        case Mode::Path:
-            stepPath();
-            break;
-        case Mode::Velocity:
-            stepVelocity();
-            break;
-        case Mode::Torque:
-            stepTorque();
-            break;
-    }
-}
-
-// Program time changes pace gently enough for the joints, at once when nothing moves.
-void MotionGenerator::stepScale() {
-    const double wanted = held_ ? 0 : slider_;
-    const double going = held_ ? 0 : 1;
-    if (mode_ == Mode::Rest) {
-        programScale_ = pathScale_ = wanted;
-        pauseScale_ = going;
-        programRate_ = 0;
-        return;
-    }
-    const double rate = std::min(kFastestRamp, kRampAcceleration / std::max(programRate_, 1e-3));
-    programScale_ = std::clamp(wanted, programScale_ - rate * period_, programScale_ + rate * period_);
-    pauseScale_ = std::clamp(going, pauseScale_ - rate * period_, pauseScale_ + rate * period_);
-}
-
-// What is left of joint velocities so that the tool keeps its limit, 0..1.
-double MotionGenerator::toolSpeedFactor(const Vector6& qd) const {
-    if (!std::isfinite(toolSpeedLimit_)) {
-        return 1;
-    }
-    Posture posture;
-    geometry_.evaluate(state_.q, posture);
-    const double speed = (posture.jacobian * qd).head<3>().norm();
-    return speed > toolSpeedLimit_ ? toolSpeedLimit_ / speed : 1.0;
-}
-
-// What has slowed this step; a pause and the way back from it are none of the limits.
-void MotionGenerator::explainScaling(double toolFactor, bool byJoints) {
-    scaledBy_ = byJoints              ? TimeScaleSource::JointSpeed
-                : toolFactor < 1      ? TimeScaleSource::ToolSpeed
-                : scaling_ < 1 - 1e-6 ? TimeScaleSource::Other
-                                      : TimeScaleSource::NotScaled;
-}
-
-// Finds a pace for this step at which every joint stays within speed and acceleration.
-std::optional<StopReason> MotionGenerator::chooseStep(double target, double& scale, PathCandidate& candidate,
-                                                      int& joint) {
-    const double possible = limits_.acceleration * period_;
-    double next = target;
-    for (int attempt = 0; attempt < 4; ++attempt) {
-        const double dtProgram = 0.5 * (pathScale_ + next) * period_;
-        path_.evaluate(period_, dtProgram, candidate);
-        if (!candidate.reached) {
-            return StopReason::Singularity;
-        }
-        double low = 0;
-        double high = target;
+    if (const auto* q = std::get_if<JointPositions>(&target)) {
         for (int j = 0; j < kJointCount; ++j) {
-            const double rate = candidate.rateProgram[j];
-            const double rest = candidate.rateReal[j];
-            if (std::abs(rate) < 1e-12) {
-                continue;
+            if (std::abs((*q)[j]) > limits_.position) {
+                joint = j;
+                return MotionError::JointTargetOutOfRange;
             }
-            const double top = std::min(state_.qd[j] + possible, limits_.speed[j]) - rest;
-            const double bottom = std::max(state_.qd[j] - possible, -limits_.speed[j]) - rest;
-            low = std::max(low, (rate > 0 ? bottom : top) / rate);
-            high = std::min(high, (rate > 0 ? top : bottom) / rate);
         }
-        const double better = std::clamp(next, std::min(low, high), std::max(low, high));
-        if (std::abs(better - next) < 1e-6) {
-            break;
+        segment.endQ = q->values;
+    } else {
+        const auto solution =
+            kinematics::inverseNearest(geometry_.model().dh, std::get<Pose>(target), geometry_.tcp(),
+                                       JointPositions(fromQ), limits_.position);
+        if (!solution) {
+            return MotionError::NoInverseKinematics;
         }
-        next = better;
+        segment.endQ = solution->values;
     }
-    scale = next;
-    const Vector6 qd = candidate.rateProgram * scale + candidate.rateReal;
-    const double slack = 1 + kAccelerationTolerance;
-    // Joints stop together: the fastest decides how long it takes.
-    const double stopTime = period_ + qd.cwiseAbs().maxCoeff() / (2 * limits_.acceleration);
-    if (!limits_.continuous(state_, {candidate.q, qd}, period_)) {
-        return StopReason::Singularity;
+    segment.from = fromQ;
+    const Vector6 way = segment.endQ - fromQ;
+    const double leading = way.cwiseAbs().maxCoeff();
+    segment.direction = leading > 0 ? Vector6(way / leading) : Vector6::Zero();
+    return MotionError::None;
+}
+
+MotionStart MotionGenerator::move(Segment::Kind kind, const MoveTarget& target,
+                                  const MoveParameters& parameters, const MoveTarget* via,
+                                  ArcOrientation orientation) {
+    if (const auto error = refusal()) {
+        return refuse(*error);
+    }
+    const MoveParameters& p = parameters;
+    if (!finiteTarget(target) || (via != nullptr && !finiteTarget(*via)) || !notNegative(p.t) ||
+        !notNegative(p.r) || !positive(p.a) || !positive(p.v)) {
+        return refuse(MotionError::InvalidArgument);
+    }
+    if (ignoring_) {
+        return ignored();
+    }
+    // With another TCP the old path has no corner in common with the new one.
+    const bool sameTool = !tcpToCome_;
+    if (mode_ == Mode::Path && path_.nextWaiting() && sameTool) {
+        return refuse(MotionError::Busy);
+    }
+    if (mode_ == Mode::Path && path_.acceptsNext() && sameTool &&
+        progress(activeId_) == MotionProgress::Returned) {
+        return queueMove(kind, target, parameters, via, orientation);
+    }
+    // From rest, or from whatever else moves the arm: that runs out while the move sets in.
+    adoptTcp();
+    const double least = kind == Segment::Kind::Joint ? std::max(p.a, kRunOutLeast) : kRunOutLeast;
+    const bool runsOut = jointRunOut(least, runOut_);
+    const Vector6 fromQ = runsOut ? runOut_.endQ : state_.q;
+    const ToolPoint fromTool(geometry_.tcpPose(fromQ));
+    Segment& segment = scratch_;
+    segment.r = p.r;
+    int joint = -1;
+    const MotionError error = buildSegment(segment, kind, fromQ, fromTool, target, via, orientation, joint);
+    if (error != MotionError::None) {
+        return refuse(error, joint);
+    }
+    supersede();
+    path_.drop();
+    velocity_.drop();
+    const MotionStart start = begin();
+    segment.id = activeId_ = start.id;
+    const double length =
+        segment.inToolSpace ? segment.path.length() : (segment.endQ - segment.from).cwiseAbs().maxCoeff();
+    if (length < kSamePlace && !runsOut) {
+        mode_ = Mode::Rest;
+        finish(start.id, MotionProgress::Returned);
+        activeId_ = 0;
+        return start;
+    }
+    if (segment.inToolSpace && !reachable(segment.path.finish())) {
+        raise(StopReason::PoseUnreachable, -1);
+        return start;
+    }
+    PathPlanner::Request request;
+    request.a = p.a;
+    request.v = p.v;
+    request.t = kind == Segment::Kind::Joint || kind == Segment::Kind::Linear ? p.t : 0;
+    planner_.plan(segment, fromQ, request);
+    if (segment.profile.duration() <= 0 && segment.endFault) {
+        raise(*segment.endFault, segment.endFaultJoint);
+        return start;
+    }
+    pathScale_ = programScale_;
+    if (runsOut) {
+        path_.start(segment, runOut_);
+    } else {
+        path_.start(segment);
+    }
+    mode_ = Mode::Path;
+    return start;
+}
+
+// The move that runs has reached its blend zone: this one takes over there.
+MotionStart MotionGenerator::queueMove(Segment::Kind kind, const MoveTarget& target, const MoveParameters& p,
+                                       const MoveTarget* via, ArcOrientation orientation) {
+    const Segment& before = path_.current();
+    Segment& segment = scratch_;
+    segment.r = p.r;
+    int joint = -1;
+    const MotionError error =
+        buildSegment(segment, kind, before.endQ, before.endPoint, target, via, orientation, joint);
+    if (error != MotionError::None) {
+        return refuse(error, joint);
+    }
+    const MotionStart start = begin();
+    segment.id = start.id;
+    const ToolPoint to =
+        planner_.pointAt(segment, segment.inToolSpace ? segment.path.length()
+                                                      : (segment.endQ - segment.from).cwiseAbs().maxCoeff());
+    if (p.r > 0 && (to.p - before.endPoint.p).norm() < before.r + p.r) {
+        // The zones overlap: this waypoint is left out, the next one follows directly.
+        if (warningCount_ < kMaxWarnings) {
+            warnings_[static_cast<std::size_t>(warningCount_++)] = MotionWarning::OverlappingBlends;
+        }
+        finish(start.id, MotionProgress::Returned);
+        return start;
+    }
+    if (segment.inToolSpace && !reachable(to)) {
+        activeId_ = start.id;
+        raise(StopReason::PoseUnreachable, -1);
+        return start;
+    }
+    PathPlanner::Request request;
+    request.a = p.a;
+    request.v = p.v;
+    request.t = kind == Segment::Kind::Joint || kind == Segment::Kind::Linear ? p.t : 0;
+    double switchTime = std::max(before.profile.zoneTime(), before.time);
+    const double zone = before.profile.length() - before.profile.sample(switchTime).s;
+    Vector6 startQ = before.endQ;
+    const bool rounds = kind == Segment::Kind::Process && before.kind == Segment::Kind::Process &&
+                        zone > kSamePlace && ToolPath::canRound(before.path, segment.path);
+    if (rounds) {
+        const double tangent = std::min(zone, 0.5 * segment.path.length());
+        segment.path = ToolPath::rounded(before.path, segment.path, tangent);
+        const double entry = before.profile.length() - tangent;
+        switchTime = std::max(before.time, before.profile.timeAtLength(entry));
+        request.startSpeed = before.profile.speedAtLength(entry);
+        startQ = before.q;
+        geometry_.follow(segment.path.start().transform(), startQ, posture_);
+    } else {
+        request.blendInTime = before.profile.duration() - switchTime;
+        request.blendInRadius = before.r;
+    }
+    planner_.plan(segment, startQ, request);
+    if (segment.endFault && segment.profile.duration() <= 0) {
+        activeId_ = start.id;
+        raise(*segment.endFault, segment.endFaultJoint);
+        return start;
+    }
+    path_.setNext(segment, switchTime);
+    goalId_ = start.id;
+    return start;
+}
+
+MotionStart MotionGenerator::servoJ(const JointPositions& q, double t, double lookahead, double gain) {
+    if (const auto error = refusal()) {
+        return refuse(*error);
+    }
+    if (!q.allFinite() || !notNegative(t) || !(lookahead >= 0.03 - 1e-9 && lookahead <= 0.2 + 1e-9) ||
+        !(gain >= 100 - 1e-9 && gain <= 2000 + 1e-9)) {
+        return refuse(MotionError::InvalidArgument);
+    }
+    if (ignoring_) {
+        return ignored();
     }
     for (int j = 0; j < kJointCount; ++j) {
-        if (std::abs(qd[j] - state_.qd[j]) > possible * slack + 1e-9 ||
-            std::abs(qd[j]) > limits_.speed[j] * slack + 1e-9) {
-            joint = j;
-            return StopReason::JointSpeedLimit;
-        }
-        // A joint must always be able to stop within its range. A move between two joint positions is, as
-        // both are in it.
-        const double outward = candidate.q[j] > 0 ? qd[j] : -qd[j];
-        const double stopping = outward > 0 ? outward * stopTime : 0.0;
-        if (!path_.withinItsEnds() && std::abs(candidate.q[j]) + stopping > limits_.position) {
-            joint = j;
-            return StopReason::JointPositionLimit;
+        if (std::abs(q[j]) > limits_.position) {
+            return refuse(MotionError::JointTargetOutOfRange, j);
         }
     }
-    return std::nullopt;
+    const MotionStart start = begin();
+    startVelocity(start.id, t);
+    velocity_.servoJ(state_, velocityScale(), q.values, t, lookahead, gain);
+    return start;
 }
 
-void MotionGenerator::pathFailed(StopReason reason, int joint) {
-    if (path_.current().kind == Segment::Kind::Stop) {
-        // A stop along the tool direction that cannot be followed becomes one in joint space.
-        const MotionId id = activeId_;
-        startStop(kEmergencyDeceleration, id);
-        return;
+MotionStart MotionGenerator::servoC(const Pose& target, double a, double v, double r) {
+    if (const auto error = refusal()) {
+        return refuse(*error);
     }
-    raise(reason, joint);
+    if (!target.allFinite() || !positive(a) || !positive(v) || !notNegative(r)) {
+        return refuse(MotionError::InvalidArgument);
+    }
+    if (ignoring_) {
+        return ignored();
+    }
+    adoptTcp();
+    const ToolPoint point(target.transform());
+    const MotionStart start = begin();
+    startVelocity(start.id, std::nullopt);
+    if (!reachable(point)) {
+        raise(StopReason::PoseUnreachable, -1);
+        return start;
+    }
+    velocity_.servoC(state_, velocityScale(), point, a, v, r);
+    return start;
 }
 
-// The first step of a joint-space stop that began within this period.
-void MotionGenerator::stepStop() {
-    if (mode_ != Mode::Path) {
-        return;
-    }
-    const double dtProgram = programScale_ * period_;
-    path_.evaluate(period_, dtProgram, candidate_);
-    path_.commit(period_, dtProgram, candidate_);
-    state_.q = candidate_.q;
-    state_.qd = candidate_.rateProgram * programScale_ + candidate_.rateReal;
+namespace {
+
+/// An acceleration worked out by a program as a difference over a vanishing time: as much as there is.
+double finiteAcceleration(double a) {
+    return std::isfinite(a) ? a : kJointAccelerationLimit;
 }
 
-void MotionGenerator::stepPath() {
-    const bool realTime = path_.current().realTime;
-    path_.prepare(programScale_ * period_);
-    double scale = pathScale_;
-    const double toolFactor = toolSpeedFactor(candidate_.rateProgram * programScale_);
-    const double target = std::min(programScale_ * toolFactor, pathScale_ + 0.5 * kFastestRamp * period_);
-    int limited = -1;
-    if (const auto failure = chooseStep(target, scale, candidate_, limited)) {
-        pathFailed(*failure, limited);
-        stepStop();
-        return;
-    }
-    const double dtProgram = 0.5 * (pathScale_ + scale) * period_;
-    path_.commit(period_, dtProgram, candidate_);
-    state_.q = candidate_.q;
-    state_.qd = candidate_.rateProgram * scale + candidate_.rateReal;
-    pathScale_ = scale;
-    programRate_ = candidate_.rateProgram.cwiseAbs().maxCoeff();
-    scaling_ = realTime ? 1 : std::clamp(scale / std::max(slider_, 1e-3), 0.0, 1.0);
-    explainScaling(toolFactor, !realTime && scale < target - 1e-6);
+}  // namespace
 
-    if (goalId_ != 0 && !path_.nextWaiting()) {
-        activeId_ = goalId_;
-        goalId_ = 0;
+MotionStart MotionGenerator::speedJ(const JointVelocities& qd, double a, std::optional<double> t) {
+    a = finiteAcceleration(a);
+    if (const auto error = refusal()) {
+        return refuse(*error);
     }
-    if (path_.currentReturned(std::max(programScale_, pathScale_))) {
-        finish(activeId_, MotionProgress::Returned);
+    // Acceleration 0 is harmless when the speed does not change or the time is given.
+    if (!qd.allFinite() || !notNegative(a) || (t && !notNegative(*t)) ||
+        (a == 0 && !t && (qd.values - state_.qd).norm() > kBranchTolerance)) {
+        return refuse(MotionError::InvalidArgument);
     }
-    if (path_.finished() || (realTime && path_.current().finished())) {
-        const std::optional<StopReason> fault = path_.current().endFault;
-        const int joint = path_.current().endFaultJoint;
-        state_.qd.setZero();
-        path_.drop();
-        mode_ = Mode::Rest;
-        if (fault) {
-            raise(*fault, joint);
-            return;
-        }
-        finish(activeId_, MotionProgress::Returned);
-        activeId_ = 0;
+    if (ignoring_) {
+        return ignored();
     }
+    const MotionStart start = begin();
+    startVelocity(start.id, t);
+    velocity_.speedJ(state_, velocityScale(), qd.values, a);
+    return start;
 }
 
-void MotionGenerator::stepVelocity() {
-    if (!blocking_ && sinceReturned_ > Motion::kSpeedHold) {
-        velocity_.expire();
+MotionStart MotionGenerator::speedL(const Twist& twist, double a, std::optional<double> t,
+                                    std::optional<double> aRot) {
+    a = finiteAcceleration(a);
+    if (aRot) {
+        aRot = finiteAcceleration(*aRot);
     }
-    int joint = -1;
-    const JointTarget before = state_;
-    const Vector6 rates = state_.qd / std::max(velocityPace_, 1e-2);
-    const double toolFactor = toolSpeedFactor(rates * velocityScale());
-    velocityPace_ = velocityScale() * toolFactor;
-    const std::optional<StopReason> stop = velocity_.step(velocityPace_, state_, joint);
-    scaling_ =
-        velocity_.slowedBy() *
-        std::clamp(velocityPace_ / std::max(readings_.speedCommandsScaled ? slider_ : 1.0, 1e-3), 0.0, 1.0);
-    explainScaling(toolFactor, velocity_.slowedBy() < 1);
-    programRate_ = state_.qd.cwiseAbs().maxCoeff() / std::max(velocityScale(), 1e-2);
-    if (stop) {
-        state_ = before;
-        raise(*stop, joint);
-        stepStop();
-        return;
+    if (const auto error = refusal()) {
+        return refuse(*error);
     }
-    if (blocking_) {
-        blockingLeft_ -= period_ * velocityScale();
-        const bool servoC = velocity_.kind() == VelocityMotion::Kind::ServoC;
-        const bool over = servoC              ? velocity_.targetReached()
-                          : blocksUntilSpeed_ ? velocity_.speedReached()
-                                              : blockingLeft_ <= 1e-9;
-        if (over) {
-            blocking_ = false;
-            sinceReturned_ = 0;
-            overrun_ = servoC || blocksUntilSpeed_
-                           ? 0.0
-                           : std::clamp(-blockingLeft_, 0.0, period_ * velocityScale());
-            finish(activeId_, MotionProgress::Returned);
-        }
-        return;
+    const Vector6 x = twist.vector();
+    const double rotation = aRot.value_or(a);
+    if (!x.allFinite() || !notNegative(a) || !notNegative(rotation) || (t && !notNegative(*t)) ||
+        ((a == 0 || rotation == 0) && !t && x.norm() > kBranchTolerance)) {
+        return refuse(MotionError::InvalidArgument);
     }
-    sinceReturned_ += period_;
-    if (sinceReturned_ > Motion::kSpeedHold && !held_ && velocity_.settled(state_)) {
-        velocity_.drop();
-        state_.qd.setZero();
-        mode_ = Mode::Rest;
-        activeId_ = 0;
+    if (ignoring_) {
+        return ignored();
     }
+    adoptTcp();
+    const MotionStart start = begin();
+    startVelocity(start.id, t);
+    velocity_.speedL(state_, velocityScale(), x, a, rotation);
+    return start;
 }
 
-void MotionGenerator::stepTorque() {
-    if (!blocking_) {
-        // Not repeated within a period: back to position control.
-        startStop(kTorqueEndDeceleration, 0);
-        stepStop();
-        return;
+MotionStart MotionGenerator::stopJ(double a) {
+    if (!positive(a)) {
+        return refuse(MotionError::InvalidArgument);
     }
-    const JointTarget before = state_;
-    int joint = -1;
-    if (const auto stop = torque_->step(period_, limits_, state_, joint)) {
-        state_ = before;
-        raise(*stop, joint);
-        stepStop();
-        return;
+    supersede();
+    const MotionStart start = begin();
+    startStop(a, start.id, readings_.stopsScaled);
+    return start;
+}
+
+MotionStart MotionGenerator::stopL(double a, std::optional<double> aRot) {
+    const double rotation = aRot.value_or(a);
+    if (!positive(a) || !positive(rotation)) {
+        return refuse(MotionError::InvalidArgument);
     }
-    blocking_ = false;
-    finish(activeId_, MotionProgress::Returned);
+    supersede();
+    adoptTcp();
+    const MotionStart start = begin();
+    geometry_.evaluate(state_.q, posture_);
+    const double pace = stopPace(readings_.stopsScaled);
+    const Vector6 qd = state_.qd / pace;
+    const Vector6 twist = posture_.jacobian * qd;
+    const Eigen::Vector3d v = twist.head<3>();
+    const Eigen::Vector3d w = twist.tail<3>();
+    const double duration =
+        std::max({v.norm() / a, w.norm() / rotation,
+                  qd.cwiseAbs().maxCoeff() * pace * pace / limits_.plannedAcceleration()});
+    Vector6 rates = Vector6::Zero();
+    if (v.norm() + w.norm() < 1e-9 || !geometry_.jointRates(posture_, twist, rates) ||
+        (rates - qd).norm() > kBranchTolerance) {
+        // Nothing to follow, or not a motion the tool could describe.
+        startStop(std::max(a, kRunOutLeast), start.id, readings_.stopsScaled);
+        return start;
+    }
+    path_.drop();
+    velocity_.drop();
+    Segment& segment = scratch_;
+    segment.id = activeId_ = start.id;
+    segment.kind = Segment::Kind::Stop;
+    segment.inToolSpace = true;
+    segment.realTime = pace >= 1;
+    segment.r = 0;
+    segment.endFault.reset();
+    segment.path = ToolPath::runOut(ToolPoint(posture_.T_base_tcp), v, w, 0.5 * duration);
+    segment.profile = SpeedProfile::stop(1, duration);
+    segment.q = segment.endQ = state_.q;
+    pathScale_ = programScale_;
+    path_.start(segment);
+    mode_ = Mode::Path;
+    return start;
+}
+
+MotionStart MotionGenerator::directTorque(const JointTorques& torques, const Vector6& viscous,
+                                          const Vector6& coulomb) {
+    if (const auto error = refusal()) {
+        return refuse(*error);
+    }
+    if (!torques.allFinite() || !viscous.allFinite() || !coulomb.allFinite() || torque_ == nullptr) {
+        return refuse(MotionError::InvalidArgument);
+    }
+    if (ignoring_) {
+        return ignored();
+    }
+    supersede();
+    path_.drop();
+    velocity_.drop();
+    const MotionStart start = begin();
+    torque_->command(torques, viscous, coulomb);
+    mode_ = Mode::Torque;
+    activeId_ = start.id;
+    blocking_ = true;
+    return start;
 }
 
 }  // namespace tiller::simulator::arm

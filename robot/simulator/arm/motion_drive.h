@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What drives the arm, a control period at a time: a path, a speed or torques. It keeps program time and has the last
+// word on what is asked of the joints. What commands become is MotionGenerator's.
+
+#include <array>
+#include <limits>
+#include <optional>
+
+#include "robot/simulator/arm/arm_geometry.h"
+#include "robot/simulator/arm/arm_state.h"
+#include "robot/simulator/arm/joint_limits.h"
+#include "robot/simulator/arm/motion_types.h"
+#include "robot/simulator/arm/path_motion.h"
+#include "robot/simulator/arm/path_segment.h"
+#include "robot/simulator/arm/velocity_motion.h"
+
+namespace tiller::simulator::arm {
+
+class TorqueMotion;
+
+class MotionDrive {
+public:
+    MotionDrive(const ArmGeometry& geometry, double period, const JointPositions& start);
+
+    MotionProgress progress(MotionId id) const;
+    void abandon();
+    Pose targetWaypoint() const;
+    bool isActive() const { return mode_ != Mode::Rest; }
+    bool followsPath() const { return mode_ == Mode::Path; }
+    bool followsTorque() const { return mode_ == Mode::Torque; }
+    /// Highest TCP speed of the program [m/s]; infinity where nothing limits it. Slows the motion down on its
+    /// path, which shows in speedScaling().
+    void setToolSpeedLimit(double limit) { toolSpeedLimit_ = limit; }
+    TimeScaleSource scaledBy() const { return scaledBy_; }
+
+    // the arm
+    void step();
+    const JointTarget& target() const { return state_; }
+    void setOperational(bool operational);
+    void setSpeedFraction(double fraction) { slider_ = fraction; }
+    void setReadings(const Readings& readings) { readings_ = readings; }
+    const Readings& readings() const { return readings_; }
+    double speedFraction() const { return slider_; }
+    void hold() { held_ = true; }
+    void resume() { held_ = false; }
+    bool isHeld() const { return held_; }
+    /// Slow-down by limits, pause and resume; without the slider.
+    double speedScaling() const { return scaling_; }
+    /// Drops every command and stops in joint space.
+    void abort(double deceleration);
+    /// Puts the arm elsewhere: at rest (`state.qd` zero), or with a velocity that is then braked.
+    void relocate(const JointTarget& state);
+    /// The target is moved by somebody else (force mode, freedrive); speed commands go on from there.
+    void rebase(const JointTarget& state);
+    /// Speed commands turn about the new TCP at once; a tool path under way is finished with the old one.
+    void setTcp(const Pose& T_flange_tcp);
+    void setTorqueMotion(TorqueMotion* torque) { torque_ = torque; }
+    /// Freedrive: commands return without effect.
+    void setIgnoringCommands(bool ignoring) { ignoring_ = ignoring; }
+
+    void raise(StopReason reason, int joint);
+    /// The same from within a step: the arm is in `state`, and the first period of the stop is taken at once.
+    void raiseFrom(const JointTarget& state, StopReason reason);
+    const std::optional<ProtectiveStop>& protectiveStop() const { return protectiveStop_; }
+    void clearProtectiveStop() { protectiveStop_.reset(); }
+    std::optional<MotionWarning> takeWarning();
+    const JointLimits& limits() const { return limits_; }
+
+protected:
+    enum class Mode : std::uint8_t { Rest, Path, Velocity, Torque };
+    struct Record {
+        MotionId id = 0;
+        MotionProgress progress = MotionProgress::Superseded;
+    };
+    static constexpr std::size_t kRecords = 64;
+    static constexpr int kMaxWarnings = 8;
+
+    std::optional<MotionError> refusal() const;
+    MotionStart begin();
+    MotionStart ignored();
+    void finish(MotionId id, MotionProgress progress);
+    void supersede();
+
+    void adoptTcp();
+    /// pace  of program time by which the stop is measured; 1: real time
+    bool jointRunOut(double deceleration, Segment& segment, double pace = 1) const;
+    void startStop(double deceleration, MotionId id, bool scaled = false);
+    /// For a stop that begins now.
+    double stopPace(bool scaled) const;
+    /// Of speed and servo commands.
+    double velocityScale() const { return readings_.speedCommandsScaled ? programScale_ : pauseScale_; }
+    bool moving() const { return state_.qd.cwiseAbs().maxCoeff() > 1e-9; }
+
+    void stepScale();
+    void explainScaling(double toolFactor, bool byJoints);
+    double toolSpeedFactor(const Vector6& qd) const;
+    void stepPath();
+    void stepStop();
+    void stepVelocity();
+    void stepTorque();
+    std::optional<StopReason> chooseStep(double target, double& scale, PathCandidate& candidate, int& joint);
+    void pathFailed(StopReason reason, int joint);
+    void startVelocity(MotionId id, std::optional<double> t);
+
+    ArmGeometry geometry_;  // own: with the TCP of the motion under way
+    std::optional<Pose> tcpToCome_;
+    double period_;
+    JointLimits limits_;
+    PathPlanner planner_;
+    PathMotion path_;
+    VelocityMotion velocity_;
+    TorqueMotion* torque_ = nullptr;
+    Segment scratch_;
+    Segment runOut_;
+    Posture posture_;
+    PathCandidate candidate_;
+
+    Mode mode_ = Mode::Rest;
+    JointTarget state_;
+    bool operational_ = false;
+    bool ignoring_ = false;
+
+    Readings readings_;
+    double slider_ = 1;
+    bool held_ = false;
+    double programScale_ = 1;  // slider and pause, ramped
+    double pathScale_ = 1;     // the same, and what the limits leave of it
+    double pauseScale_ = 1;    // pause alone, ramped
+    double scaling_ = 1;
+    TimeScaleSource scaledBy_ = TimeScaleSource::NotScaled;
+    double programRate_ = 0;   // fastest joint, in program time
+    double velocityPace_ = 1;  // program time as the last velocity step took it
+    double toolSpeedLimit_ = std::numeric_limits<double>::infinity();
+
+    MotionId lastId_ = 0;
+    MotionId activeId_ = 0;
+    MotionId goalId_ = 0;  // of a move that waits to be blended in
+    std::array<Record, kRecords> records_{};
+    double blockingLeft_ = 0;
+    bool blocksUntilSpeed_ = false;
+    bool blocking_ = false;
+    double sinceReturned_ = 0;
+    double abandonedFor_ = -1;
+
+    std::optional<ProtectiveStop> protectiveStop_;
+    std::array<MotionWarning, kMaxWarnings> warnings_{};
+    int warningCount_ = 0;
+    // Program time by which the last timed speed or servo command overran: the next one is shorter by it.
+    double overrun_ = 0;
+};
+
+}  // namespace tiller::simulator::arm
