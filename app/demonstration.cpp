@@ -69,17 +69,17 @@ void Demonstration::addSteps() {
     steps_.push_back({tr("connect"), [this] { window_.connectSimulator(); },
                       [=] { return state().link == LinkState::Live; }});
     steps_.push_back(
-        {tr("power on"), [this] { window_.session().perform(RobotCommand::PowerOn); },
+        {tr("power on"), [this] { window_.session().services().perform(RobotCommand::PowerOn); },
          [=] { return state().robotMode == RobotMode::Idle || state().robotMode == RobotMode::Running; },
          30'000});
     steps_.push_back({tr("release the brakes"),
-                      [this] { window_.session().perform(RobotCommand::ReleaseBrakes); },
+                      [this] { window_.session().services().perform(RobotCommand::ReleaseBrakes); },
                       [=] { return state().robotMode == RobotMode::Running; }, 30'000});
     steps_.push_back(
         {tr("take control"), [this] { window_.session().takeControl(); }, [=] { return state().canMove(); }});
     steps_.push_back(
         {tr("start recording"),
-         [this] { window_.session().startRecording(folder_.filePath(QStringLiteral("recording.csv"))); },
+         [this] { window_.session().recording().start(folder_.filePath(QStringLiteral("recording.csv"))); },
          [=] { return state().recording.active && state().recording.rows > 0; }});
     steps_.push_back({tr("teach the first waypoint"), [this] { click(QStringLiteral("waypoint.teach")); },
                       [this] { return window_.waypointCount() == 1; }});
@@ -140,7 +140,7 @@ void Demonstration::addSteps() {
                           }
                       },
                       [] { return true; }});
-    steps_.push_back({tr("stop recording"), [this] { window_.session().stopRecording(); },
+    steps_.push_back({tr("stop recording"), [this] { window_.session().recording().stop(); },
                       [=] { return !state().recording.active && state().recording.error.isEmpty(); }});
 }
 
@@ -191,7 +191,7 @@ void Demonstration::finish() {
     timer_.stop();
     if (!failed_.isEmpty()) {
         window_.session().stop(control::StopCause::ApiCall);
-        window_.session().stopRecording();
+        window_.session().recording().stop();
     }
     QFile file(folder_.filePath(QStringLiteral("summary.txt")));
     if (file.open(QIODevice::WriteOnly)) {

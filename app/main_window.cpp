@@ -240,10 +240,10 @@ void MainWindow::connectParts() {
     connectFrames();
     connectProject();
     io_->setNames(settings_.ioNames());
-    session_->setIoNames(io_->names());
+    session_->outputs().setNames(io_->names());
     connect(io_, &IoTab::namesChanged, this, [this] {
         settings_.setIoNames(io_->names());
-        session_->setIoNames(io_->names());
+        session_->outputs().setNames(io_->names());
     });
     followJog();
 

@@ -121,7 +121,7 @@ void MainWindow::buildActions() {
 
 void MainWindow::addRobotActions() {
     const auto perform = [this](RobotCommand command) {
-        return [this, command] { session_->perform(command); };
+        return [this, command] { session_->services().perform(command); };
     };
     actions_->add({"robot.connect", tr("Connect…"), tr("Choose the simulator, a robot or a project."),
                    QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C), [this] { askForRobot(); }});
@@ -231,7 +231,7 @@ void MainWindow::addProjectActions() {
 
 void MainWindow::addControlActions() {
     const auto perform = [this](RobotCommand command) {
-        return [this, command] { session_->perform(command); };
+        return [this, command] { session_->services().perform(command); };
     };
     actions_->add({"control.take",
                    tr("Take control"),
@@ -373,7 +373,7 @@ void MainWindow::askForProgram() {
                              : tr("Name of the program on the robot, as in pick.urp"));
     connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& name) {
         if (!name.trimmed().isEmpty()) {
-            session_->loadProgram(name.trimmed());
+            session_->services().loadProgram(name.trimmed());
         }
     });
     dialog->open();

@@ -157,7 +157,7 @@ void TestBlackHole::askForEverything(Waits& waits) {
     bench.window.openProject(bench.folder.filePath("cell.tiller"));
     QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
     bench.window.waypoints().teach();
-    bench.window.session().startRecording(bench.folder.filePath("recording.csv"));
+    bench.window.session().recording().start(bench.folder.filePath("recording.csv"));
     bench.cell.advanceMs(100);
     bench.cell.robot.silence(true);
 
@@ -199,10 +199,10 @@ void TestBlackHole::askForEverything(Waits& waits) {
     }
     RobotSession& session = bench.window.session();
     measure("take control", [&session] { session.takeControl(); });
-    measure("set an output", [&session] { session.setDigitalOutput(3, true); });
-    measure("speed slider", [&session] { session.setSpeedSlider(0.5); });
-    measure("record", [&] { session.startRecording(bench.folder.filePath("second.csv")); });
-    measure("stop recording", [&session] { session.stopRecording(); });
+    measure("set an output", [&session] { session.outputs().setDigitalOutput(3, true); });
+    measure("speed slider", [&session] { session.outputs().setSpeedSlider(0.5); });
+    measure("record", [&] { session.recording().start(bench.folder.filePath("second.csv")); });
+    measure("stop recording", [&session] { session.recording().stop(); });
     measure("teach and save by itself", [&bench] {
         bench.window.waypoints().teach();
         QTest::qWait(1);
@@ -211,7 +211,7 @@ void TestBlackHole::askForEverything(Waits& waits) {
          {RobotCommand::PowerOn, RobotCommand::ReleaseBrakes, RobotCommand::PowerOff,
           RobotCommand::RestartSafety, RobotCommand::ClosePopups, RobotCommand::Play, RobotCommand::Pause,
           RobotCommand::StopProgram}) {
-        measure(commandText(command), [&session, command] { session.perform(command); });
+        measure(commandText(command), [&session, command] { session.services().perform(command); });
     }
     measure("stop", [&session] { session.stop(control::StopCause::StopButton); });
     measure("disconnect", [&session] { session.disconnectFromRobot(); });

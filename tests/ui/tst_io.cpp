@@ -67,7 +67,7 @@ private Q_SLOTS:
         press(find<HoldButton>("homeKey"));
         cell().advanceMs(300);
         QVERIFY(!standsStill(cell()));
-        bench_->window.session().setDigitalOutput(2, true);
+        bench_->window.session().outputs().setDigitalOutput(2, true);
         QVERIFY(until([this] { return output(2); }));
         QVERIFY2(!standsStill(cell()), "the arm goes on");
         QVERIFY(find<HoldButton>("homeKey").isHolding());

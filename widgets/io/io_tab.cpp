@@ -36,7 +36,7 @@ IoTab::IoTab(RobotSession& session, QWidget* parent)
     , notice_(new QLabel) {
     setObjectName(QStringLiteral("io"));
     setAccessibleName(tr("Inputs and outputs"));
-    setOutput_ = [this](int output, bool on) { session_.setDigitalOutput(output, on); };
+    setOutput_ = [this](int output, bool on) { session_.outputs().setDigitalOutput(output, on); };
 
     notice_->setObjectName(QStringLiteral("io.notice"));
     notice_->setProperty("role", "warning");
@@ -207,7 +207,7 @@ void IoTab::refresh() {
             notice_->show();
         }
         out->setStale(stale);
-        out->setObstacle(stale ? QString() : session_.outputHolders().digital(channel));
+        out->setObstacle(stale ? QString() : session_.outputs().holders().digital(channel));
         out->setState(!known    ? State::Unknown
                       : pending ? (on ? State::PendingOff : State::PendingOn)
                       : on      ? State::On

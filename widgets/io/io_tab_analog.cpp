@@ -41,7 +41,7 @@ void IoTab::buildAnalog(QVBoxLayout* layout) {
     for (int channel = 0; channel < 2; ++channel) {
         connect(add(QStringLiteral("AO %1").arg(channel), true), &AnalogRow::setRequested, this,
                 [this, channel](io::AnalogDomain domain, double level) {
-                    session_.setAnalogOutput(channel, domain, level);
+                    session_.outputs().setAnalogOutput(channel, domain, level);
                 });
     }
     registerHeading_ = heading(tr("Registers of the robot's programs"));
@@ -78,7 +78,7 @@ void IoTab::refreshAnalog(bool known, bool stale) {
         analogOutputs_[channel]->setValue(robot.analogOutput(channel), domain(2 + channel),
                                           !std::isnan(robot.analogOutput(channel)), stale);
         analogOutputs_[channel]->setObstacle(stale ? tr("No data from the robot.")
-                                                   : session_.outputHolders().analog);
+                                                   : session_.outputs().holders().analog);
     }
     registers_->show(robot, stale);
 }

@@ -70,7 +70,7 @@ void PlotDock::askExport() {
 
 void PlotDock::toggleRecording() {
     if (recording_) {
-        session_.stopRecording();
+        session_.recording().stop();
         return;
     }
     QString folder = recordingFolder_;
@@ -81,7 +81,7 @@ void PlotDock::toggleRecording() {
     QDir().mkpath(folder);
     const QString name =
         QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HH-mm-ss")) + QStringLiteral(".csv");
-    session_.startRecording(QDir(folder).filePath(name));
+    session_.recording().start(QDir(folder).filePath(name));
 }
 
 }  // namespace tiller

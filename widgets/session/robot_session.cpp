@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/session/robot_session.h"
 
-#include <cmath>
-
 #include "robot/control/compliance.h"
 #include "robot/control/motions.h"
 #include "widgets/common/notation.h"
@@ -16,7 +14,6 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kTakeControlTime{5000};
-constexpr milliseconds kConfirmTime{2000};
 constexpr int kRefreshMs = 16;
 
 QString stopSentence(const control::StopMeasurement& stop) {
@@ -46,7 +43,11 @@ bool isByHand(control::StopCause cause) {
 }  // namespace
 
 RobotSession::RobotSession(const Clock& clock, QObject* parent)
-    : QObject(parent), d_(std::make_unique<Backend>(clock)) {
+    : QObject(parent)
+    , d_(std::make_unique<SessionBackend>(clock))
+    , outputs_(*this, *d_)
+    , services_(*this, *d_)
+    , recording_(*this, *d_) {
     qRegisterMetaType<SessionState>();
     d_->refreshTimer.setTimerType(Qt::PreciseTimer);
     d_->refreshTimer.setInterval(kRefreshMs);
@@ -135,7 +136,7 @@ void RobotSession::disconnectFromRobot() {
         return;
     }
     stop(control::StopCause::ControlLost);
-    stopRecording();
+    recording_.stop();
     ++d_->generation;
     d_->controlling.cancelAll();
     d_->worker.cancelAll();
@@ -149,21 +150,12 @@ void RobotSession::disconnectFromRobot() {
     d_->link.reset();
     d_->takingControl = false;
     d_->refusal.clear();
-    d_->outputHolders = {};
-    d_->report = {};
-    d_->reportAsked = false;
-    d_->remoteSeen = false;
+    outputs_.forget();
+    services_.forget();
     d_->localRefuses = false;
-    d_->primarySeen = false;
     d_->history.clear();
-    d_->sampleConnection = 0;
-    d_->sliderBusy = false;
-    d_->sliderWanted.reset();
-    d_->sliderLogged.reset();
-    d_->sliderAskedNs = 0;
     d_->stopsSeen = 0;
     d_->ownStops = 0;
-    d_->stopInControl.reset();
     d_->foreignStops = 0;
     d_->linkSeen = LinkState::Disconnected;
     Q_EMIT message(Severity::Info, tr("Disconnected from %1").arg(d_->address.name));
@@ -184,7 +176,7 @@ void RobotSession::takeControl() {
     }
     d_->takingControl = true;
     d_->refusal.clear();
-    d_->stopInControl.reset();
+    services_.forgetStop();
     d_->link->foreignStop->withdraw();
     const CancelToken stopped;
     d_->taking = stopped;
@@ -222,44 +214,11 @@ void RobotSession::releaseControl() {
     if (!d_->link) {
         return;
     }
-    d_->stopInControl.reset();
+    services_.forgetStop();
     d_->taking.cancel();
     d_->controlling.post(this, [controller = d_->link->controller](const CancelToken&) {
         controller->release();
         return std::function<void()>();
-    });
-}
-
-// ---- outputs
-// -------------------------------------------------------------------------------------------------------
-
-void RobotSession::setSpeedSlider(double fraction) {
-    if (!d_->link) {
-        return;
-    }
-    if (d_->sliderBusy) {
-        // A slider is dragged faster than the robot confirms: only the newest wish counts.
-        d_->sliderWanted = fraction;
-        return;
-    }
-    d_->sliderBusy = true;
-    d_->sliderAskedNs = d_->clock->nowNs();
-    const std::uint64_t generation = d_->generation;
-    d_->worker.post(this, [this, generation, fraction,
-                           outputs = d_->link->outputs](const CancelToken& token) {
-        const Result<void> result = outputs->setSpeedSlider(fraction, Deadline::after(kConfirmTime, token));
-        return std::function<void()>([this, generation, result] {
-            if (generation != d_->generation) {
-                return;
-            }
-            d_->sliderBusy = false;
-            if (!result) {
-                Q_EMIT message(Severity::Error, texts::errorText(result.error()));
-            }
-            if (d_->sliderWanted) {
-                setSpeedSlider(*std::exchange(d_->sliderWanted, std::nullopt));
-            }
-        });
     });
 }
 
@@ -342,55 +301,7 @@ void RobotSession::stop(control::StopCause cause) {
         return;
     }
     d_->link->controller->stop(cause);
-    stopForeignProgram(cause);
-}
-
-// ---- recording
-// -----------------------------------------------------------------------------------------------------
-
-void RobotSession::startRecording(const QString& path) {
-    if (!d_->link) {
-        Q_EMIT message(Severity::Warning, tr("Nothing is recorded: connect to a robot first."));
-        return;
-    }
-    // A file system may take its time: the file is opened and closed by the worker for files.
-    const receive::Receiver& receiver = *d_->link->receiver;
-    d_->files.post(
-        this, [this, path, stream = receiver.subscribe(), layout = receiver.layout()](const CancelToken&) {
-            recording::RecorderOptions options;
-            options.path = path;
-            const Result<void> result = d_->recorder.start(options, stream, layout);
-            return std::function<void()>([this, path, result] {
-                if (result) {
-                    d_->wasRecording = true;
-                    Q_EMIT message(Severity::Info, tr("Recording to %1").arg(path), Origin::Operator);
-                } else {
-                    Q_EMIT message(Severity::Error, texts::errorText(result.error()));
-                }
-                refresh();
-            });
-        });
-}
-
-void RobotSession::stopRecording() {
-    d_->wasRecording = false;
-    d_->files.post(this, [this](const CancelToken&) {
-        if (d_->recorder.progress().state != recording::RecorderState::Recording) {
-            return std::function<void()>();
-        }
-        d_->recorder.stop();
-        return std::function<void()>([this] {
-            const recording::RecorderProgress progress = d_->recorder.progress();
-            if (progress.state == recording::RecorderState::Finished) {
-                Q_EMIT message(Severity::Info,
-                               tr("Recorded %n rows to %1", nullptr, static_cast<int>(progress.rows))
-                                   .arg(d_->recorder.path()));
-            } else if (progress.state == recording::RecorderState::Failed) {
-                Q_EMIT message(Severity::Error, texts::errorText(d_->recorder.error()));
-            }
-            refresh();
-        });
-    });
+    services_.stopForeignProgram(cause);
 }
 
 // ---- the frame
@@ -400,9 +311,11 @@ void RobotSession::refresh() {
     d_->read();
     reportChanges();
     if (d_->link) {
-        followForeignStop();
-        keepOutputsConnected();
-        askService();
+        services_.followForeignStop();
+        if (outputs_.keepConnected()) {
+            d_->link->foreignStop->warmUp();
+        }
+        services_.ask();
     }
     Q_EMIT stateChanged(d_->state);
 }
@@ -430,35 +343,11 @@ void RobotSession::reportChanges() {
                        obstacle.isEmpty() ? tr("Safety is normal again") : obstacle, Origin::Robot);
     }
     if (state.link == LinkState::Live) {
-        reportSlider();
+        outputs_.reportSlider();
     }
-    if (d_->wasRecording && !state.recording.error.isEmpty()) {
-        d_->wasRecording = false;
-        Q_EMIT message(Severity::Error, state.recording.error);
-    }
+    recording_.reportFailure();
     if (d_->link) {
         reportControllerMessages();
-    }
-}
-
-// Whoever moved it; once it has come to rest, because a hand that draws it passes many places.
-void RobotSession::reportSlider() {
-    constexpr std::int64_t kRestNs = 500 * kNsPerMs;
-    constexpr std::int64_t kOursNs = 3 * kNsPerSecond;  // so long a place asked for may take to be there
-    constexpr double kSame = 0.005;
-    const std::int64_t now = d_->clock->nowNs();
-    const double fraction = d_->state.speedFraction;
-    if (fraction != d_->sliderSeen) {
-        d_->sliderSeen = fraction;
-        d_->sliderMovedNs = now;
-    }
-    if (!d_->sliderLogged) {
-        d_->sliderLogged = fraction;
-    } else if (std::abs(fraction - *d_->sliderLogged) > kSame && now - d_->sliderMovedNs >= kRestNs) {
-        d_->sliderLogged = fraction;
-        const bool ours = d_->sliderAskedNs != 0 && d_->sliderMovedNs - d_->sliderAskedNs < kOursNs;
-        Q_EMIT message(Severity::Info, tr("Speed slider: %1 %").arg(fraction * 100, 0, 'f', 0),
-                       ours ? Origin::Operator : Origin::Robot);
     }
 }
 

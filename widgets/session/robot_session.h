@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The one object through which the interface sees and moves a robot. It owns the backend (receiver,
-// controller, I/O, the service for power and programs, recorder), turns their state into one SessionState a
-// frame, and turns what the hand does into commands. Widgets hold it by reference and never talk to the
-// backend themselves.
+// The one object through which the interface sees and moves a robot. It makes and ends the link, takes control, turns
+// the state of all into one SessionState a frame, and what the hand does into motion; outputs, services and recording
+// are parts of it. Widgets hold it by reference and never talk to the backend themselves.
 
-#include <QMap>
 #include <QObject>
 #include <QString>
 #include <functional>
@@ -15,8 +13,9 @@
 #include "robot/core/clock.h"
 #include "robot/core/result.h"
 #include "robot/script/controller_message.h"
-#include "widgets/session/io_commands.h"
-#include "widgets/session/robot_command.h"
+#include "widgets/session/robot_outputs.h"
+#include "widgets/session/robot_services.h"
+#include "widgets/session/session_recording.h"
 #include "widgets/session/session_state.h"
 
 namespace tiller {
@@ -26,9 +25,6 @@ class Receiver;
 }
 namespace control {
 struct Freedrive;
-}
-namespace dashboard {
-struct ServiceReport;
 }
 
 struct RobotAddress {
@@ -68,27 +64,18 @@ public:
     void connectTo(const RobotAddress& address);
     void disconnectFromRobot();
 
-    // Power, recovery, programs. The outcome comes through stateChanged and message.
-    void perform(RobotCommand command);
-    /// Only ever on the operator's explicit word.
-    void unlockProtectiveStop(const UnlockConsent& consent);
-    /// name  as the controller's programs folder has it
-    void loadProgram(const QString& name);
+    /// Outputs, registers and the speed slider.
+    RobotOutputs& outputs() { return outputs_; }
+    const RobotOutputs& outputs() const { return outputs_; }
+    /// Power, recovery and programs.
+    RobotServices& services() { return services_; }
+    SessionRecording& recording() { return recording_; }
+
+    // Control. The outcome comes through stateChanged and message.
     /// Uploads the control script; needs RUNNING, and Remote control where the controller has it.
     void takeControl();
     /// Ends the control program; the robot is free for others.
     void releaseControl();
-
-    /// fraction  0.02 ... 1; others are refused with a message
-    void setSpeedSlider(double fraction);
-    /// output  0-7 standard, 8-15 configurable, 16-17 tool
-    void setDigitalOutput(int output, bool on);
-    /// output  0 or 1; level  0 ... 1 of 4 to 20 mA or 0 to 10 V
-    void setAnalogOutput(int output, io::AnalogDomain domain, double level);
-    void setRegister(const RegisterValue& value);
-    const OutputHolders& outputHolders() const;
-    /// The operator's own names, by terminal ("DO 0", "AO 1"): messages use them.
-    void setIoNames(const QMap<QString, QString>& names);
 
     // Motion. A motion is begun by a press and needs hold() at least every 100 ms until it is ended; whoever
     // begins it keeps the number it was given, and a number that has been stopped never moves the arm again.
@@ -110,11 +97,6 @@ public:
     /// whatever moves.
     void setSpeedCap(double metresPerSecond);
 
-    // Recording: one CSV row per packet.
-    /// Both return at once; what became of it shows in SessionState::recording and as a message.
-    void startRecording(const QString& path);
-    void stopRecording();
-
     /// Makes a new SessionState from the newest sample and tells everybody. Called by a 60 Hz timer that the
     /// session owns; tests in virtual time call it themselves.
     void refresh();
@@ -134,20 +116,13 @@ Q_SIGNALS:
     void controllerMessage(const tiller::script::ControllerMessage& message);
 
 private:
-    void keepOutputsConnected();
-    QString terminalText(const QString& terminal) const;
-    void report(std::uint64_t generation, const QString& done, const Result<void>& result);
-    void askService();
-    void followService(const dashboard::ServiceReport& report);
-    void leaveForLocal();
-    void stopForeignProgram(control::StopCause cause);
-    void followForeignStop();
     void reportChanges();
-    void reportSlider();
     void reportControllerMessages();
 
-    struct Backend;
-    std::unique_ptr<Backend> d_;
+    std::unique_ptr<SessionBackend> d_;
+    RobotOutputs outputs_;
+    RobotServices services_;
+    SessionRecording recording_;
 };
 
 }  // namespace tiller

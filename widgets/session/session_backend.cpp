@@ -23,13 +23,13 @@ RobotModelId modelOf(const script::RobotConfiguration& configuration, const Soft
 
 }  // namespace
 
-void RobotSession::Backend::read() {
+void SessionBackend::read() {
     if (link == nullptr) {
         const RecordingState recordingState = state.recording;
         state = SessionState{};
         state.recording = recordingState;
         state.speedCap = limits.tcpSpeed;
-        state.controlReason = tr("Not connected to a robot.");
+        state.controlReason = RobotSession::tr("Not connected to a robot.");
         readRecording();
         return;
     }
@@ -44,7 +44,7 @@ void RobotSession::Backend::read() {
     state.controlReason = obstacle();
 }
 
-void RobotSession::Backend::readLink() {
+void SessionBackend::readLink() {
     const receive::Receiver& receiver = *link->receiver;
     const std::int64_t age = receiver.ageNs();
     const bool receiving = receiver.state() == receive::ReceiverState::Receiving;
@@ -58,9 +58,10 @@ void RobotSession::Backend::readLink() {
         state.link = age > kStaleNs ? LinkState::Stale : LinkState::Live;
     }
     const Error error = receiver.lastError();
-    state.linkReason = state.link == LinkState::Live   ? QString()
-                       : error.code == ErrorCode::None ? tr("Waiting for data from %1.").arg(address.host)
-                                                       : texts::errorText(error);
+    state.linkReason = state.link == LinkState::Live ? QString()
+                       : error.code == ErrorCode::None
+                           ? RobotSession::tr("Waiting for data from %1.").arg(address.host)
+                           : texts::errorText(error);
     const receive::ReceiverCounters counters = receiver.counters();
     state.quality.rateHz = counters.rateHz;
     state.quality.all = {counters.packets, counters.late, counters.lost};
@@ -78,7 +79,7 @@ void RobotSession::Backend::readLink() {
     }
 }
 
-void RobotSession::Backend::readSample() {
+void SessionBackend::readSample() {
     link->receiver->latest(sample);
     if (sample.isEmpty()) {
         return;
@@ -115,7 +116,7 @@ void RobotSession::Backend::readSample() {
     state.loadedProgram = report.program;
 }
 
-void RobotSession::Backend::readControl() {
+void SessionBackend::readControl() {
     const control::ControllerStatus status = link->controller->status();
     state.speedCap = limits.tcpSpeed;
     state.quality.roundTripMs = status.roundTripMs;
@@ -140,7 +141,7 @@ void RobotSession::Backend::readControl() {
     lossSeen = status.loss;
 }
 
-void RobotSession::Backend::noteStop(const control::StopMeasurement& stop, std::uint64_t& seen) {
+void SessionBackend::noteStop(const control::StopMeasurement& stop, std::uint64_t& seen) {
     if (stop.count > seen) {
         const std::uint64_t count = state.lastStop.count + stop.count - seen;
         seen = stop.count;
@@ -150,7 +151,7 @@ void RobotSession::Backend::noteStop(const control::StopMeasurement& stop, std::
     }
 }
 
-void RobotSession::Backend::readRecording() {
+void SessionBackend::readRecording() {
     const recording::RecorderProgress progress = recorder.progress();
     state.recording.active = progress.state == recording::RecorderState::Recording;
     state.recording.rows = progress.rows;
@@ -161,16 +162,17 @@ void RobotSession::Backend::readRecording() {
         progress.state == recording::RecorderState::Failed ? texts::errorText(recorder.error()) : QString();
 }
 
-QString RobotSession::Backend::obstacle() const {
+QString SessionBackend::obstacle() const {
     switch (state.link) {
         case LinkState::Disconnected:
-            return tr("Not connected to a robot.");
+            return RobotSession::tr("Not connected to a robot.");
         case LinkState::Connecting:
-            return tr("Connecting to %1…").arg(address.host);
+            return RobotSession::tr("Connecting to %1…").arg(address.host);
         case LinkState::Lost:
-            return tr("No data from the robot. Reconnecting by itself; motion does not resume.");
+            return RobotSession::tr(
+                "No data from the robot. Reconnecting by itself; motion does not resume.");
         case LinkState::Stale:
-            return tr("Data from the robot are late.");
+            return RobotSession::tr("Data from the robot are late.");
         case LinkState::Live:
             break;
     }
@@ -181,7 +183,7 @@ QString RobotSession::Backend::obstacle() const {
         return mode;
     }
     if (takingControl) {
-        return tr("Taking control…");
+        return RobotSession::tr("Taking control…");
     }
     if (state.control == ControlState::InControl) {
         return {};

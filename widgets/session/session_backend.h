@@ -37,8 +37,8 @@ struct RobotLink {
     std::unique_ptr<script::PrimaryClient> primary;
 };
 
-struct RobotSession::Backend {
-    explicit Backend(const Clock& c) : clock(&c) {}
+struct SessionBackend {
+    explicit SessionBackend(const Clock& c) : clock(&c) {}
 
     const Clock* clock;
     SessionState state;
@@ -50,13 +50,8 @@ struct RobotSession::Backend {
 
     LinkHistory history;
     receive::Sample sample;
-    std::uint64_t sampleConnection = 0;  ///< the receiver's connection the outputs were connected for
-    dashboard::ServiceReport report;     ///< asked for about once a second; Unknown until it was answered
-    std::int64_t reportAskedNs = 0;
-    bool reportAsked = false;
-    bool remoteSeen = false;    ///< the robot was in Remote control when it was asked last
-    bool localRefuses = false;  ///< it was in Remote once, or has refused something for being in Local
-    bool primarySeen = false;   ///< its primary interface was connected in the last frame
+    dashboard::ServiceReport report;  ///< asked for about once a second; Unknown until it was answered
+    bool localRefuses = false;        ///< it was in Remote once, or has refused something for being in Local
     bool takingControl = false;
     CancelToken taking;  ///< ends the taking under way
     control::MotionLimits limits;
@@ -66,19 +61,7 @@ struct RobotSession::Backend {
     std::uint64_t stopsSeen = 0;
     std::uint64_t ownStops = 0;  ///< measured by the controller, of those shown
     std::uint64_t foreignStops = 0;
-    /// A stop by hand while in control: another program may have thrown ours out a moment before.
-    std::optional<std::pair<control::StopCause, std::int64_t>> stopInControl;
 
-    OutputHolders outputHolders;
-    QMap<QString, QString> ioNames;
-    std::optional<double> sliderWanted;  ///< newest wish while one is being carried out
-    bool sliderBusy = false;
-    std::optional<double> sliderLogged;  ///< its place as the log knows it
-    double sliderSeen = 0;               ///< where it was in the last frame,
-    std::int64_t sliderMovedNs = 0;      ///< and when it got there
-    std::int64_t sliderAskedNs = 0;      ///< when we asked for another place last; 0: never
-
-    bool wasRecording = false;
     SafetyMode safetySeen = SafetyMode::Normal;
     LinkState linkSeen = LinkState::Disconnected;
     control::ControlLoss lossSeen = control::ControlLoss::NotTaken;

@@ -114,13 +114,14 @@ HeaderBar::HeaderBar(HeaderPort port, QWidget* parent)
 }
 
 HeaderBar::HeaderBar(RobotSession& session, QWidget* parent)
-    : HeaderBar(HeaderPort{
-                    .perform = [&session](RobotCommand command) { session.perform(command); },
-                    .takeControl = [&session] { session.takeControl(); },
-                    .setSpeedSlider = [&session](double fraction) { session.setSpeedSlider(fraction); },
-                    .stop = [&session](control::StopCause cause) { session.stop(cause); },
-                },
-                parent) {
+    : HeaderBar(
+          HeaderPort{
+              .perform = [&session](RobotCommand command) { session.services().perform(command); },
+              .takeControl = [&session] { session.takeControl(); },
+              .setSpeedSlider = [&session](double fraction) { session.outputs().setSpeedSlider(fraction); },
+              .stop = [&session](control::StopCause cause) { session.stop(cause); },
+          },
+          parent) {
     applyState(session.state());
     connect(&session, &RobotSession::stateChanged, this, &HeaderBar::applyState);
 }

@@ -271,7 +271,7 @@ void RecoveryPage::takeStep() {
         case RecoveryKey::None:
             break;
         case RecoveryKey::Unlock:
-            session_.unlockProtectiveStop(UnlockConsent());
+            session_.services().unlockProtectiveStop(UnlockConsent());
             // A refusal leaves the arm as it is: the operator looks again, and ticks again.
             for (QCheckBox* box : checks_) {
                 box->setChecked(false);
@@ -279,17 +279,17 @@ void RecoveryPage::takeStep() {
             sent_ = false;
             break;
         case RecoveryKey::RestartSafety:
-            session_.perform(RobotCommand::RestartSafety);
+            session_.services().perform(RobotCommand::RestartSafety);
             for (QCheckBox* box : checks_) {
                 box->setChecked(false);
             }
             sent_ = false;
             break;
         case RecoveryKey::PowerOn:
-            session_.perform(RobotCommand::PowerOn);
+            session_.services().perform(RobotCommand::PowerOn);
             break;
         case RecoveryKey::ReleaseBrakes:
-            session_.perform(RobotCommand::ReleaseBrakes);
+            session_.services().perform(RobotCommand::ReleaseBrakes);
             break;
         case RecoveryKey::TakeControl:
             session_.takeControl();

@@ -203,7 +203,7 @@ private Q_SLOTS:
         QCOMPARE(said, QStringList{QStringLiteral("Speed slider: 30 %")});
         QCOMPARE(origins.last(), Origin::Robot);
         for (const double place : {0.4, 0.5, 0.6}) {
-            bench.session.setSpeedSlider(place);
+            bench.session.outputs().setSpeedSlider(place);
             bench.cell.advanceMs(50);
         }
         QVERIFY(bench.within([&] { return said.size() == 2; }));
@@ -219,11 +219,11 @@ private Q_SLOTS:
         Bench bench;
         QObject::connect(&bench.session, &RobotSession::message, &bench.session,
                          [&](Severity, const QString& text) { said << text; });
-        bench.session.setIoNames({{QStringLiteral("DO 3"), QStringLiteral("Gripper")}});
+        bench.session.outputs().setNames({{QStringLiteral("DO 3"), QStringLiteral("Gripper")}});
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
-        bench.session.setDigitalOutput(3, true);
+        bench.session.outputs().setDigitalOutput(3, true);
         QVERIFY(bench.within([&] { return said.contains(QStringLiteral("Output Gripper (DO 3): on")); }));
-        bench.session.setDigitalOutput(17, true);
+        bench.session.outputs().setDigitalOutput(17, true);
         QVERIFY(bench.within([&] { return said.contains(QStringLiteral("Output TO 1: on")); }));
     }
 
@@ -231,7 +231,7 @@ private Q_SLOTS:
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         bench.cell.advanceMs(100);
-        bench.session.setSpeedSlider(0);
+        bench.session.outputs().setSpeedSlider(0);
         QVERIFY(bench.within([&] { return !bench.warnings.isEmpty(); }));
         QVERIFY2(bench.said().contains(QStringLiteral("0.02")), qPrintable(bench.said()));
         QCOMPARE(bench.cell.truth().speedSlider, 1.0);

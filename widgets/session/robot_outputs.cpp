@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/session/robot_outputs.h"
+
+#include <cmath>
+
+#include "robot/io/input_registers.h"
+#include "widgets/session/session_backend.h"
+#include "widgets/session/texts.h"
+
+namespace tiller {
+
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds kConfirmTime{2000};
+constexpr milliseconds kConnectTime{3000};
+
+QString holderOf(const Result<void>& can) {
+    // Not connected is no holder: setting tries to connect by itself.
+    return can || can.error().code == ErrorCode::NotConnected ? QString() : can.error().context;
+}
+
+}  // namespace
+
+QString ioTerminal(bool output, int channel) {
+    const char* group = channel < io::kFirstConfigurable ? (output ? "DO" : "DI")
+                        : channel < io::kFirstTool       ? (output ? "CO" : "CI")
+                                                         : (output ? "TO" : "TI");
+    const int first = channel < io::kFirstConfigurable ? 0
+                      : channel < io::kFirstTool       ? io::kFirstConfigurable
+                                                       : io::kFirstTool;
+    return QStringLiteral("%1 %2").arg(QLatin1String(group)).arg(channel - first);
+}
+
+void RobotOutputs::setNames(const QMap<QString, QString>& names) {
+    names_ = names;
+}
+
+QString RobotOutputs::terminalText(const QString& terminal) const {
+    const QString name = names_.value(terminal);
+    return name.isEmpty() ? terminal : tr("%1 (%2)").arg(name, terminal);
+}
+
+const OutputHolders& RobotOutputs::holders() const {
+    return holders_;
+}
+
+bool RobotOutputs::keepConnected() {
+    const std::uint64_t connection = d_.sample.connection;
+    if (d_.sample.isEmpty() || connection == connection_) {
+        return false;
+    }
+    // The first data of a connection: the robot is there, so the outputs can be connected (again).
+    connection_ = connection;
+    const std::uint64_t generation = d_.generation;
+    d_.worker.post(&session_, [this, generation, outputs = d_.link->outputs](const CancelToken& token) {
+        const Result<void> result = outputs->connect(Deadline::after(kConnectTime, token));
+        const OutputHolders holders{holderOf(outputs->canSetDigitalOutput(0)),
+                                    holderOf(outputs->canSetDigitalOutput(io::kFirstConfigurable)),
+                                    holderOf(outputs->canSetDigitalOutput(io::kFirstTool)),
+                                    holderOf(outputs->canSetAnalogOutput())};
+        return std::function<void()>([this, generation, result, holders] {
+            if (generation != d_.generation) {
+                return;
+            }
+            holders_ = holders;
+            if (!result && result.error().code != ErrorCode::Cancelled) {
+                Q_EMIT session_.message(Severity::Warning, texts::errorText(result.error()));
+            }
+        });
+    });
+    return true;
+}
+
+void RobotOutputs::forget() {
+    holders_ = {};
+    connection_ = 0;
+    sliderBusy_ = false;
+    sliderWanted_.reset();
+    sliderLogged_.reset();
+    sliderAskedNs_ = 0;
+}
+
+void RobotOutputs::setDigitalOutput(int output, bool on) {
+    if (!d_.link) {
+        return;
+    }
+    const QString done =
+        tr("Output %1: %2").arg(terminalText(ioTerminal(true, output)), on ? tr("on") : tr("off"));
+    const std::uint64_t generation = d_.generation;
+    d_.worker.post(&session_, [this, generation, output, on, done,
+                               outputs = d_.link->outputs](const CancelToken& token) {
+        const Result<void> result =
+            outputs->setDigitalOutput(output, on, Deadline::after(kConfirmTime, token));
+        return std::function<void()>([this, generation, done, result] { report(generation, done, result); });
+    });
+}
+
+void RobotOutputs::setAnalogOutput(int output, io::AnalogDomain domain, double level) {
+    if (!d_.link) {
+        return;
+    }
+    const bool current = domain == io::AnalogDomain::Current;
+    const QString done = tr("Analog output %1: %2 %3")
+                             .arg(terminalText(QStringLiteral("AO %1").arg(output)))
+                             .arg(current ? 4 + 16 * level : 10 * level, 0, 'f', 2)
+                             .arg(current ? QStringLiteral("mA") : QStringLiteral("V"));
+    const std::uint64_t generation = d_.generation;
+    d_.worker.post(&session_, [this, generation, output, domain, level, done,
+                               outputs = d_.link->outputs](const CancelToken& token) {
+        const Result<void> result =
+            outputs->setAnalogOutput(output, domain, level, Deadline::after(kConfirmTime, token));
+        return std::function<void()>([this, generation, done, result] { report(generation, done, result); });
+    });
+}
+
+void RobotOutputs::setRegister(const RegisterValue& value) {
+    using Kind = RegisterValue::Kind;
+    if (!d_.link) {
+        return;
+    }
+    // A connection of its own, only as long as it takes: nobody else shall be kept from the register.
+    io::InputRegistersOptions options;
+    options.host = d_.address.host;
+    options.port = static_cast<std::uint16_t>(rtde::kPort + d_.address.portOffset);
+    (value.kind == Kind::Int      ? options.ints
+     : value.kind == Kind::Double ? options.doubles
+                                  : options.bits) = {value.number};
+    const QString done = tr("Input register %1: %2").arg(value.number).arg(value.value);
+    const std::uint64_t generation = d_.generation;
+    d_.worker.post(&session_, [this, generation, value, options, done](const CancelToken& token) {
+        io::InputRegisters registers(options);
+        const Deadline deadline = Deadline::after(kConnectTime, token);
+        Result<void> result = registers.connect(deadline);
+        if (result) {
+            result = value.kind == Kind::Int
+                         ? registers.setInt(value.number, static_cast<std::int32_t>(value.value), deadline)
+                     : value.kind == Kind::Double
+                         ? registers.setDouble(value.number, value.value, deadline)
+                         : registers.setBit(value.number, value.value != 0, deadline);
+        }
+        registers.disconnect();
+        return std::function<void()>([this, generation, done, result] { report(generation, done, result); });
+    });
+}
+
+void RobotOutputs::report(std::uint64_t generation, const QString& done, const Result<void>& result) {
+    if (generation != d_.generation) {
+        return;
+    }
+    if (result) {
+        Q_EMIT session_.message(Severity::Info, done, Origin::Operator);
+    } else {
+        Q_EMIT session_.message(Severity::Error, texts::errorText(result.error()));
+    }
+}
+
+void RobotOutputs::setSpeedSlider(double fraction) {
+    if (!d_.link) {
+        return;
+    }
+    if (sliderBusy_) {
+        // A slider is dragged faster than the robot confirms: only the newest wish counts.
+        sliderWanted_ = fraction;
+        return;
+    }
+    sliderBusy_ = true;
+    sliderAskedNs_ = d_.clock->nowNs();
+    const std::uint64_t generation = d_.generation;
+    d_.worker.post(&session_, [this, generation, fraction,
+                               outputs = d_.link->outputs](const CancelToken& token) {
+        const Result<void> result = outputs->setSpeedSlider(fraction, Deadline::after(kConfirmTime, token));
+        return std::function<void()>([this, generation, result] {
+            if (generation != d_.generation) {
+                return;
+            }
+            sliderBusy_ = false;
+            if (!result) {
+                Q_EMIT session_.message(Severity::Error, texts::errorText(result.error()));
+            }
+            if (sliderWanted_) {
+                setSpeedSlider(*std::exchange(sliderWanted_, std::nullopt));
+            }
+        });
+    });
+}
+
+// Whoever moved it; once it has come to rest, because a hand that draws it passes many places.
+void RobotOutputs::reportSlider() {
+    constexpr std::int64_t kRestNs = 500 * kNsPerMs;
+    constexpr std::int64_t kOursNs = 3 * kNsPerSecond;  // so long a place asked for may take to be there
+    constexpr double kSame = 0.005;
+    const std::int64_t now = d_.clock->nowNs();
+    const double fraction = d_.state.speedFraction;
+    if (fraction != sliderSeen_) {
+        sliderSeen_ = fraction;
+        sliderMovedNs_ = now;
+    }
+    if (!sliderLogged_) {
+        sliderLogged_ = fraction;
+    } else if (std::abs(fraction - *sliderLogged_) > kSame && now - sliderMovedNs_ >= kRestNs) {
+        sliderLogged_ = fraction;
+        const bool ours = sliderAskedNs_ != 0 && sliderMovedNs_ - sliderAskedNs_ < kOursNs;
+        Q_EMIT session_.message(Severity::Info, tr("Speed slider: %1 %").arg(fraction * 100, 0, 'f', 0),
+                                ours ? Origin::Operator : Origin::Robot);
+    }
+}
+
+}  // namespace tiller

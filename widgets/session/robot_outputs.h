@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What the session sets on the robot besides motion: outputs, registers, the speed slider. Whatever waits for the
+// robot does so on the session's worker; the outcome comes as a message and with the next state.
+
+#include <QCoreApplication>
+#include <QMap>
+#include <QString>
+#include <cstdint>
+#include <optional>
+
+#include "robot/core/result.h"
+#include "widgets/session/io_commands.h"
+
+namespace tiller {
+
+class RobotSession;
+struct SessionBackend;
+
+class RobotOutputs {
+    Q_DECLARE_TR_FUNCTIONS(RobotOutputs)
+
+public:
+    RobotOutputs(RobotSession& session, SessionBackend& backend) : session_(session), d_(backend) {}
+
+    /// fraction  0.02 ... 1; others are refused with a message
+    void setSpeedSlider(double fraction);
+    /// output  0-7 standard, 8-15 configurable, 16-17 tool
+    void setDigitalOutput(int output, bool on);
+    /// output  0 or 1; level  0 ... 1 of 4 to 20 mA or 0 to 10 V
+    void setAnalogOutput(int output, io::AnalogDomain domain, double level);
+    void setRegister(const RegisterValue& value);
+    const OutputHolders& holders() const;
+    /// The operator's own names, by terminal ("DO 0", "AO 1"): messages use them.
+    void setNames(const QMap<QString, QString>& names);
+
+    // For the session.
+    /// Connects the outputs when the data of a new connection have come.
+    /// Returns  whether they have
+    bool keepConnected();
+    void reportSlider();
+    /// The robot is gone: nothing of it is remembered but the names.
+    void forget();
+
+private:
+    QString terminalText(const QString& terminal) const;
+    void report(std::uint64_t generation, const QString& done, const Result<void>& result);
+
+    RobotSession& session_;
+    SessionBackend& d_;
+    OutputHolders holders_;
+    QMap<QString, QString> names_;
+    std::uint64_t connection_ = 0;        ///< the receiver's connection the outputs were connected for
+    std::optional<double> sliderWanted_;  ///< newest wish while one is being carried out
+    bool sliderBusy_ = false;
+    std::optional<double> sliderLogged_;  ///< its place as the log knows it
+    double sliderSeen_ = 0;               ///< where it was in the last frame,
+    std::int64_t sliderMovedNs_ = 0;      ///< and when it got there
+    std::int64_t sliderAskedNs_ = 0;      ///< when we asked for another place last; 0: never
+};
+
+}  // namespace tiller

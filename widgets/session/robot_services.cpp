@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/session/robot_services.h"
+
+#include <utility>
+
+#include "widgets/session/robot_session.h"
+#include "widgets/session/session_backend.h"
+#include "widgets/session/texts.h"
+
+namespace tiller {
+namespace {
+
+using dashboard::RobotService;
+using dashboard::ServiceKind;
+using std::chrono::milliseconds;
+
+constexpr milliseconds kReplyTime{3000};
+/// The Robot API may answer only when it is done.
+constexpr milliseconds kDoneTime{10'000};
+/// Half of the second within which a switch to Local is to be noticed.
+constexpr std::int64_t kAskEveryNs = kNsPerSecond / 2;
+/// After so long without an answer of ours it is known that another program has taken our program's place.
+constexpr std::int64_t kTakenOverNs = 700 * kNsPerMs;
+
+/// Sends one command and reports a refusal.
+template <class Call>
+void send(RobotSession& session, const std::unique_ptr<RobotLink>& link, const QString& what, Call call) {
+    if (!link) {
+        Q_EMIT session.message(Severity::Error, texts::errorText({ErrorCode::NotConnected, what, {}}));
+        return;
+    }
+    link->service->post(
+        std::move(call), &session,
+        [&session, what](const Result<void>& result) {
+            if (result) {
+                Q_EMIT session.message(Severity::Info, what, Origin::Operator);
+            } else {
+                Q_EMIT session.message(
+                    Severity::Error,
+                    RobotServices::tr("%1 failed. %2").arg(what, texts::errorText(result.error())));
+            }
+        },
+        session.state().service == ServiceKind::RobotApi ? kDoneTime : kReplyTime);
+}
+
+}  // namespace
+
+QString commandText(RobotCommand command) {
+    switch (command) {
+        case RobotCommand::PowerOn:
+            return RobotServices::tr("Power on");
+        case RobotCommand::ReleaseBrakes:
+            return RobotServices::tr("Release brakes");
+        case RobotCommand::PowerOff:
+            return RobotServices::tr("Power off");
+        case RobotCommand::RestartSafety:
+            return RobotServices::tr("Restart safety");
+        case RobotCommand::ClosePopups:
+            return RobotServices::tr("Close popups");
+        case RobotCommand::Play:
+            return RobotServices::tr("Play program");
+        case RobotCommand::Pause:
+            return RobotServices::tr("Pause program");
+        case RobotCommand::StopProgram:
+            return RobotServices::tr("Stop program");
+    }
+    return {};
+}
+
+void RobotServices::perform(RobotCommand command) {
+    if (const QString why = texts::serviceObstacle(d_.state, command); !why.isEmpty()) {
+        Q_EMIT session_.message(Severity::Error, tr("%1 failed. %2").arg(commandText(command), why));
+        return;
+    }
+    if (command == RobotCommand::PowerOff || command == RobotCommand::RestartSafety) {
+        session_.stop(control::StopCause::ControlLost);
+    }
+    send(session_, d_.link, commandText(command),
+         [command](RobotService& s, const Deadline& d) { return s.perform(command, d); });
+}
+
+void RobotServices::unlockProtectiveStop(const UnlockConsent&) {
+    send(session_, d_.link, tr("Protective stop unlocked by the operator"),
+         [](RobotService& s, const Deadline& d) { return s.unlockProtectiveStop(d); });
+}
+
+void RobotServices::loadProgram(const QString& name) {
+    send(session_, d_.link, tr("Load program %1").arg(name),
+         [name](RobotService& s, const Deadline& d) { return s.loadProgram(name, d); });
+}
+
+void RobotServices::stopForeignProgram(control::StopCause cause) {
+    if (d_.state.control == ControlState::InControl) {
+        stopInControl_ = {cause, d_.clock->nowNs()};
+    }
+    if (!ForeignStop::isMeant(cause, d_.state)) {
+        return;
+    }
+    // In this order: what the taking still sends is stopped too.
+    d_.taking.cancel();
+    d_.link->foreignStop->request(cause, *d_.link->receiver);
+}
+
+void RobotServices::followForeignStop() {
+    if (stopInControl_ && d_.clock->nowNs() - stopInControl_->second > kTakenOverNs) {
+        stopInControl_.reset();
+    }
+    if (stopInControl_ && ForeignStop::isMeant(stopInControl_->first, d_.state)) {
+        d_.link->foreignStop->request(std::exchange(stopInControl_, std::nullopt)->first, *d_.link->receiver);
+    }
+    switch (d_.link->foreignStop->follow(d_.state)) {
+        case ForeignStop::Outcome::None:
+            break;
+        case ForeignStop::Outcome::Stopped:
+            Q_EMIT session_.message(Severity::Info, tr("The program on the robot was stopped"),
+                                    Origin::Operator);
+            break;
+        case ForeignStop::Outcome::Failed:
+            Q_EMIT session_.message(
+                Severity::Error,
+                tr("The program on the robot was not stopped: stop it on the teach pendant. %1")
+                    .arg(texts::errorText(d_.link->foreignStop->error())));
+            break;
+    }
+}
+
+void RobotServices::ask() {
+    const std::int64_t now = d_.clock->nowNs();
+    // Leaving Remote, a controller ends its script connections: the first sign there is.
+    const bool primary = d_.link->primary->isConnected();
+    const bool sign = std::exchange(primarySeen_, primary) && !primary;
+    if (d_.state.link != LinkState::Live || reportAsked_ || (now - reportAskedNs_ < kAskEveryNs && !sign)) {
+        return;
+    }
+    reportAsked_ = true;
+    reportAskedNs_ = now;
+    const std::uint64_t generation = d_.generation;
+    d_.link->watch->post([](RobotService& s, const Deadline& d) { return s.look(d); }, &session_,
+                         [this, generation](const Result<dashboard::ServiceReport>& result) {
+                             if (generation != d_.generation) {
+                                 return;
+                             }
+                             reportAsked_ = false;
+                             // Which service it is stays known while it does not answer.
+                             dashboard::ServiceReport silent;
+                             silent.kind = d_.report.kind;
+                             d_.report = result ? *result : silent;
+                             followReport(d_.report);
+                         },
+                         kReplyTime);
+}
+
+void RobotServices::followReport(const dashboard::ServiceReport& report) {
+    if (!report.remoteControl) {
+        return;
+    }
+    // A robot that never was in Remote has remote control switched off, and may be controlled as it is.
+    const bool was = std::exchange(remoteSeen_, *report.remoteControl);
+    if (was && !remoteSeen_) {
+        leaveForLocal();
+    } else if (!was && remoteSeen_) {
+        d_.localRefuses = true;
+        if (d_.state.control == ControlState::Refused) {
+            d_.refusal.clear();  // what it was refused for is over, or shows again at the next attempt
+        }
+        d_.link->foreignStop->reconnect();
+    }
+}
+
+void RobotServices::leaveForLocal() {
+    if (d_.state.control != ControlState::InControl && d_.state.control != ControlState::Taking) {
+        return;
+    }
+    session_.stop(control::StopCause::ControlLost);
+    const QString why =
+        tr("The robot was switched to Local control: motion was stopped and control given back. Switch it to "
+           "Remote control on the teach pendant, then take control again.");
+    Q_EMIT session_.message(Severity::Warning, why, Origin::Robot);
+    d_.taking.cancel();
+    const std::uint64_t generation = d_.generation;
+    d_.controlling.post(&session_,
+                        [this, generation, why, controller = d_.link->controller](const CancelToken&) {
+                            controller->release();
+                            return std::function<void()>([this, generation, why] {
+                                if (generation == d_.generation) {
+                                    d_.refusal = why;
+                                    session_.refresh();
+                                }
+                            });
+                        });
+}
+
+void RobotServices::forget() {
+    d_.report = {};
+    stopInControl_.reset();
+    reportAsked_ = false;
+    remoteSeen_ = false;
+    primarySeen_ = false;
+}
+
+}  // namespace tiller

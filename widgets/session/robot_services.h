@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What the session asks of the controller itself: power, recovery and programs, the program of others that is to be
+// stopped, and what RTDE does not tell: the control mode, the operational mode and the loaded program. Outcomes come
+// as messages and with the next state.
+
+#include <QCoreApplication>
+#include <QString>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "robot/control/control_status.h"
+#include "widgets/session/robot_command.h"
+
+namespace tiller {
+
+namespace dashboard {
+struct ServiceReport;
+}
+class RobotSession;
+struct SessionBackend;
+
+class RobotServices {
+    Q_DECLARE_TR_FUNCTIONS(RobotServices)
+
+public:
+    RobotServices(RobotSession& session, SessionBackend& backend) : session_(session), d_(backend) {}
+
+    void perform(RobotCommand command);
+    /// Only ever on the operator's explicit word.
+    void unlockProtectiveStop(const UnlockConsent& consent);
+    /// name  as the controller's programs folder has it
+    void loadProgram(const QString& name);
+
+    // For the session.
+    /// A stop by STOP, Esc or Space is meant for a program of others too.
+    void stopForeignProgram(control::StopCause cause);
+    void followForeignStop();
+    /// Looks, about twice a second, at what RTDE does not tell.
+    void ask();
+    /// A stop before this moment is not meant for what comes after it.
+    void forgetStop() { stopInControl_.reset(); }
+    void forget();
+
+private:
+    void followReport(const dashboard::ServiceReport& report);
+    void leaveForLocal();
+
+    RobotSession& session_;
+    SessionBackend& d_;
+    /// A stop by hand while in control: another program may have thrown ours out a moment before.
+    std::optional<std::pair<control::StopCause, std::int64_t>> stopInControl_;
+    std::int64_t reportAskedNs_ = 0;
+    bool reportAsked_ = false;
+    bool remoteSeen_ = false;   ///< the robot was in Remote control when it was asked last
+    bool primarySeen_ = false;  ///< its primary interface was connected in the last frame
+};
+
+}  // namespace tiller

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// One CSV row per packet. Both calls return at once; what became of them shows in SessionState::recording and as a
+// message.
+
+#include <QCoreApplication>
+#include <QString>
+
+namespace tiller {
+
+class RobotSession;
+struct SessionBackend;
+
+class SessionRecording {
+    Q_DECLARE_TR_FUNCTIONS(SessionRecording)
+
+public:
+    SessionRecording(RobotSession& session, SessionBackend& backend) : session_(session), d_(backend) {}
+
+    void start(const QString& path);
+    void stop();
+
+    // For the session.
+    void reportFailure();
+
+private:
+    RobotSession& session_;
+    SessionBackend& d_;
+    bool wasRecording_ = false;
+};
+
+}  // namespace tiller
