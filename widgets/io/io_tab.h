@@ -61,7 +61,6 @@ private:
     void toggle(int output);
     void pulse(int output);
     void ask(int output, bool on);
-    // io_tab_analog.cpp
     void buildAnalog(QVBoxLayout* layout);
     void refreshAnalog(bool known, bool stale);
 
