@@ -6,6 +6,7 @@
 #include <QDialog>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QInputDialog>
 #include <QMenu>
 #include <QScreen>
 #include <QStackedWidget>
@@ -15,7 +16,12 @@
 #include <QVBoxLayout>
 
 #include "app/action_table.h"
+#include "app/command_palette.h"
 #include "app/connect_dialog.h"
+#include "app/help_page.h"
+#include "app/jog_actions.h"
+#include "app/robot_actions.h"
+#include "app/settings_page.h"
 #include "app/sleep_watch.h"
 #include "widgets/common/hold_button.h"
 #include "widgets/common/icons.h"
@@ -42,6 +48,7 @@
 #include "widgets/session/texts.h"
 #include "widgets/status/header_bar.h"
 #include "widgets/status/preflight_page.h"
+#include "widgets/status/recovery_page.h"
 #include "widgets/status/status_line.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
@@ -375,8 +382,7 @@ void MainWindow::stopMotion(control::StopCause cause) {
     session_->stop(cause);
 }
 
-// ---- robots
-// --------------------------------------------------------------------------------------------------------
+// ---- robots -------------------------------------------------------------------------------------------------
 
 void MainWindow::connectSimulator() {
     const Result<RobotAddress> address = simulator_.start();
@@ -384,19 +390,31 @@ void MainWindow::connectSimulator() {
         Q_EMIT session_->message(Severity::Error, texts::errorText(address.error()));
         return;
     }
+    toRemember_.reset();
     session_->connectTo(*address);
 }
 
 void MainWindow::connectRobot(const RobotAddress& address) {
-    settings_.rememberRobot(address);
-    listRobots();
+    toRemember_ = address;
     session_->connectTo(address);
+}
+
+// Only one that answered: an address that was mistyped shall not be offered again.
+void MainWindow::rememberRobot(const SessionState& state) {
+    if (toRemember_ && state.link == LinkState::Live) {
+        settings_.rememberRobot(*std::exchange(toRemember_, std::nullopt));
+        listRobots();
+    }
 }
 
 void MainWindow::askForRobot() {
     stopMotion(control::StopCause::DialogOpened);
     auto* dialog = new ConnectDialog(settings_.rememberedRobots(), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &ConnectDialog::forgetRequested, this, [this](const RobotAddress& robot) {
+        settings_.forgetRobot(robot);
+        listRobots();
+    });
     connect(dialog, &QDialog::accepted, this, [this, dialog] {
         switch (dialog->choice()) {
             case ConnectDialog::Choice::Simulator:
@@ -501,6 +519,214 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     settings_.setWindow(saveGeometry(), saveState());
     session_->disconnectFromRobot();
     QMainWindow::closeEvent(event);
+}
+
+// ---- commands -----------------------------------------------------------------------------------------------
+
+void MainWindow::buildActions() {
+    actions_ = new ActionTable(*this);
+    RobotActions::addTo(*actions_, *session_,
+                        {.askForRobot = [this] { askForRobot(); },
+                         .connectSimulator = [this] { connectSimulator(); },
+                         .check = [this](const RobotAddress& robot) { showPreflight(robot); },
+                         .showRecovery = [this] { showRecovery(); },
+                         .askForProgram = [this] { askForProgram(); },
+                         .stop = [this] { stopMotion(control::StopCause::StopButton); }});
+    addProjectActions();
+    JogActions::addTo(*actions_, *jog_, *keyboard_, [this] { showTrainer(this); });
+    addViewActions();
+    for (QAction* action : waypoints_->commandActions()) {
+        actions_->adopt("waypoint", action);
+        // One history for waypoints and frames.
+        if (action->objectName() == "waypoint.action.undo" ||
+            action->objectName() == "waypoint.action.redo") {
+            frames_->addAction(action);
+        }
+    }
+    for (QAction* action : frames_->commandActions()) {
+        actions_->adopt("frame", action);
+    }
+    connect(session_.get(), &RobotSession::stateChanged, actions_, &ActionTable::applyState);
+    connect(session_.get(), &RobotSession::stateChanged, this, &MainWindow::rememberRobot);
+    actions_->applyState(session_->state());
+
+    for (const auto& [id, title] : actionMenus()) {
+        auto* menu = new QMenu(title, this);
+        menu->setObjectName("menu." + id);
+        menu->setToolTipsVisible(true);
+        menu->addActions(actions_->inMenu(id));
+        menus_[id] = menu;
+    }
+    // The robot's menu is the main one: the others open from it too, so that none needs a chip to be found.
+    QMenu* main = menus_["robot"];
+    main->setObjectName("mainMenu");
+    main->addSeparator();
+    for (const auto& [id, title] : actionMenus()) {
+        if (id != "robot") {
+            main->addMenu(menus_[id]);
+        }
+    }
+    recentProjects_ = new QMenu(tr("Open recent project"), this);
+    recentProjects_->setObjectName("menu.project.recent");
+    QMenu* project = menus_["project"];
+    project->insertMenu(actions_->find("project.saveAs"), recentProjects_);
+    waypoints_->addToMenu(project->actions());
+    listProjects();
+    listRobots();
+    connect(header_, &HeaderBar::connectRequested, this, &MainWindow::askForRobot);
+    connect(header_, &HeaderBar::recoveryRequested, this, &MainWindow::showRecovery);
+    connect(header_, &HeaderBar::menuRequested, this, [this](HeaderBar::Menu which) {
+        stopMotion(control::StopCause::DialogOpened);
+        const QWidget* chip = header_->menuChip(which);
+        QMenu* menu = menus_[which == HeaderBar::Menu::Robot   ? "robot"
+                             : which == HeaderBar::Menu::Power ? "power"
+                                                               : "control"];
+        menu->popup(chip->mapToGlobal(QPoint(0, chip->height())));
+    });
+}
+
+void MainWindow::addProjectActions() {
+    actions_->add({"project.open", tr("Open project…"), tr("Opens waypoints and frames from a file."),
+                   QKeySequence(QKeySequence::Open), [this] {
+                       stopMotion(control::StopCause::DialogOpened);
+                       files_->askToOpen(this);
+                   }});
+    actions_->add({"project.saveAs", tr("Save project as…"),
+                   tr("Saves to this file now, and every change from now on."),
+                   QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] {
+                       stopMotion(control::StopCause::DialogOpened);
+                       files_->askToSave(this);
+                   }});
+}
+
+void MainWindow::addViewActions() {
+    int number = Qt::Key_1;
+    for (const auto& [name, title] : {std::pair<QString, QString>{"waypoints", tr("Show waypoints")},
+                                      {"frames", tr("Show frames")},
+                                      {"io", tr("Show I/O")},
+                                      {"log", tr("Show log")}}) {
+        actions_->add({"view." + name, title, tr("Brings this tab to the front."),
+                       QKeySequence(Qt::CTRL | Qt::Key(number++)), [this, name = name] { showTab(name); }});
+    }
+    const QList<QDockWidget*> docks = findChildren<QDockWidget*>();
+    for (QDockWidget* dock : docks) {
+        if (dock->features().testFlag(QDockWidget::DockWidgetFloatable)) {
+            dock->toggleViewAction()->setObjectName("view.toggle." + dock->objectName());
+            actions_->adopt("view", dock->toggleViewAction());
+            actions_->add({"view.float." + dock->objectName(),
+                           tr("Float %1").arg(dock->windowTitle()),
+                           tr("Makes it a window of its own, for a second screen, or puts it back."),
+                           {},
+                           [dock] { dock->setFloating(!dock->isFloating()); }});
+        }
+    }
+    const QByteArray defaultLayout = saveState();
+    actions_->add({"view.reset",
+                   tr("Reset layout"),
+                   tr("All parts back to where they were at first."),
+                   {},
+                   [this, defaultLayout] {
+                       stopMotion(control::StopCause::SelectionChanged);
+                       restoreState(defaultLayout);
+                       layoutRemembered_ = false;
+                       proportion();
+                   }});
+    for (const auto& [name, title] :
+         {std::pair<QString, QString>{"light", tr("Light colours")}, {"dark", tr("Dark colours")}}) {
+        actions_->add({"view." + name,
+                       title,
+                       tr("Changes the colours at once and remembers it."),
+                       {},
+                       [this, name = name] {
+                           setTheme(name);
+                           settings_.setTheme(name);
+                       }});
+    }
+    actions_->add({"app.palette", tr("Commands…"), tr("Finds a command by its name."),
+                   QKeySequence(Qt::CTRL | Qt::Key_K), [this] {
+                       stopMotion(control::StopCause::DialogOpened);
+                       (new CommandPalette(*actions_, this))->open();
+                   }});
+    actions_->add({"app.settings", tr("Settings…"),
+                   tr("Colours, sizes, units, the speed cap, devices, and the key of every command."),
+                   QKeySequence(Qt::CTRL | Qt::Key_Comma), [this] { showSettings(); }});
+    actions_->add({"app.help", tr("Help"), tr("All commands with their keys, and the rules of jogging."),
+                   QKeySequence(Qt::Key_F1), [this] {
+                       stopMotion(control::StopCause::DialogOpened);
+                       (new HelpPage(preferences_.longestHold, actions_->helpText(), this))->show();
+                   }});
+    actions_->add({"app.quit", tr("Quit"), tr("Stops the arm, ends the connection and closes the window."),
+                   QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); }});
+}
+
+void MainWindow::showRecovery() {
+    stopMotion(control::StopCause::DialogOpened);
+    if (auto* open = findChild<RecoveryPage*>()) {
+        open->raise();
+        open->activateWindow();
+        return;
+    }
+    // Not modal: STOP and the state stay in reach.
+    (new RecoveryPage(*session_, *stops_, this))->show();
+}
+
+void MainWindow::askForProgram() {
+    stopMotion(control::StopCause::DialogOpened);
+    auto* dialog = new QInputDialog(this);
+    dialog->setObjectName("programDialog");
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Load program"));
+    dialog->setLabelText(session_->state().service == dashboard::ServiceKind::RobotApi
+                             ? tr("Name of the program on the robot, as the tablet shows it")
+                             : tr("Name of the program on the robot, as in pick.urp"));
+    connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& name) {
+        if (!name.trimmed().isEmpty()) {
+            session_->services().loadProgram(name.trimmed());
+        }
+    });
+    dialog->open();
+}
+
+void MainWindow::showSettings() {
+    stopMotion(control::StopCause::DialogOpened);
+    const QString theme = Theme::current().isDark() ? "dark" : "light";
+    auto* page = new SettingsPage(preferences_, theme, *actions_, *devices_, this);
+    page->setAttribute(Qt::WA_DeleteOnClose);
+    page->setHoldNote(witness_->description());
+    connect(page, &SettingsPage::themeChosen, this, [this](const QString& chosen) {
+        setTheme(chosen);
+        settings_.setTheme(chosen);
+    });
+    connect(page, &SettingsPage::preferencesChanged, this, [this](const Preferences& chosen) {
+        applyPreferences(chosen);
+        settings_.setPreferences(chosen);
+    });
+    connect(page, &SettingsPage::trainerWanted, this, [this, page] { showTrainer(page); });
+    page->open();
+}
+
+void MainWindow::applyPreferences(const Preferences& preferences) {
+    preferences_ = preferences;
+    if (preferences.density != currentDensity()) {
+        applyDensity(*qApp, preferences.density);
+    }
+    if (preferences.notation != Notation::current()) {
+        applyNotation(*qApp, preferences.notation);
+        JogActions::rename(*actions_);
+    }
+    if (preferences.speedCap != session_->limits().tcpSpeed) {
+        session_->setSpeedCap(preferences.speedCap);
+        Q_EMIT session_->message(
+            preferences.speedCap > Preferences::kOrdinaryCap ? Severity::Warning : Severity::Info,
+            tr("Speed cap %1").arg(format::speed(preferences.speedCap)), Origin::Operator);
+    }
+    holdTerms_.longestNs = preferences.longestHold * kNsPerSecond;
+    // A copy: whoever hears of it may write into the original.
+    const QMap<QString, DeviceTuning> tunings = preferences.devices;
+    for (auto it = tunings.constBegin(); it != tunings.constEnd(); ++it) {
+        devices_->tune(it.key(), *it);
+    }
+    actions_->setShortcuts(preferences.shortcuts);
 }
 
 }  // namespace tiller::app

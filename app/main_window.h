@@ -7,6 +7,7 @@
 #include <QMainWindow>
 #include <QMap>
 #include <memory>
+#include <optional>
 
 #include "app/local_simulator.h"
 #include "app/settings.h"
@@ -92,15 +93,11 @@ protected:
 private:
     void buildDocks();
     void buildTabs();
-    // main_window_actions.cpp
     void buildActions();
-    void addRobotActions();
     void addProjectActions();
-    void addControlActions();
     void addViewActions();
     void showRecovery();
     void askForProgram();
-    void showHelp();
     void showSettings();
     void proportion();
     void connectParts();
@@ -110,6 +107,7 @@ private:
     void connectDevices(const Clock& clock);
     /// over  the window it stands in front of
     void showTrainer(QWidget* over);
+    void rememberRobot(const SessionState& state);
     void listRobots();
     void listProjects();
     void updateScene();
@@ -118,6 +116,7 @@ private:
     Settings settings_;
     Preferences preferences_;  ///< as they hold now
     LocalSimulator simulator_;
+    std::optional<RobotAddress> toRemember_;  ///< once it has answered
     std::unique_ptr<RobotSession> session_;
     std::unique_ptr<HoldWitness> witness_;
     HoldTerms holdTerms_;

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/robot_actions.h"
+
+#include "app/action_table.h"
+#include "widgets/session/texts.h"
+
+namespace tiller::app {
+namespace {
+
+QString needsLink(const SessionState& state) {
+    return state.link == LinkState::Live ? QString() : RobotActions::tr("Connect to a robot first.");
+}
+
+QString needsNormalSafety(const SessionState& state) {
+    const QString link = needsLink(state);
+    return !link.isEmpty()                ? link
+           : allowsMotion(state.safety()) ? QString()
+                                          : safetyWords(state.safety()).advice;
+}
+
+/// What this robot has no way to be asked for stands first: nothing else would help.
+QString needsService(const SessionState& state, RobotCommand command) {
+    const QString link = needsLink(state);
+    return link.isEmpty() ? texts::serviceObstacle(state, command) : link;
+}
+
+/// The program commands are for programs of the robot's own.
+QString needsForeignProgram(const SessionState& state, RobotCommand command, bool running) {
+    if (const QString service = needsService(state, command); !service.isEmpty()) {
+        return service;
+    }
+    if (state.control == ControlState::InControl) {
+        return RobotActions::tr("Give control back first.");
+    }
+    const bool runs =
+        state.runtimeState == RuntimeState::Playing || state.runtimeState == RuntimeState::Resuming;
+    return runs == running ? QString()
+           : running       ? RobotActions::tr("No program runs on the robot.")
+                           : RobotActions::tr("A program runs already.");
+}
+
+}  // namespace
+
+void RobotActions::addTo(ActionTable& table, RobotSession& session, const RobotActionHooks& hooks) {
+    addConnection(table, session, hooks);
+    addPower(table, session, hooks);
+    addControl(table, session, hooks);
+}
+
+void RobotActions::addConnection(ActionTable& table, RobotSession& session, const RobotActionHooks& hooks) {
+    table.add({"robot.connect", tr("Connect…"), tr("Choose the simulator, a robot or a project."),
+               QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C), hooks.askForRobot});
+    table.add({"robot.simulator",
+               tr("Simulated robot"),
+               tr("Starts the simulated robot and connects to it."),
+               {},
+               hooks.connectSimulator});
+    table.add({"robot.check",
+               tr("Check the connection…"),
+               tr("Looks at everything between this PC and the robot, each with its fix."),
+               {},
+               [&session, check = hooks.check] {
+                   const SessionState& state = session.state();
+                   check({state.robotName, state.address, state.portOffset, state.simulated});
+               },
+               [](const SessionState& s) {
+                   return s.link == LinkState::Disconnected ? tr("Choose a robot first.") : QString();
+               }});
+    table.add({"robot.disconnect",
+               tr("Disconnect"),
+               tr("Ends the connection; a motion of ours stops first."),
+               {},
+               [&session] { session.disconnectFromRobot(); },
+               [](const SessionState& s) {
+                   return s.link == LinkState::Disconnected ? tr("No robot is connected.") : QString();
+               }});
+}
+
+void RobotActions::addPower(ActionTable& table, RobotSession& session, const RobotActionHooks& hooks) {
+    const auto perform = [&session](RobotCommand command) {
+        return [&session, command] { session.services().perform(command); };
+    };
+    table.add({"power.on",
+               commandText(RobotCommand::PowerOn),
+               tr("Powers the arm. Brakes stay engaged."),
+               {},
+               perform(RobotCommand::PowerOn),
+               [](const SessionState& s) {
+                   const QString service = needsService(s, RobotCommand::PowerOn);
+                   const QString why = service.isEmpty() ? needsNormalSafety(s) : service;
+                   return !why.isEmpty() || s.robotMode == RobotMode::PowerOff
+                              ? why
+                              : tr("The arm has power, or is getting it.");
+               }});
+    table.add({"power.brakes",
+               commandText(RobotCommand::ReleaseBrakes),
+               tr("The arm may sag by a few millimetres. Keep clear."),
+               {},
+               perform(RobotCommand::ReleaseBrakes),
+               [](const SessionState& s) {
+                   const QString service = needsService(s, RobotCommand::ReleaseBrakes);
+                   const QString why = service.isEmpty() ? needsNormalSafety(s) : service;
+                   return !why.isEmpty() || s.robotMode == RobotMode::Idle
+                              ? why
+                              : robotModeWords(s.robotMode).advice;
+               }});
+    table.add({"power.off",
+               commandText(RobotCommand::PowerOff),
+               tr("Engages the brakes and takes the arm's power away; programs stop."),
+               {},
+               perform(RobotCommand::PowerOff),
+               [](const SessionState& s) {
+                   const QString why = needsService(s, RobotCommand::PowerOff);
+                   return !why.isEmpty() || s.robotMode != RobotMode::PowerOff ? why : tr("The arm is off.");
+               }});
+    table.add({"power.recover",
+               tr("Recover…"),
+               tr("Shows what stopped the arm, and the way back."),
+               {},
+               hooks.showRecovery,
+               [](const SessionState& s) {
+                   const QString why = needsLink(s);
+                   return !why.isEmpty() || !allowsMotion(s.safety()) ? why
+                                                                      : tr("No stop of the safety system.");
+               }});
+    table.add({"power.restartSafety",
+               commandText(RobotCommand::RestartSafety),
+               tr("After a violation or a fault, once its cause is found. The arm stays off."),
+               {},
+               // Through the page that asks for a look at the arm first.
+               hooks.showRecovery,
+               [](const SessionState& s) {
+                   const QString why = needsService(s, RobotCommand::RestartSafety);
+                   const bool needed = s.safety() == SafetyMode::Violation || s.safety() == SafetyMode::Fault;
+                   return !why.isEmpty() || needed ? why : tr("Only after a violation or a fault.");
+               }});
+    table.add({"power.closePopups",
+               commandText(RobotCommand::ClosePopups),
+               tr("Closes the popups on the teach pendant."),
+               {},
+               perform(RobotCommand::ClosePopups),
+               [](const SessionState& s) { return needsService(s, RobotCommand::ClosePopups); }});
+}
+
+void RobotActions::addControl(ActionTable& table, RobotSession& session, const RobotActionHooks& hooks) {
+    const auto perform = [&session](RobotCommand command) {
+        return [&session, command] { session.services().perform(command); };
+    };
+    table.add({"control.take",
+               tr("Take control"),
+               tr("Starts the control program on the robot, which stops any other program."),
+               {},
+               [&session] { session.takeControl(); },
+               [](const SessionState& s) {
+                   const QString why = needsNormalSafety(s);
+                   return !why.isEmpty()                         ? why
+                          : s.robotMode != RobotMode::Running    ? robotModeWords(s.robotMode).advice
+                          : s.control == ControlState::InControl ? tr("In control already.")
+                          : s.remoteNeeded                       ? texts::remoteObstacle()
+                                                                 : QString();
+               }});
+    table.add({"control.release",
+               tr("Give control back"),
+               tr("Ends the control program on the robot."),
+               {},
+               [&session] { session.releaseControl(); },
+               [](const SessionState& s) {
+                   return s.control == ControlState::InControl ? QString() : tr("Not in control.");
+               }});
+    table.add({"control.stop",
+               tr("Stop"),
+               tr("Software stop of whatever moves. Not an emergency stop."),
+               {},
+               hooks.stop});
+    table.add({"control.load",
+               tr("Load program…"),
+               tr("Loads a program of the robot's own by its name."),
+               {},
+               hooks.askForProgram,
+               [](const SessionState& s) { return needsForeignProgram(s, RobotCommand::Play, false); }});
+    table.add({"control.play",
+               commandText(RobotCommand::Play),
+               tr("Starts the loaded program, or goes on with a paused one: the arm may move at once."),
+               {},
+               perform(RobotCommand::Play),
+               [](const SessionState& s) {
+                   const QString why = needsForeignProgram(s, RobotCommand::Play, false);
+                   return why.isEmpty() ? needsNormalSafety(s) : why;
+               }});
+    table.add({"control.pause",
+               commandText(RobotCommand::Pause),
+               tr("Pauses the program that runs."),
+               {},
+               perform(RobotCommand::Pause),
+               [](const SessionState& s) { return needsForeignProgram(s, RobotCommand::Pause, true); }});
+    table.add({"control.stopProgram",
+               commandText(RobotCommand::StopProgram),
+               tr("Stops the robot's own program."),
+               {},
+               perform(RobotCommand::StopProgram),
+               [](const SessionState& s) {
+                   const QString why = needsService(s, RobotCommand::StopProgram);
+                   return !why.isEmpty()                            ? why
+                          : s.control == ControlState::InControl    ? tr("Give control back first.")
+                          : s.runtimeState == RuntimeState::Stopped ? tr("No program runs on the robot.")
+                                                                    : QString();
+               }});
+}
+
+}  // namespace tiller::app

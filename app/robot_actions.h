@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The commands for the robot itself: connection, power, recovery, control and the robot's own programs, each with what
+// stands in its way.
+
+#include <QCoreApplication>
+#include <functional>
+
+#include "widgets/session/robot_session.h"
+
+namespace tiller::app {
+
+class ActionTable;
+
+/// What needs the window.
+struct RobotActionHooks {
+    std::function<void()> askForRobot;
+    std::function<void()> connectSimulator;
+    std::function<void(const RobotAddress&)> check;
+    std::function<void()> showRecovery;
+    std::function<void()> askForProgram;
+    /// Software stop of whatever moves.
+    std::function<void()> stop;
+};
+
+class RobotActions {
+    Q_DECLARE_TR_FUNCTIONS(RobotActions)
+
+public:
+    /// session  must outlive the table
+    static void addTo(ActionTable& table, RobotSession& session, const RobotActionHooks& hooks);
+
+private:
+    static void addConnection(ActionTable& table, RobotSession& session, const RobotActionHooks& hooks);
+    static void addPower(ActionTable& table, RobotSession& session, const RobotActionHooks& hooks);
+    static void addControl(ActionTable& table, RobotSession& session, const RobotActionHooks& hooks);
+};
+
+}  // namespace tiller::app
