@@ -10,7 +10,7 @@ set(ur_rtde_headers async_operation_status.h dashboard_client.h dashboard_enums.
     rtde_utility.h script_client.h)
 
 # Of the simulated controller, what starts one in a process and steps it.
-set(simulator_headers assumptions.h simulator.h arm/arm_state.h arm/environment.h box/personality.h)
+set(simulator_headers assumptions.h simulator.h simulator_options.h arm/arm_state.h arm/environment.h box/personality.h)
 
 set(tiller_rooms core realtime rtde receive script dashboard control io kinematics project recording doctor)
 add_library(tiller_robot INTERFACE)

@@ -27,13 +27,16 @@ public:
     /// Errors  also NoSolution. Source: URScript get_inverse_kin, and so below
     Result<JointPositions> inverseKinematics(const Pose& tcpPose, const InverseOptions& options,
                                              const Deadline& deadline);
+    /// Whether there is one; errors as of inverseKinematics().
     Result<bool> hasInverseKinematics(const Pose& tcpPose, const InverseOptions& options,
                                       const Deadline& deadline);
     /// q, tcp   left out: the present ones
     /// Returns  the TCP's pose in the base frame
     Result<Pose> forwardKinematics(const std::optional<JointPositions>& q, const std::optional<Pose>& tcp,
                                    const Deadline& deadline);
+    /// Of a TCP pose [m, rad], base frame.
     Result<bool> isWithinSafetyLimits(const Pose& tcpPose, const Deadline& deadline);
+    /// Of joint positions [rad].
     Result<bool> isWithinSafetyLimits(const JointPositions& q, const Deadline& deadline);
     /// Torques without gravity and friction [Nm].
     Result<JointTorques> jointTorques(const Deadline& deadline);

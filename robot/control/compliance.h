@@ -48,7 +48,7 @@ public:
     /// Begins or changes force mode; it lasts until endForceMode(), a stop of the controller, or 100 ms
     /// without link. Motions may run meanwhile.
     Result<void> setForceMode(const ForceMode& mode, const Deadline& deadline);
-    Result<void> endForceMode(const Deadline& deadline);
+    Result<void> endForceMode(const Deadline& deadline);  ///< The arm is stiff again.
     /// 0 ... 1. Since 3.5
     Result<void> setForceDamping(double damping, const Deadline& deadline);
     /// 0 ... 2. Since 5.0
@@ -66,7 +66,7 @@ public:
     /// after      what the arm does then; it is part of the motion, and any stop ends it
     Result<void> startContactDetection(const Twist& direction, const Deadline& deadline,
                                        AfterContact after = AfterContact::Stand);
-    Result<bool> hasContact(const Deadline& deadline);
+    Result<bool> hasContact(const Deadline& deadline);  ///< Since the watch began.
     /// Returns  whether there was contact
     Result<bool> endContactDetection(const Deadline& deadline);
 

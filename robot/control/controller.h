@@ -122,11 +122,11 @@ public:
     /// Returns  false when it had ended already
     bool end(MotionId motion, StopCause cause);
 
-    MotionState motionState(MotionId motion) const;
+    MotionState motionState(MotionId motion) const;  ///< Active, or how it ended.
     /// Threads  any whose real-time priority is below the control thread's: on its CPU one above it could
     ///          interrupt the writing, and wait for ever for its end
     ControllerStatus status() const;
-    MotionLimits limits() const;
+    MotionLimits limits() const;  ///< With the speed cap as it is now [m/s].
     /// What the joints of this arm can: by its own configuration once control has been taken.
     JointLimits jointLimits() const;
     /// Whether there is a connection, in control or not.

@@ -62,11 +62,12 @@ class Motion {
 public:
     Motion() = default;  ///< of nothing: ended
 
-    MotionId id() const { return id_; }
-    MotionKind kind() const { return kind_; }
+    MotionId id() const { return id_; }        ///< Never given to another motion.
+    MotionKind kind() const { return kind_; }  ///< What began it.
+    /// Neither at its end nor stopped.
     bool isActive() const { return state().phase == MotionPhase::Active; }
-    MotionState state() const;
-    MotionProgress progress() const;
+    MotionState state() const;        ///< Phase, and the cause once it has ended.
+    MotionProgress progress() const;  ///< How far along its way, by the newest data.
     /// Of moveJ, moveL and the like; nothing for paths and what has no known end.
     const std::optional<MotionPlan>& plan() const { return plan_; }
 

@@ -73,12 +73,16 @@ public:
     explicit PacketLoop(Controller& controller, Pacing pacing = Pacing::Even)
         : controller_(&controller), pacing_(pacing) {}
 
+    /// Joint positions [rad], one a cycle.
     Result<void> servoJ(const CycleCallback<JointPositions>& callback, const ServoParameters& parameters,
                         const Deadline& deadline, CycleReport* report = nullptr);
+    /// TCP poses [m, rad] in the base frame, one a cycle.
     Result<void> servoL(const CycleCallback<Pose>& callback, const ServoParameters& parameters,
                         const Deadline& deadline, CycleReport* report = nullptr);
+    /// Joint velocities [rad/s], one a cycle.
     Result<void> speedJ(const CycleCallback<JointVelocities>& callback, const SpeedParameters& parameters,
                         const Deadline& deadline, CycleReport* report = nullptr);
+    /// TCP velocities [m/s, rad/s], one a cycle.
     Result<void> speedL(const CycleCallback<Twist>& callback, const SpeedParameters& parameters,
                         const Deadline& deadline, CycleReport* report = nullptr);
 

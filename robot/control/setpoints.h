@@ -43,8 +43,8 @@ template <class Target, class Parameters>
 class Setpoints {
 public:
     Setpoints() = default;
-    const Motion& motion() const { return motion_; }
-    bool isActive() const { return motion_.isActive(); }
+    const Motion& motion() const { return motion_; }      ///< To wait for, or to cancel.
+    bool isActive() const { return motion_.isActive(); }  ///< Whether send() can still move the arm.
 
     /// Errors   Stopped (the stream has ended), InvalidArgument (not a number, wrong unit by magnitude),
     ///          LimitExceeded (outside what the arm can; a servo target too far from the one before, or at
@@ -52,6 +52,7 @@ public:
     ///          goes on
     /// Blocks   never. Real-time: yes, as long as there is no error to tell
     Result<void> send(const Target& target);
+    /// The same with other parameters from here on.
     Result<void> send(const Target& target, const Parameters& parameters);
 
 private:

@@ -26,13 +26,13 @@ public:
 
     /// requestNs  when the stop was asked for. One that is being measured is finished as it is.
     void begin(StopCause cause, std::int64_t requestNs);
-    void cancel() { measuring_ = false; }
+    void cancel() { measuring_ = false; }  ///< Forgets the stop under way.
     /// Returns  true when this sample completed a measurement
     bool add(const Sample& sample);
 
-    bool isMeasuring() const { return measuring_; }
-    bool isMoving() const { return moving_; }
-    const StopMeasurement& last() const { return last_; }
+    bool isMeasuring() const { return measuring_; }        ///< From the stop to standstill.
+    bool isMoving() const { return moving_; }              ///< By the newest data.
+    const StopMeasurement& last() const { return last_; }  ///< The newest that was complete.
 
 private:
     bool measuring_ = false;

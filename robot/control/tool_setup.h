@@ -35,14 +35,14 @@ public:
     /// direction  of the acceleration that holds the arm against gravity, base frame [m/s2]: (0, 0, 9.82) for
     ///            an upright robot
     Result<void> setGravity(const Eigen::Vector3d& direction, const Deadline& deadline);
-    Result<void> zeroForceSensor(const Deadline& deadline);
+    Result<void> zeroForceSensor(const Deadline& deadline);  ///< What it feels now becomes zero.
 
     /// Takes forces from setExternalWrench() in place of the robot's own sensor. The robot pauses the program
     /// when none comes for 100 ms. Since 5.9 / 3.14. Source: URScript ft_rtde_input_enable
     Result<void> useExternalSensor(const ExternalSensor& sensor, const Deadline& deadline);
     /// The same by the name older software knows (torques with the opposite sign).
     Result<void> useExternalSensorLegacy(const ExternalSensor& sensor, const Deadline& deadline);
-    Result<void> useOwnSensor(const Deadline& deadline);
+    Result<void> useOwnSensor(const Deadline& deadline);  ///< Ends useExternalSensor().
     /// One measurement, sent with the next cycle.
     /// Errors  NotInControl, FieldUnknown, RegisterInUse, InvalidArgument. Blocks: never. Real-time: yes
     Result<void> setExternalWrench(const Wrench& wrench);

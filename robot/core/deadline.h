@@ -21,8 +21,9 @@ public:
     /// Also cancelled once `asked` says true; it is asked in the thread that waits, about every 10 ms. For
     /// hosts that can tell only there that the user lost patience, as Python does.
     explicit CancelToken(std::function<bool()> asked) : state_(std::make_shared<State>(std::move(asked))) {}
+    /// Every copy is cancelled.
     void cancel() const { state_->cancelled.store(true, std::memory_order_release); }
-    bool isCancelled() const {
+    bool isCancelled() const {  ///< By any copy.
         if (!state_->cancelled.load(std::memory_order_acquire) && state_->asked && state_->asked()) {
             cancel();
         }
@@ -61,9 +62,10 @@ public:
         return Deadline(Clock::time_point::max(), token);
     }
 
+    /// By time or by the token.
     bool hasExpired() const { return token_.isCancelled() || Clock::now() >= end_; }
-    bool isCancelled() const { return token_.isCancelled(); }
-    std::chrono::milliseconds remaining() const {
+    bool isCancelled() const { return token_.isCancelled(); }  ///< By the token, not by time.
+    std::chrono::milliseconds remaining() const {              ///< 0 when over; a day when never.
         if (token_.isCancelled()) {
             return std::chrono::milliseconds(0);
         }
@@ -78,6 +80,7 @@ public:
     std::chrono::milliseconds nextPoll() const {
         return std::min(remaining(), std::chrono::milliseconds(10));
     }
+    /// To end the wait, or to make another deadline with.
     const CancelToken& token() const { return token_; }
 
 private:

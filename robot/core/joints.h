@@ -36,11 +36,11 @@ struct JointArray {
 
     double& operator[](int joint) { return values[joint]; }
     double operator[](int joint) const { return values[joint]; }
-    std::array<double, 6> array() const {
+    std::array<double, 6> array() const {  ///< Base to wrist 3.
         return {values[0], values[1], values[2], values[3], values[4], values[5]};
     }
-    std::vector<double> toStdVector() const { return {begin(), end()}; }
-    bool allFinite() const { return values.allFinite(); }
+    std::vector<double> toStdVector() const { return {begin(), end()}; }  ///< Base to wrist 3.
+    bool allFinite() const { return values.allFinite(); }                 ///< No NaN, no infinity.
 
     double* begin() { return values.data(); }
     double* end() { return values.data() + kJointCount; }

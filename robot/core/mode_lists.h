@@ -16,8 +16,8 @@ using SafetyStatus = SafetyMode;
 /// Seen as a safety status only, so far. Source: SafetyStatus.msg of the ROS 2 driver
 inline constexpr SafetyStatus kIoPlaneStop = static_cast<SafetyStatus>(23);
 
-std::vector<RobotMode> robotModes();
-std::vector<SafetyStatus> safetyStatuses();
-std::vector<RuntimeState> runtimeStates();
+std::vector<RobotMode> robotModes();         ///< In the order of their numbers.
+std::vector<SafetyStatus> safetyStatuses();  ///< In the order of their numbers.
+std::vector<RuntimeState> runtimeStates();   ///< In the order of their numbers.
 
 }  // namespace tiller

@@ -67,9 +67,9 @@ enum class JointMode : std::int32_t {
 
 /// The controller's spelling: "POWER_OFF", "PROTECTIVE_STOP". Unknown numbers give "UNKNOWN_<n>".
 QString robotModeName(RobotMode mode);
-QString safetyModeName(SafetyMode mode);
-QString runtimeStateName(RuntimeState state);
-QString jointModeName(JointMode mode);
+QString safetyModeName(SafetyMode mode);       ///< "PROTECTIVE_STOP"
+QString runtimeStateName(RuntimeState state);  ///< "PLAYING"
+QString jointModeName(JointMode mode);         ///< "RUNNING"
 inline std::ostream& operator<<(std::ostream& out, RobotMode mode) {
     return out << robotModeName(mode).toStdString();
 }

@@ -30,7 +30,7 @@ void prepare(Descriptor socket);
 
 /// Threads  one reader and one writer at a time. Blocks: never. Real-time: one system call each
 Transfer receive(Descriptor socket, std::span<std::uint8_t> into);
-Transfer send(Descriptor socket, std::span<const std::uint8_t> bytes);
+Transfer send(Descriptor socket, std::span<const std::uint8_t> bytes);  ///< As receive().
 
 /// Ends the wait of another thread in waitReadable(). Where the system has no means for it, it does nothing
 /// and the wait lasts as long as it would have. Threads  any. Blocks: never. Real-time: one system call each
@@ -41,7 +41,7 @@ public:
     Waker(const Waker&) = delete;
     Waker& operator=(const Waker&) = delete;
 
-    void wake() const;
+    void wake() const;  ///< Ends the wait under way, or the next one.
     /// Forgets the calls of wake() until now.
     /// Returns  whether there were any
     bool take() const;
@@ -59,7 +59,7 @@ bool waitReadable(Descriptor socket, std::chrono::nanoseconds atMost, const Wake
 /// Returns  true in the first two cases
 bool waitWritable(Descriptor socket, std::chrono::milliseconds atMost);
 
-void close(Descriptor socket);
+void close(Descriptor socket);  ///< Frees the descriptor.
 
 /// A second descriptor of the same connection, so that it can outlive the Qt socket that opened it. Negative
 /// when the system has none left.

@@ -18,12 +18,13 @@ public:
     Result(T value) : content_(std::in_place_index<0>, std::move(value)) {}      // NOLINT: implicit by intent
     Result(Error error) : content_(std::in_place_index<1>, std::move(error)) {}  // NOLINT: implicit by intent
 
-    bool ok() const { return content_.index() == 0; }
+    bool ok() const { return content_.index() == 0; }  ///< There is a value.
     explicit operator bool() const { return ok(); }
 
+    /// Throws std::logic_error on a failed result.
     const T& value() const& { return checked(), std::get<0>(content_); }
-    T& value() & { return checked(), std::get<0>(content_); }
-    T&& value() && { return checked(), std::get<0>(std::move(content_)); }
+    T& value() & { return checked(), std::get<0>(content_); }               ///< As above.
+    T&& value() && { return checked(), std::get<0>(std::move(content_)); }  ///< As above; moves it out.
     const T& operator*() const& { return value(); }
     T& operator*() & { return value(); }
     const T* operator->() const { return &value(); }
@@ -48,7 +49,7 @@ public:
     Result() = default;
     Result(Error error) : error_(std::move(error)) {}  // NOLINT: implicit by intent
 
-    bool ok() const { return !error_.has_value(); }
+    bool ok() const { return !error_.has_value(); }  ///< There was no error.
     explicit operator bool() const { return ok(); }
     /// Does nothing when ok: where an error would be a broken precondition.
     void value() const {
@@ -56,7 +57,7 @@ public:
             throw std::logic_error("value() of a failed Result: " + error_->message());
         }
     }
-    Error error() const { return error_.value_or(Error{}); }
+    Error error() const { return error_.value_or(Error{}); }  ///< Code None: there was none.
 
 private:
     std::optional<Error> error_;

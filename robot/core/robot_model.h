@@ -61,7 +61,7 @@ struct RobotModel {
     std::array<double, 6> torquePerCurrent{};  ///< [Nm/A], joint side
     std::array<LinkInertia, 6> links;
 
-    bool isCb3() const {
+    bool isCb3() const {  ///< UR3, UR5, UR10.
         return id == RobotModelId::UR3 || id == RobotModelId::UR5 || id == RobotModelId::UR10;
     }
 };
@@ -71,8 +71,8 @@ inline constexpr double kJointPositionLimit = 6.3355451848;
 /// Joint acceleration limit [rad/s2]. Source: as above.
 inline constexpr double kJointAccelerationLimit = 40.0;
 
-const RobotModel& robotModel(RobotModelId id);
-std::span<const RobotModel> robotModels();
+const RobotModel& robotModel(RobotModelId id);  ///< Its data, for the life of the program.
+std::span<const RobotModel> robotModels();      ///< All there are.
 /// By name, case ignored: "ur5e", "UR8Long", "ur8 long".
 std::optional<RobotModelId> robotModelByName(const Text& name);
 

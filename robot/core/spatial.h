@@ -26,20 +26,21 @@ struct Pose {
         : position(x, y, z), rotation(rx, ry, rz) {}
     explicit Pose(const Eigen::Isometry3d& T);
 
+    /// x y z rx ry rz [m, rad]
     static Pose fromArray(const std::array<double, 6>& v) { return {v[0], v[1], v[2], v[3], v[4], v[5]}; }
     /// Errors  std::invalid_argument unless there are six
     static Pose fromStdVector(const std::vector<double>& v);
-    std::vector<double> toStdVector() const;
+    std::vector<double> toStdVector() const;  ///< x y z rx ry rz [m, rad]
     /// 0, 1, 2: position [m]; 3, 4, 5: rotation vector [rad].
     double& operator[](int i) { return i < 3 ? position[i] : rotation[i - 3]; }
     double operator[](int i) const { return i < 3 ? position[i] : rotation[i - 3]; }
-    std::array<double, 6> array() const {
+    std::array<double, 6> array() const {  ///< x y z rx ry rz [m, rad]
         return {position.x(), position.y(), position.z(), rotation.x(), rotation.y(), rotation.z()};
     }
-    Eigen::Isometry3d transform() const;
+    Eigen::Isometry3d transform() const;  ///< Of points in it to its reference frame.
     /// T_b_a of T_a_b.
     Pose inverse() const;
-    bool allFinite() const { return position.allFinite() && rotation.allFinite(); }
+    bool allFinite() const { return position.allFinite() && rotation.allFinite(); }  ///< No NaN, no infinity.
     friend bool operator==(const Pose&, const Pose&) = default;
     /// T_a_c of T_a_b and T_b_c. Source: URScript pose_trans
     friend Pose operator*(const Pose& T_a_b, const Pose& T_b_c);
@@ -54,9 +55,9 @@ struct Twist {
     Eigen::Vector3d linear = Eigen::Vector3d::Zero();
     Eigen::Vector3d angular = Eigen::Vector3d::Zero();
 
-    Vector6 vector() const { return (Vector6() << linear, angular).finished(); }
-    static Twist fromVector(const Vector6& v) { return {v.head<3>(), v.tail<3>()}; }
-    bool isZero() const { return linear.isZero(0) && angular.isZero(0); }
+    Vector6 vector() const { return (Vector6() << linear, angular).finished(); }      ///< vx vy vz wx wy wz
+    static Twist fromVector(const Vector6& v) { return {v.head<3>(), v.tail<3>()}; }  ///< vx vy vz wx wy wz
+    bool isZero() const { return linear.isZero(0) && angular.isZero(0); }             ///< Exactly.
     friend Twist operator+(const Twist& a, const Twist& b) {
         return {a.linear + b.linear, a.angular + b.angular};
     }
@@ -74,8 +75,8 @@ struct Wrench {
     Eigen::Vector3d force = Eigen::Vector3d::Zero();
     Eigen::Vector3d torque = Eigen::Vector3d::Zero();
 
-    Vector6 vector() const { return (Vector6() << force, torque).finished(); }
-    static Wrench fromVector(const Vector6& v) { return {v.head<3>(), v.tail<3>()}; }
+    Vector6 vector() const { return (Vector6() << force, torque).finished(); }         ///< Fx Fy Fz Tx Ty Tz
+    static Wrench fromVector(const Vector6& v) { return {v.head<3>(), v.tail<3>()}; }  ///< Fx Fy Fz Tx Ty Tz
     friend Wrench operator+(const Wrench& a, const Wrench& b) {
         return {a.force + b.force, a.torque + b.torque};
     }
@@ -90,10 +91,10 @@ struct Wrench {
 
 /// Rotation vector [rad] to matrix and back; the angle of the result is in [0, pi].
 Eigen::Matrix3d rotationMatrix(const Eigen::Vector3d& rotationVector);
-Eigen::Vector3d rotationVector(const Eigen::Matrix3d& R);
+Eigen::Vector3d rotationVector(const Eigen::Matrix3d& R);  ///< [rad], 0 ... pi long
 
 /// Roll, pitch, yaw [rad], R = Rz(yaw) Ry(pitch) Rx(roll). At pitch = +-90 deg yaw is set to 0.
 Eigen::Vector3d rpyFromRotationVector(const Eigen::Vector3d& rotationVector);
-Eigen::Vector3d rotationVectorFromRpy(const Eigen::Vector3d& rpy);
+Eigen::Vector3d rotationVectorFromRpy(const Eigen::Vector3d& rpy);  ///< Both [rad].
 
 }  // namespace tiller

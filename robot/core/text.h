@@ -61,17 +61,17 @@ constexpr std::string_view enumeratorName() {
 // Enumerators are looked for among these: -1 ... 255 and the powers of two above.
 inline constexpr std::size_t kPlainCandidates = 257;
 inline constexpr std::size_t kCandidates = kPlainCandidates + 23;
-constexpr std::int64_t candidate(std::size_t i) {
+constexpr std::int64_t candidate(std::size_t i) {  ///< The i-th of them.
     return i < kPlainCandidates ? static_cast<std::int64_t>(i) - 1
                                 : std::int64_t(1) << (i - kPlainCandidates + 8);
 }
 
 template <class E>
-constexpr bool holds(std::int64_t number) {
+constexpr bool holds(std::int64_t number) {  ///< E can hold it.
     return std::in_range<std::underlying_type_t<E>>(number);
 }
 template <class E, std::size_t i>
-constexpr std::string_view candidateName() {
+constexpr std::string_view candidateName() {  ///< Empty: none of E.
     if constexpr (holds<E>(candidate(i))) {
         return enumeratorName<static_cast<E>(candidate(i))>();
     } else {
@@ -85,7 +85,7 @@ inline constexpr auto kNames = []<std::size_t... i>(std::index_sequence<i...>) {
 (std::make_index_sequence<kCandidates>());
 
 template <class E>
-constexpr std::string_view nameOf(E value) {
+constexpr std::string_view nameOf(E value) {  ///< Empty: not found.
     for (std::size_t i = 0; i < kCandidates; ++i) {
         if (holds<E>(candidate(i)) && static_cast<E>(candidate(i)) == value) {
             return kNames<E>[i];

@@ -14,12 +14,12 @@ namespace tiller {
 /// Threads  any
 class Turn {
 public:
-    void lock() {
+    void lock() {  ///< Blocks: until its turn comes
         std::unique_lock guard(guard_);
         free_.wait(guard, [this] { return !taken_; });
         taken_ = true;
     }
-    bool try_lock() { return try_lock_for(std::chrono::nanoseconds(0)); }
+    bool try_lock() { return try_lock_for(std::chrono::nanoseconds(0)); }  ///< Without waiting.
     /// Returns  false when the turn did not come within `patience`
     /// Threads  any. Blocks: at most `patience`
     bool try_lock_for(std::chrono::nanoseconds patience) {
@@ -30,7 +30,7 @@ public:
         taken_ = true;
         return true;
     }
-    void unlock() {
+    void unlock() {  ///< The next one's turn.
         const std::lock_guard guard(guard_);
         taken_ = false;
         free_.notify_one();

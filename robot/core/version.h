@@ -22,8 +22,8 @@ struct SoftwareVersion {
         return out << v.major << '.' << v.minor << '.' << v.bugfix << '.' << v.build;
     }
 
-    bool isCb3() const { return major > 0 && major < 5; }
-    bool isPolyScopeX() const { return major >= 10; }
+    bool isCb3() const { return major > 0 && major < 5; }  ///< Software 3.x.
+    bool isPolyScopeX() const { return major >= 10; }      ///< Software 10.x.
     /// Control period [s]: 8 ms on CB3, 2 ms on everything later.
     double controlPeriod() const { return isCb3() ? 0.008 : 0.002; }
     /// The highest RTDE rate [Hz].

@@ -45,23 +45,23 @@ public:
     /// Connects and reads the greeting.
     /// Errors   AddressInvalid, HostUnreachable, ConnectionRefused, Timeout, Cancelled
     Result<void> connect(const Deadline& deadline);
-    void close();
-    bool isConnected() const;
+    void close();              ///< Harmless when not connected.
+    bool isConnected() const;  ///< As of the last call.
     /// Looks whether the server has hung up since the last reply, and closes this end then too.
     /// Returns  isConnected(). Blocks: never
     bool checkConnection();
 
     // Power and recovery. A reply means "begun": the change shows in robotMode().
     Result<void> powerOn(const Deadline& deadline);
-    Result<void> powerOff(const Deadline& deadline);
-    Result<void> brakeRelease(const Deadline& deadline);
+    Result<void> powerOff(const Deadline& deadline);      ///< Engages the brakes.
+    Result<void> brakeRelease(const Deadline& deadline);  ///< To RUNNING; powers on if need be.
     /// Refused (Rejected) for 5 s after the stop.
     Result<void> unlockProtectiveStop(const Deadline& deadline);
-    Result<void> closeSafetyPopup(const Deadline& deadline);
-    Result<void> restartSafety(const Deadline& deadline);
+    Result<void> closeSafetyPopup(const Deadline& deadline);  ///< Closes one popup.
+    Result<void> restartSafety(const Deadline& deadline);     ///< After a violation or a fault.
 
-    Result<RobotMode> robotMode(const Deadline& deadline);
-    Result<SafetyMode> safetyMode(const Deadline& deadline);
+    Result<RobotMode> robotMode(const Deadline& deadline);    ///< Of the newest state.
+    Result<SafetyMode> safetyMode(const Deadline& deadline);  ///< Of the newest state.
     /// false also where remote control is switched off in the settings. Since 5.6
     Result<bool> isInRemoteControl(const Deadline& deadline);
 
@@ -72,15 +72,16 @@ public:
 
     // Programs
     Result<ProgramState> programState(const Deadline& deadline);
+    /// path  below the programs folder
     Result<void> loadProgram(const Text& path, const Deadline& deadline);
-    Result<void> play(const Deadline& deadline);
-    Result<void> pause(const Deadline& deadline);
-    Result<void> stop(const Deadline& deadline);
+    Result<void> play(const Deadline& deadline);   ///< Starts or resumes the loaded program.
+    Result<void> pause(const Deadline& deadline);  ///< Pauses the program that runs.
+    Result<void> stop(const Deadline& deadline);   ///< Stops the program that runs.
 
     // Pendant
     Result<void> popup(const Text& text, const Deadline& deadline);
-    Result<void> closePopup(const Deadline& deadline);
-    Result<void> addToLog(const Text& text, const Deadline& deadline);
+    Result<void> closePopup(const Deadline& deadline);                  ///< Closes the one popup() opened.
+    Result<void> addToLog(const Text& text, const Deadline& deadline);  ///< On the teach pendant.
 
     /// Any command; the reply as it came.
     /// Errors   as above, without Rejected

@@ -34,20 +34,20 @@ public:
 
     // A reply means "begun": the change shows in robotMode().
     Result<void> powerOn(const Deadline& deadline);
-    Result<void> powerOff(const Deadline& deadline);
-    Result<void> brakeRelease(const Deadline& deadline);
-    Result<void> unlockProtectiveStop(const Deadline& deadline);
-    Result<void> restartSafety(const Deadline& deadline);
+    Result<void> powerOff(const Deadline& deadline);              ///< Engages the brakes.
+    Result<void> brakeRelease(const Deadline& deadline);          ///< To RUNNING.
+    Result<void> unlockProtectiveStop(const Deadline& deadline);  ///< After a look at the arm.
+    Result<void> restartSafety(const Deadline& deadline);         ///< After a violation or a fault.
 
-    Result<RobotMode> robotMode(const Deadline& deadline) const;
-    Result<SafetyMode> safetyMode(const Deadline& deadline) const;
-    Result<bool> isInRemoteControl(const Deadline& deadline) const;
+    Result<RobotMode> robotMode(const Deadline& deadline) const;     ///< Of the newest state.
+    Result<SafetyMode> safetyMode(const Deadline& deadline) const;   ///< Of the newest state.
+    Result<bool> isInRemoteControl(const Deadline& deadline) const;  ///< Else automatic or manual.
 
     /// name  without its ending
     Result<void> loadProgram(const Text& name, const Deadline& deadline);
     /// action  "play", "pause", "resume" or "stop"
     Result<void> runProgram(const Text& action, const Deadline& deadline);
-    Result<ProgramState::Run> programState(const Deadline& deadline) const;
+    Result<ProgramState::Run> programState(const Deadline& deadline) const;  ///< Of the loaded program.
 
     /// Any request below /universal-robots/robot-api; the object of the reply, empty when it has none.
     Result<QJsonObject> request(const QByteArray& method, const QString& path, const QJsonObject& body,

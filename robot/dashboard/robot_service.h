@@ -30,15 +30,17 @@ class RobotService {
 public:
     virtual ~RobotService() = default;
 
-    virtual ServiceKind kind() const = 0;
+    virtual ServiceKind kind() const = 0;  ///< Dashboard or Robot API.
     /// False once the way to the robot is gone: it takes openService() again.
     virtual bool isConnected() = 0;
 
+    /// Returns when the controller has taken the command.
     virtual Result<void> perform(RobotCommand command, const Deadline& deadline) = 0;
     /// Only ever on a person's explicit word: the manufacturer forbids automatic reset.
     virtual Result<void> unlockProtectiveStop(const Deadline& deadline) = 0;
     /// name  as the controller's programs folder has it; PolyScope X takes it with and without its ending
     virtual Result<void> loadProgram(const Text& name, const Deadline& deadline) = 0;
+    /// What RTDE does not tell: control mode, operational mode, loaded program.
     virtual Result<ServiceReport> look(const Deadline& deadline) = 0;
 };
 

@@ -27,7 +27,7 @@ public:
 
     /// Starts the thread; it looks for the service when the first call comes, and again after it was lost.
     void start();
-    void stop();
+    void stop();  ///< Ends the thread; what waits is dropped.
 
     /// Runs `call` on the worker, then `done` with its result in the thread of `context` (not at all once
     /// context is gone, or the worker stopped).

@@ -47,15 +47,15 @@ public:
 
     /// Errors  as rtde::Connection::open; registers owned by others are no error here
     Result<void> connect(const Deadline& deadline);
-    void disconnect();
-    bool isConnected() const;
+    void disconnect();         ///< Frees the registers.
+    bool isConnected() const;  ///< The link stands.
 
     /// Errors  NotConnected, InvalidArgument (not asked for in the options; not a number), RegisterInUse,
     ///         FieldUnknown, LinkLost, Timeout (the robot does not report it), Cancelled
     /// Blocks  until the robot reports the value, where the receiver follows the register
     Result<void> setInt(int number, std::int32_t value, const Deadline& deadline);
-    Result<void> setDouble(int number, double value, const Deadline& deadline);
-    Result<void> setBit(int number, bool value, const Deadline& deadline);
+    Result<void> setDouble(int number, double value, const Deadline& deadline);  ///< As setInt().
+    Result<void> setBit(int number, bool value, const Deadline& deadline);       ///< As setInt(); 64 ... 127.
 
 private:
     struct Private;

@@ -80,6 +80,7 @@ public:
     ///         (sent, but the robot does not report it), Cancelled
     /// Blocks  until the robot reports the new values, at most until the deadline
     Result<void> setDigitalOutputs(std::uint32_t mask, std::uint32_t values, const Deadline& deadline);
+    /// Returns when the robot reports it.
     Result<void> setDigitalOutput(int output, bool on, const Deadline& deadline);
 
     /// fraction  0.02 ... 1
@@ -93,8 +94,8 @@ public:
 
     /// Whether a group of outputs can be set; the error says why not.
     Result<void> canSetDigitalOutput(int output) const;
-    Result<void> canSetSpeedSlider() const;
-    Result<void> canSetAnalogOutput() const;
+    Result<void> canSetSpeedSlider() const;   ///< Why not, if not.
+    Result<void> canSetAnalogOutput() const;  ///< Why not, if not.
 
 private:
     struct Link;

@@ -33,6 +33,7 @@ Matrix6 jacobian(const DhParameters& dh, const JointPositions& q, const Pose& tc
 struct InverseSolutions {
     std::array<JointPositions, 8> q;
     int count = 0;
+    /// Those there are.
     std::span<const JointPositions> span() const { return {q.data(), static_cast<std::size_t>(count)}; }
 };
 
@@ -55,6 +56,6 @@ struct SingularityMeasure {
     double elbow = 0;     ///< |sin q3|
     double shoulder = 0;  ///< how far, along the arm's plane, the wrist centre is from axis 1 [m]
 };
-SingularityMeasure singularityMeasure(const DhParameters& dh, const JointPositions& q);
+SingularityMeasure singularityMeasure(const DhParameters& dh, const JointPositions& q);  ///< q  [rad]
 
 }  // namespace tiller::kinematics

@@ -34,10 +34,10 @@ struct FramePointsCheck {
         InLine,     ///< the third point lies beside the X axis by less than kLeastFrameOffset
     };
     Problem problem = Problem::Incomplete;
-    double alongX = 0;    ///< from the origin to the point on +X [m]
-    double towardsY = 0;  ///< from the origin to the third point [m]
-    double offLine = 0;   ///< from the X axis to the third point [m]
-    bool ok() const { return problem == Problem::None; }
+    double alongX = 0;                                    ///< from the origin to the point on +X [m]
+    double towardsY = 0;                                  ///< from the origin to the third point [m]
+    double offLine = 0;                                   ///< from the X axis to the third point [m]
+    bool ok() const { return problem == Problem::None; }  ///< The points make a frame.
 };
 
 /// Threads  any. Blocks: never

@@ -42,6 +42,7 @@ struct Project {
 struct FileProblem {
     QString where;  ///< "line 12, column 3", "waypoints[3].joints[2]"
     QString what;   ///< "is not a number"
+    /// For people.
     QString toString() const { return where.isEmpty() ? what : where + QStringLiteral(": ") + what; }
 };
 
@@ -57,13 +58,13 @@ struct RecoveredProject {
 /// Errors   FileNotReadable; FileCorrupt with place and reason; VersionUnsupported for a newer file
 /// Threads  any. Blocks: for the file system. Real-time: no
 Result<Project> loadProject(const QString& path);
-Result<Project> parseProject(const QByteArray& bytes);
+Result<Project> parseProject(const QByteArray& bytes);  ///< As loadProject().
 
 /// As much of the file as makes sense: every waypoint that is whole, also from a file cut off in the middle.
 /// Never touches the file.
 /// Errors   FileNotReadable; FileCorrupt when it is not a project at all; VersionUnsupported
 Result<RecoveredProject> recoverProject(const QString& path);
-Result<RecoveredProject> recoverFromBytes(const QByteArray& bytes);
+Result<RecoveredProject> recoverFromBytes(const QByteArray& bytes);  ///< As recoverProject().
 
 /// Where a file went that would have been lost, if there was one.
 struct SaveReport {

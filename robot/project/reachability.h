@@ -21,7 +21,7 @@ struct Reach {
     Obstacle obstacle = Obstacle::OutOfReach;
     JointPositions q;  ///< target; valid for None and OnTheWay
 
-    bool ok() const { return obstacle == Obstacle::None; }
+    bool ok() const { return obstacle == Obstacle::None; }  ///< It can be reached.
 };
 
 /// The target of a waypoint. A pose is solved nearest to the joints it was taught with.

@@ -49,7 +49,7 @@ struct Waypoint {
 
     /// Speed and acceleration of its kind of move: [rad/s, rad/s2] or [m/s, m/s2].
     double speed() const { return move == MoveKind::Joint ? jointSpeed : toolSpeed; }
-    double acceleration() const {
+    double acceleration() const {  ///< [rad/s2] or [m/s2]
         return move == MoveKind::Joint ? kDefaultJointAcceleration : kDefaultToolAcceleration;
     }
     friend bool operator==(const Waypoint&, const Waypoint&) = default;

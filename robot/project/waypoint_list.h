@@ -13,27 +13,28 @@ namespace tiller::project {
 
 class FrameList {
 public:
-    std::size_t size() const { return frames_.size(); }
-    bool isEmpty() const { return frames_.empty(); }
-    const Frame& at(std::size_t index) const { return frames_.at(index); }
+    std::size_t size() const { return frames_.size(); }                     ///< Number of frames.
+    bool isEmpty() const { return frames_.empty(); }                        ///< No frame at all.
+    const Frame& at(std::size_t index) const { return frames_.at(index); }  ///< Throws std::out_of_range.
     auto begin() const { return frames_.begin(); }
     auto end() const { return frames_.end(); }
-    void append(Frame frame) { frames_.push_back(std::move(frame)); }
+    void append(Frame frame) { frames_.push_back(std::move(frame)); }  ///< At the end.
     /// index  0 ... size(); the new one stands there afterwards
     void insert(std::size_t index, Frame frame);
+    /// Its place stays.
     void replace(std::size_t index, Frame frame) { frames_.at(index) = std::move(frame); }
-    void remove(std::size_t index);
-    void clear() { frames_.clear(); }
+    void remove(std::size_t index);    ///< Those behind move up.
+    void clear() { frames_.clear(); }  ///< All go.
 
     /// Null for the base frame and for an id that is not here.
     const Frame* find(const QUuid& id) const;
-    const Frame* findByName(const QString& name) const;
+    const Frame* findByName(const QString& name) const;  ///< Null when there is none.
     /// T_base_frame; the identity for the base frame, nothing for an id that is not here.
     std::optional<Pose> pose(const QUuid& id) const;
 
     /// As those of WaypointList.
     QString uniqueName(const QString& wanted) const;
-    QString nextName(const QString& stem) const;
+    QString nextName(const QString& stem) const;  ///< "frame 1", "frame 2": the next free one.
     friend bool operator==(const FrameList&, const FrameList&) = default;
 
 private:
@@ -42,24 +43,25 @@ private:
 
 class WaypointList {
 public:
-    int size() const { return static_cast<int>(waypoints_.size()); }
-    bool isEmpty() const { return waypoints_.empty(); }
+    int size() const { return static_cast<int>(waypoints_.size()); }  ///< Number of waypoints.
+    bool isEmpty() const { return waypoints_.empty(); }               ///< No waypoint at all.
+    /// Throws std::out_of_range.
     const Waypoint& at(int index) const { return waypoints_.at(static_cast<std::size_t>(index)); }
     auto begin() const { return waypoints_.begin(); }
     auto end() const { return waypoints_.end(); }
 
     /// -1 when there is none.
     int indexOf(const QUuid& id) const;
-    int indexOfName(const QString& name) const;
+    int indexOfName(const QString& name) const;  ///< -1 when there is none.
 
     /// index  0 ... size(); the new one stands there afterwards
     void insert(int index, Waypoint waypoint);
-    void append(Waypoint waypoint) { insert(size(), std::move(waypoint)); }
-    Waypoint take(int index);
-    void replace(int index, Waypoint waypoint);
+    void append(Waypoint waypoint) { insert(size(), std::move(waypoint)); }  ///< At the end.
+    Waypoint take(int index);                    ///< Out of the list; those behind move up.
+    void replace(int index, Waypoint waypoint);  ///< Its place stays.
     /// Afterwards the waypoint that was at `from` is at `to`.
     void move(int from, int to);
-    void clear() { waypoints_.clear(); }
+    void clear() { waypoints_.clear(); }  ///< All go.
 
     /// `wanted` if nobody has that name, else with the next free number: "pick", "pick 2", "pick 3".
     QString uniqueName(const QString& wanted) const;
@@ -91,6 +93,6 @@ struct PoseDifference {
     double distance = 0;
     double angle = 0;
 };
-PoseDifference poseDifference(const Pose& a, const Pose& b);
+PoseDifference poseDifference(const Pose& a, const Pose& b);  ///< In whichever frame both are.
 
 }  // namespace tiller::project

@@ -16,12 +16,13 @@ class Histogram {
 public:
     /// ns  negative values count as 0
     void add(std::int64_t ns);
-    void clear();
-    void merge(const Histogram& other);
+    void clear();                        ///< Empty again.
+    void merge(const Histogram& other);  ///< Adds what the other has counted.
 
-    std::uint64_t count() const { return count_; }
-    std::int64_t minNs() const { return count_ == 0 ? 0 : min_; }
-    std::int64_t maxNs() const { return max_; }
+    std::uint64_t count() const { return count_; }                 ///< Number of values.
+    std::int64_t minNs() const { return count_ == 0 ? 0 : min_; }  ///< 0 when empty.
+    std::int64_t maxNs() const { return max_; }                    ///< 0 when empty.
+    /// 0 when empty.
     double meanNs() const { return count_ == 0 ? 0.0 : sum_ / static_cast<double>(count_); }
     /// percent  0 ... 100. The upper edge of the bucket in which the value lies, never above maxNs(); 0 when
     ///          empty

@@ -17,9 +17,10 @@ public:
     /// Returns  how many multiples were already over when it was called: 0 when all is well. They are
     ///          skipped, not made up for.
     std::uint64_t wait();
-    void restart();
+    void restart();  ///< The next period begins now.
     /// How much later than due the last wait() returned [ns].
     std::int64_t latenessNs() const { return latenessNs_; }
+    /// As constructed.
     std::chrono::nanoseconds period() const { return std::chrono::nanoseconds(periodNs_); }
 
 private:

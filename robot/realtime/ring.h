@@ -30,8 +30,8 @@ public:
         , stamps_(std::make_unique<std::atomic<std::uint64_t>[]>(mask_ + 1))
         , data_(std::make_unique<std::atomic<std::uint64_t>[]>((mask_ + 1) * words)) {}
 
-    std::size_t words() const { return words_; }
-    std::size_t capacity() const { return mask_ + 1; }
+    std::size_t words() const { return words_; }        ///< Of 64 bits in a record.
+    std::size_t capacity() const { return mask_ + 1; }  ///< In records, a power of two.
     /// Records pushed so far.
     std::uint64_t count() const { return head_.load(std::memory_order_acquire); }
 
@@ -42,9 +42,10 @@ public:
         const std::uint64_t head = count();
         return {head > capacity() ? head - capacity() : 0, 0};
     }
+    /// Records not yet taken.
     std::uint64_t pending(const Cursor& cursor) const { return count() - cursor.next; }
 
-    void push(std::span<const std::uint64_t> record) {
+    void push(std::span<const std::uint64_t> record) {  ///< One writer. Real-time: yes
         const std::uint64_t number = head_.load(std::memory_order_relaxed);
         const std::size_t slot = number & mask_;
         stamps_[slot].store(2 * number + 1, std::memory_order_relaxed);

@@ -20,11 +20,11 @@ public:
     explicit WordSeqlock(std::size_t words)
         : size_(words), words_(std::make_unique<std::atomic<std::uint64_t>[]>(words)) {}
 
-    std::size_t size() const { return size_; }
+    std::size_t size() const { return size_; }  ///< In words of 64 bits.
     /// How often it was written. 0: never, and read() gives zeros.
     std::uint64_t version() const { return sequence_.load(std::memory_order_acquire) / 2; }
 
-    void write(std::span<const std::uint64_t> values) {
+    void write(std::span<const std::uint64_t> values) {  ///< One writer. Real-time: yes
         const std::uint64_t sequence = sequence_.load(std::memory_order_relaxed);
         sequence_.store(sequence + 1, std::memory_order_relaxed);
         // Release on each word keeps the odd number in front of it; no fence, which ThreadSanitizer cannot
@@ -74,12 +74,12 @@ public:
     Seqlock() : lock_(kWords) { store(T{}); }
     explicit Seqlock(const T& value) : lock_(kWords) { store(value); }
 
-    void store(const T& value) {
+    void store(const T& value) {  ///< One writer. Real-time: yes
         std::uint64_t words[kWords] = {};
         std::memcpy(words, &value, sizeof(T));
         lock_.write(words);
     }
-    T load() const {
+    T load() const {  ///< Any reader; again while it is being written.
         std::uint64_t words[kWords];
         lock_.read(words);
         T value{};

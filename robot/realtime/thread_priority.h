@@ -11,7 +11,7 @@ struct PriorityReport {
     int requested = 0;
     /// What the thread runs with: on Linux the SCHED_FIFO priority, 0 for the normal scheduler.
     int granted = 0;
-    bool ok() const { return granted >= requested; }
+    bool ok() const { return granted >= requested; }  ///< As wished for, or higher.
     /// Why it was not granted and what to do about it; empty when it was.
     QString advice;
 };

@@ -12,7 +12,7 @@ namespace tiller::realtime {
 template <class T>
 class TripleBuffer {
 public:
-    void publish(const T& value) {
+    void publish(const T& value) {  ///< One writer. Real-time: yes
         slots_[back_] = value;
         back_ = middle_.exchange(back_ | kFresh, std::memory_order_acq_rel) & ~kFresh;
     }

@@ -17,7 +17,7 @@ namespace tiller::realtime {
 /// Threads  wake() one, wait() any. Real-time: wake() yes
 class WakeUp {
 public:
-    void wake() {
+    void wake() {  ///< Real-time: yes
         // Writes as well as reads, so that one of the two comes first: this, and who lies down afterwards sees
         // what has happened; or that, and it is seen here.
         if (sleepers_.fetch_add(0, std::memory_order_acq_rel) == 0) {

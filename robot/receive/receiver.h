@@ -90,8 +90,8 @@ public:
     Result<Sample> next(const Deadline& deadline);
     /// Samples that were overwritten because nobody fetched them.
     std::uint64_t lost() const { return cursor_.lost; }
-    std::uint64_t pending() const;
-    bool isValid() const { return stream_ != nullptr; }
+    std::uint64_t pending() const;                       ///< Samples not yet taken.
+    bool isValid() const { return stream_ != nullptr; }  ///< Made by subscribe().
 
 private:
     friend class Receiver;
@@ -118,10 +118,10 @@ public:
     /// Ends the thread, within 250 ms whatever the peer does.
     void stop();
 
-    ReceiverState state() const;
+    ReceiverState state() const;  ///< Of the connection. Any thread
     /// Why start() refused, the last attempt failed or the last connection broke; code None when connected.
     Error lastError() const;
-    ReceiverCounters counters() const;
+    ReceiverCounters counters() const;  ///< Since start(). Any thread
     /// Counters back to zero, reconnects too. Takes effect with the next package.
     void resetCounters();
     /// Distance between neighbouring packages on the host [ns], since the last reset.
@@ -136,10 +136,10 @@ public:
     /// What the system said to the wish for priority; its advice also tells why the CPUs were refused.
     realtime::PriorityReport priority() const;
 
-    const std::shared_ptr<const SampleLayout>& layout() const;
+    const std::shared_ptr<const SampleLayout>& layout() const;  ///< Of every sample.
     /// The newest sample; sequence 0 when there is none yet. Real-time: latest(Sample&) yes, latest() no
     Sample latest() const;
-    void latest(Sample& into) const;
+    void latest(Sample& into) const;  ///< The same without an allocation.
     /// The newest sample, as soon as there is one of the present connection that is not older than 100 ms:
     /// what a program begins with that is to compute a target from where the arm is.
     /// Errors   why the connection could not be made, when that is known (ConnectionRefused, HostUnreachable,
@@ -149,6 +149,7 @@ public:
     /// Age of the newest sample on the receiver's clock; the largest number there is when there is none. A
     /// sample read out of a backlog is as old as it lay there, by the robot's time stamps.
     std::int64_t ageNs() const;
+    /// The newest sample is no older than this.
     bool isFresh(std::chrono::nanoseconds limit) const { return ageNs() <= limit.count(); }
 
     /// Everything received from now on.

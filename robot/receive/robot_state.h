@@ -50,41 +50,44 @@ public:
     explicit RobotState(const Sample& sample) : sample_(&sample) {}
     explicit RobotState(const Sample&&) = delete;
 
+    /// The sample holds that field.
     bool has(std::string_view field) const { return !sample_->field(field).empty(); }
     /// One number of a field, or the fallback.
     double number(std::string_view field, std::size_t component = 0, double fallback = kAbsent) const;
 
     double timestamp() const { return number("timestamp"); }  ///< [s] since the controller started
 
-    JointPositions q() const { return JointPositions(vector6("actual_q")); }
-    JointVelocities qd() const { return JointVelocities(vector6("actual_qd")); }
-    JointPositions targetQ() const { return JointPositions(vector6("target_q")); }
-    JointVelocities targetQd() const { return JointVelocities(vector6("target_qd")); }
-    JointAccelerations targetQdd() const { return JointAccelerations(vector6("target_qdd")); }
-    JointTorques targetTorque() const { return JointTorques(vector6("target_moment")); }
-    Vector6 jointCurrent() const { return vector6("actual_current"); }          ///< [A]
-    Vector6 targetCurrent() const { return vector6("target_current"); }         ///< [A]
-    Vector6 jointTemperature() const { return vector6("joint_temperatures"); }  ///< [degC]
-    Vector6 jointVoltage() const { return vector6("actual_joint_voltage"); }    ///< [V]
-    std::array<JointMode, 6> jointModes() const;
+    JointPositions q() const { return JointPositions(vector6("actual_q")); }                    ///< [rad]
+    JointVelocities qd() const { return JointVelocities(vector6("actual_qd")); }                ///< [rad/s]
+    JointPositions targetQ() const { return JointPositions(vector6("target_q")); }              ///< [rad]
+    JointVelocities targetQd() const { return JointVelocities(vector6("target_qd")); }          ///< [rad/s]
+    JointAccelerations targetQdd() const { return JointAccelerations(vector6("target_qdd")); }  ///< [rad/s2]
+    JointTorques targetTorque() const { return JointTorques(vector6("target_moment")); }        ///< [Nm]
+    Vector6 jointCurrent() const { return vector6("actual_current"); }                          ///< [A]
+    Vector6 targetCurrent() const { return vector6("target_current"); }                         ///< [A]
+    Vector6 jointTemperature() const { return vector6("joint_temperatures"); }                  ///< [degC]
+    Vector6 jointVoltage() const { return vector6("actual_joint_voltage"); }                    ///< [V]
+    std::array<JointMode, 6> jointModes() const;  ///< Base to wrist 3.
 
-    Pose tcpPose() const { return pose("actual_TCP_pose"); }                           ///< T_base_tcp
-    Pose targetTcpPose() const { return pose("target_TCP_pose"); }                     ///< T_base_tcp
-    Pose tcpOffset() const { return pose("tcp_offset"); }                              ///< T_flange_tcp
-    Twist tcpSpeed() const { return Twist::fromVector(vector6("actual_TCP_speed")); }  ///< base frame
-    Twist targetTcpSpeed() const { return Twist::fromVector(vector6("target_TCP_speed")); }
-    Wrench tcpForce() const { return Wrench::fromVector(vector6("actual_TCP_force")); }  ///< base frame
-    Wrench rawWrench() const { return Wrench::fromVector(vector6("ft_raw_wrench")); }    ///< flange frame
+    Pose tcpPose() const { return pose("actual_TCP_pose"); }                                 ///< T_base_tcp
+    Pose targetTcpPose() const { return pose("target_TCP_pose"); }                           ///< T_base_tcp
+    Pose tcpOffset() const { return pose("tcp_offset"); }                                    ///< T_flange_tcp
+    Twist tcpSpeed() const { return Twist::fromVector(vector6("actual_TCP_speed")); }        ///< base frame
+    Twist targetTcpSpeed() const { return Twist::fromVector(vector6("target_TCP_speed")); }  ///< [m/s, rad/s]
+    Wrench tcpForce() const { return Wrench::fromVector(vector6("actual_TCP_force")); }      ///< base frame
+    Wrench rawWrench() const { return Wrench::fromVector(vector6("ft_raw_wrench")); }        ///< flange frame
 
-    RobotMode robotMode() const;
-    SafetyMode safetyMode() const;
-    RuntimeState runtimeState() const;
+    RobotMode robotMode() const;        ///< DISCONNECTED when absent.
+    SafetyMode safetyMode() const;      ///< UNDEFINED when absent.
+    RuntimeState runtimeState() const;  ///< STOPPED when absent.
+    /// See is().
     std::optional<std::uint32_t> robotStatusBits() const { return bits32("robot_status_bits"); }
+    /// See is().
     std::optional<std::uint32_t> safetyStatusBits() const { return bits32("safety_status_bits"); }
-    bool is(RobotStatusBit bit) const {
+    bool is(RobotStatusBit bit) const {  ///< False when absent.
         return (robotStatusBits().value_or(0) & static_cast<std::uint32_t>(bit)) != 0;
     }
-    bool is(SafetyStatusBit bit) const {
+    bool is(SafetyStatusBit bit) const {  ///< False when absent.
         return (safetyStatusBits().value_or(0) & static_cast<std::uint32_t>(bit)) != 0;
     }
 
@@ -93,6 +96,7 @@ public:
 
     /// Bits 0-7 standard, 8-15 configurable, 16-17 tool.
     std::optional<std::uint64_t> digitalInputs() const { return bits64("actual_digital_input_bits"); }
+    /// Numbered as the inputs.
     std::optional<std::uint64_t> digitalOutputs() const { return bits64("actual_digital_output_bits"); }
     double analogInput(int channel) const;   ///< 0 or 1 [mA or V, as analogIoTypes() says]
     double analogOutput(int channel) const;  ///< 0 or 1 [mA or V]
@@ -104,7 +108,7 @@ public:
 
     /// Registers the receiver was asked to follow.
     std::optional<int> outputIntRegister(int number) const;
-    double outputDoubleRegister(int number) const;
+    double outputDoubleRegister(int number) const;  ///< NaN when absent.
 
 private:
     Vector6 vector6(std::string_view field) const;

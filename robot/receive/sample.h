@@ -41,10 +41,10 @@ public:
     /// too.
     explicit SampleLayout(const std::vector<std::string>& names);
 
-    const std::vector<Entry>& entries() const { return entries_; }
+    const std::vector<Entry>& entries() const { return entries_; }  ///< In the order of the recipe.
     /// Numbers in a sample.
     std::size_t size() const { return size_; }
-    const Entry* find(std::string_view name) const;
+    const Entry* find(std::string_view name) const;  ///< Null when it is not among them.
     /// Index of a component by the name recordings use: "actual_q_0", "robot_mode".
     std::optional<std::size_t> indexOfComponent(std::string_view component) const;
     /// "actual_q_0" ... in the order of the values.
@@ -80,7 +80,7 @@ struct Sample {
     explicit Sample(std::shared_ptr<const SampleLayout> l)
         : values(l->size(), kAbsent), layout(std::move(l)) {}
 
-    bool isEmpty() const { return sequence == 0; }
+    bool isEmpty() const { return sequence == 0; }  ///< Nothing has come yet.
     /// The value of one component, NaN when absent.
     double at(std::size_t index) const { return index < values.size() ? values[index] : kAbsent; }
     /// All numbers of a field; empty when the layout does not have it or the robot does not send it.

@@ -21,8 +21,8 @@ struct CsvTable {
     /// True when the last line had no end (the writer was killed in the middle) and was left out.
     bool truncated = false;
 
-    std::size_t rows() const { return values.empty() ? 0 : values.front().size(); }
-    std::optional<std::size_t> indexOf(std::string_view column) const;
+    std::size_t rows() const { return values.empty() ? 0 : values.front().size(); }  ///< Without the heading.
+    std::optional<std::size_t> indexOf(std::string_view column) const;  ///< Of a column by its heading.
     /// Null when there is no such column.
     const std::vector<double>* column(std::string_view name) const;
 };

@@ -76,15 +76,16 @@ public:
     /// Blocks   as long as the file system takes to create a file
     Result<void> start(const RecorderOptions& options, receive::Subscription subscription,
                        std::shared_ptr<const receive::SampleLayout> layout);
+    /// The same with a subscription of its own.
     Result<void> start(const RecorderOptions& options, const receive::Receiver& receiver);
     /// Writes what is still waiting, has it on the disk and closes the file. Finished only if all of that
     /// went well: a disk or a share that takes the rows and loses them afterwards makes it Failed.
     void stop();
 
-    RecorderProgress progress() const;
+    RecorderProgress progress() const;  ///< Any thread
     /// Why it failed: DiskFull, FileNotWritable; code None otherwise.
     Error error() const;
-    QString path() const;
+    QString path() const;  ///< Of the file being written, or written last.
 
 private:
     struct Worker;

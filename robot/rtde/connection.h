@@ -39,17 +39,17 @@ public:
     Connection(const Connection&) = delete;
     Connection& operator=(const Connection&) = delete;
 
-    const SoftwareVersion& version() const;
-    ProtocolVersion protocol() const;
-    const Recipe& outputs() const;
-    const std::vector<Recipe>& inputs() const;
+    const SoftwareVersion& version() const;     ///< Of the controller.
+    ProtocolVersion protocol() const;           ///< 2, or 1 on old software.
+    const Recipe& outputs() const;              ///< As the controller answered.
+    const std::vector<Recipe>& inputs() const;  ///< As the controller answered.
     /// The whole answer of the handshake: names in use, text messages.
     const Session& session() const;
     /// Time between two data packages [s].
     double period() const;
     /// "192.168.0.10:30004", for messages.
     const QString& peer() const;
-    native_socket::Descriptor descriptor() const;
+    native_socket::Descriptor descriptor() const;  ///< Of the socket.
 
     enum class Read {
         Package,   ///< values were filled
@@ -81,11 +81,11 @@ public:
 
     /// Errors  Timeout, Cancelled, ConnectionClosed, Rejected, ProtocolError. Blocks: deadline
     Result<void> start(const Deadline& deadline);
-    Result<void> pause(const Deadline& deadline);
+    Result<void> pause(const Deadline& deadline);  ///< Data stop until start().
 
     /// Closes the socket. Reading and sending fail from now on. Blocks: never
     void close();
-    bool isOpen() const;
+    bool isOpen() const;  ///< Neither closed nor failed.
     /// Why the last read or send did not work.
     Error error() const;
 

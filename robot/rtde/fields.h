@@ -37,19 +37,19 @@ struct Field {
     Direction direction = Direction::Output;
     Since since;
 
-    std::size_t components() const { return componentCount(type); }
-    bool isAvailableOn(const SoftwareVersion& version) const;
+    std::size_t components() const { return componentCount(type); }  ///< 1, 3 or 6.
+    bool isAvailableOn(const SoftwareVersion& version) const;        ///< By its first and last software.
 };
 
 /// The catalogue, single fields first, then registers in rising number. Lives for the whole program.
 /// Threads  any
 std::span<const Field> outputFields();
-std::span<const Field> inputFields();
+std::span<const Field> inputFields();  ///< All that clients may send.
 
 /// Case-sensitive, like the controller. Null when there is no such field.
 /// Threads  any. Real-time: yes (one hash look-up) after the first call
 const Field* findOutput(std::string_view name);
-const Field* findInput(std::string_view name);
+const Field* findInput(std::string_view name);  ///< Null when there is none.
 
 /// The output whose name is most like this one, case ignored, for messages ("did you mean"); empty when none
 /// is.
@@ -67,7 +67,7 @@ inline constexpr int kFirstSingleBitRegister = 64;
 
 /// "output_int_register_24", "input_double_register_3", "output_bit_register_64".
 std::string intRegisterName(Direction direction, int number);
-std::string doubleRegisterName(Direction direction, int number);
-std::string bitRegisterName(Direction direction, int number);
+std::string doubleRegisterName(Direction direction, int number);  ///< "input_double_register_24"
+std::string bitRegisterName(Direction direction, int number);     ///< "input_bit_register_64"
 
 }  // namespace tiller::rtde

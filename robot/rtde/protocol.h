@@ -67,7 +67,7 @@ enum class DataType : std::uint8_t {
 
 /// The spelling in setup replies: "VECTOR6D".
 const char* dataTypeName(DataType type);
-std::optional<DataType> dataTypeByName(std::string_view name);
+std::optional<DataType> dataTypeByName(std::string_view name);  ///< "VECTOR6D"
 
 /// Bytes on the wire.
 constexpr std::size_t wireSize(DataType type) {

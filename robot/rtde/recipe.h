@@ -29,19 +29,19 @@ public:
     Recipe(std::uint8_t id, const std::vector<std::string>& requested,
            const std::vector<FieldAnswer>& answers);
 
-    std::uint8_t id() const { return id_; }
+    std::uint8_t id() const { return id_; }  ///< As the controller gave it.
     /// True when packages of this recipe can be sent or will come.
     bool isValid() const { return id_ != 0; }
-    const std::vector<RecipeField>& fields() const { return fields_; }
-    const std::vector<std::string>& absent() const { return absent_; }
-    const ValueLayout& layout() const { return layout_; }
+    const std::vector<RecipeField>& fields() const { return fields_; }  ///< In the order of the package.
+    const std::vector<std::string>& absent() const { return absent_; }  ///< Asked for, but not there.
+    const ValueLayout& layout() const { return layout_; }               ///< Of the package.
     /// Numbers in one set of values.
     std::size_t size() const { return layout_.components(); }
 
-    const RecipeField* find(std::string_view name) const;
+    const RecipeField* find(std::string_view name) const;  ///< Null when it is not among them.
     /// Index of the field's first number among the values; nothing when the robot does not have it.
     std::optional<std::size_t> indexOf(std::string_view name) const;
-    bool has(std::string_view name) const { return find(name) != nullptr; }
+    bool has(std::string_view name) const { return find(name) != nullptr; }  ///< It is among the fields.
 
 private:
     std::uint8_t id_ = 0;

@@ -60,19 +60,19 @@ public:
     void handle(const PackageView& package, Bytes& out);
     /// From Ready or Running; ignored otherwise.
     void start(Bytes& out);
-    void pause(Bytes& out);
+    void pause(Bytes& out);  ///< Appends the request.
 
-    State state() const { return state_; }
-    bool isFailed() const { return state_ == State::Failed; }
+    State state() const { return state_; }                     ///< Of the handshake.
+    bool isFailed() const { return state_ == State::Failed; }  ///< See error().
     /// True once the handshake came to its end.
     bool isReady() const { return state_ == State::Ready || state_ == State::Running; }
-    const Error& error() const { return error_; }
+    const Error& error() const { return error_; }  ///< Why it failed.
     /// What is being waited for, for messages: "the reply to RTDE_GET_URCONTROL_VERSION".
     QString awaited() const;
 
-    ProtocolVersion protocol() const { return protocol_; }
-    const SoftwareVersion& version() const { return version_; }
-    const Recipe& outputs() const { return outputs_; }
+    ProtocolVersion protocol() const { return protocol_; }       ///< Agreed upon.
+    const SoftwareVersion& version() const { return version_; }  ///< Of the controller.
+    const Recipe& outputs() const { return outputs_; }           ///< Of the data packages.
     /// As many as were requested, in that order; one that was refused is invalid.
     const std::vector<Recipe>& inputs() const { return inputs_; }
     /// Names owned by others, per input recipe.

@@ -34,7 +34,7 @@ public:
     /// Room to receive into, never empty while there is no fault and packages are taken; then say how much
     /// came with commit(). Invalidates views handed out before.
     std::span<std::uint8_t> writable();
-    void commit(std::size_t bytes);
+    void commit(std::size_t bytes);  ///< So many were written into the space.
 
     /// Copies bytes in. Invalidates views handed out before.
     /// Returns  how many were taken: less than offered when packages have to be taken out first, or after a
@@ -50,7 +50,7 @@ public:
     Fault fault() const { return fault_; }
     /// ProtocolError naming the size field that was wrong; code None when there is no fault.
     Error error() const;
-    void reset();
+    void reset();  ///< For a new connection.
 
 private:
     std::size_t nextSize() const;

@@ -18,9 +18,9 @@ public:
     ValueLayout() = default;
     explicit ValueLayout(std::vector<DataType> types);
 
-    const std::vector<DataType>& types() const { return types_; }
-    std::size_t wireBytes() const { return wireBytes_; }    ///< packed, without recipe id
-    std::size_t components() const { return components_; }  ///< numbers in one set of values
+    const std::vector<DataType>& types() const { return types_; }  ///< In their order.
+    std::size_t wireBytes() const { return wireBytes_; }           ///< packed, without recipe id
+    std::size_t components() const { return components_; }         ///< numbers in one set of values
 
 private:
     std::vector<DataType> types_;

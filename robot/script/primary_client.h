@@ -35,12 +35,12 @@ public:
 
     // Threads  any, for everything below. Blocks: only where a deadline is given, and stop() for some 20 ms.
     void start();
-    void stop();
+    void stop();  ///< Ends the thread. Harmless when not running.
 
     /// Waits until the first robot state has come.
     /// Errors   what kept the connection from working: HostUnreachable, ConnectionRefused, Timeout ...
     Result<void> waitForState(const Deadline& deadline) const;
-    bool isConnected() const;
+    bool isConnected() const;  ///< Any thread
     /// Why there is no connection now; code None when there is one or none was tried.
     Error connectionError() const;
 
@@ -50,10 +50,10 @@ public:
 
     /// All messages since the last call, oldest first.
     std::vector<ControllerMessage> takeMessages();
-    PrimaryState state() const;
+    PrimaryState state() const;  ///< The newest. Any thread
     /// From the first robot state of a connection on.
     std::optional<RobotConfiguration> configuration() const;
-    std::uint64_t droppedMessages() const;
+    std::uint64_t droppedMessages() const;  ///< For want of space. Any thread
     /// Packages that were not what the protocol says, and were skipped.
     std::uint64_t malformedPackages() const;
 

@@ -42,7 +42,7 @@ public:
 
     // Threads  any, for everything below. Blocks: only where a deadline is given, and end() for some 20 ms.
     void start();
-    void end();
+    void end();  ///< Ends the thread.
 
     /// Asks for the stop. Where there is a connection the word is on its way when this returns; else it goes
     /// out with the next one. Until the controller tells that no program runs it is sent again, each time on
@@ -57,11 +57,11 @@ public:
     Result<void> waitUntilStopped(const Deadline& deadline) const;
     /// What became of the last request, if that is known: nothing yet while it is under way.
     bool isUnderWay() const;
-    Error error() const;
+    Error error() const;  ///< Why the last stop failed.
 
     /// Makes the connection anew: after the switch from Local to Remote.
     void reconnect();
-    bool isConnected() const;
+    bool isConnected() const;  ///< Any thread
 
 private:
     struct Private;

@@ -31,7 +31,7 @@ public:
     /// Sends the text and sees it off the machine. Adds the newline without which nothing is executed.
     /// Errors   NotConnected, ConnectionClosed, Timeout, Cancelled, InvalidArgument (empty text)
     Result<void> send(const Text& text, const Deadline& deadline);
-    void close();
+    void close();  ///< Harmless when not connected.
     /// Not any more once the controller has hung up, which one does whose stream nobody reads for minutes.
     bool isConnected();
 

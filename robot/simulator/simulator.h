@@ -16,7 +16,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <variant>
 
@@ -24,67 +23,15 @@
 #include "robot/core/joints.h"
 #include "robot/core/modes.h"
 #include "robot/core/result.h"
-#include "robot/core/robot_model.h"
 #include "robot/core/spatial.h"
 #include "robot/core/text.h"
-#include "robot/core/version.h"
 #include "robot/realtime/histogram.h"
 #include "robot/simulator/arm/environment.h"
-#include "robot/simulator/assumptions.h"
+#include "robot/simulator/simulator_options.h"
 
 namespace tiller::simulator {
 
 using tiller::operator<<;  // for the enumerations below
-
-enum class Time { Real, Virtual };
-
-/// The start pose of the vendor's simulated UR5e [rad]. Source: its first primary package.
-inline const JointPositions kHomeJoints{-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310};
-
-struct SimulatorOptions {
-    RobotModelId model = RobotModelId::UR5e;
-    SoftwareVersion software{5, 22, 1, 1214193};
-    Text listenAddress = QStringLiteral("127.0.0.1");
-    int portOffset = 0;         ///< added to every standard port
-    bool anyFreePorts = false;  ///< the system picks the ports; ask ports() after start()
-    Time time = Time::Real;
-    bool poweredOn = false;  ///< start with the brakes released, in RUNNING
-    JointPositions startJoints = kHomeJoints;
-    std::optional<int> priority;  ///< SCHED_FIFO priority wished for the thread; none: normal
-    std::uint64_t seed = 1;       ///< of measurement noise and of the scripts' random()
-    bool remoteControl = true;    ///< the pendant's Local/Remote switch
-    bool gateLocalControl =
-        false;  ///< refuse what a robot in Local refuses (the vendor's simulator does not)
-    bool gateLoopbackClients = false;  ///< refuse dashboard clients on this machine too
-    bool fastTransitions = false;      ///< power on and brake release within a few control periods
-    double startTime = 60.0;  ///< `timestamp` at start [s]; below 40 some clients wait for the boot to end
-    double bootTime = 0;      ///< [s] from the start to POWER_OFF; more than 0 makes `timestamp` begin at 0
-    bool safetyUnconfirmed = false;  ///< the start waits in CONFIRM_SAFETY for the operator
-    double calibrationError = 0;     ///< the reported kinematics differ by up to so many mm and mrad
-    Text programsFolder;             ///< where `load` finds programs; empty: there are none
-    Text serialNumber;               ///< empty: one of its own for each model
-    /// A pause this long after its last piece ends the script of an External Control node.
-    std::chrono::milliseconds scriptSilence{150};
-    Assumptions assumptions;  ///< how it behaves where it is not known how a real one does
-};
-
-/// Port numbers in use; 0 before start(), and for a service that this software does not have.
-struct Ports {
-    std::uint16_t dashboard = 29999;
-    std::uint16_t primary = 30001;
-    std::uint16_t secondary = 30002;
-    std::uint16_t realtime = 30003;
-    std::uint16_t rtde = 30004;
-    std::uint16_t primaryReadOnly = 30011;
-    std::uint16_t secondaryReadOnly = 30012;
-    std::uint16_t realtimeReadOnly = 30013;
-    std::uint16_t interpreter = 30020;  ///< 0 on software that has no interpreter mode
-    std::uint16_t robotApi = 80;        ///< HTTP, PolyScope X only; 8080 where the system keeps 80 to itself
-    std::uint16_t gripper = 63352;      ///< of Robotiq
-    std::uint16_t faults = 29990;       ///< faults on demand, see faults.h
-
-    static constexpr Ports none() { return {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}; }
-};
 
 /// What the simulated robot is really doing, for tests that check what a client made of it.
 struct Truth {
@@ -128,11 +75,11 @@ public:
     Result<void> start();
     /// Ends the thread and closes every connection. Harmless when not running.
     void stop();
-    bool isRunning() const;
+    bool isRunning() const;  ///< Between start() and stop().
 
-    Ports ports() const;
-    QString listenAddress() const;
-    const SimulatorOptions& options() const;
+    Ports ports() const;                      ///< In use; 0 before start().
+    QString listenAddress() const;            ///< As in the options.
+    const SimulatorOptions& options() const;  ///< As constructed.
     /// Time of one step [s].
     double stepTime() const;
 
@@ -142,7 +89,7 @@ public:
     /// sockets. Does nothing in real time.
     /// Threads  any. Blocks: while stepping
     void step(int ticks = 1);
-    void stepSeconds(double seconds);
+    void stepSeconds(double seconds);  ///< [s], in whole periods
     /// One period, and then, without moving time on, reads until there is an input package for each data
     /// package that was sent, or nobody is connected to RTDE any more, or the deadline is over. Returns false
     /// when answers are missing
@@ -164,27 +111,27 @@ public:
 
     /// Threads  any. Blocks: up to one control period
     TickTiming timing();
-    void resetTiming();
+    void resetTiming();  ///< Counts from now on.
 
     // ---- hooks: each takes effect in the next control period; none waits -------------------------------
 
-    void protectiveStop();
-    void emergencyStop(bool pressed);       ///< the pendant's button
-    void systemEmergencyStop(bool active);  ///< the external input
-    void safeguardStop(bool open);
-    void reducedMode(bool active);
-    void violation();
-    void fault();
+    void protectiveStop();                          ///< As after a collision.
+    void emergencyStop(bool pressed);               ///< the pendant's button
+    void systemEmergencyStop(bool active);          ///< the external input
+    void safeguardStop(bool open);                  ///< The external input.
+    void reducedMode(bool active);                  ///< The external input.
+    void violation();                               ///< Of the safety system.
+    void fault();                                   ///< Of the safety system.
     void setDigitalInput(int number, bool value);   ///< 0-7 standard, 8-15 configurable, 16-17 tool
     void setAnalogInput(int number, double value);  ///< 0, 1 [A or V]; 2, 3 are the tool's
-    void setRemoteControl(bool remote);
-    void pressFreedriveButton(bool pressed);
+    void setRemoteControl(bool remote);             ///< The switch on the pendant.
+    void pressFreedriveButton(bool pressed);        ///< On the back of the pendant.
     /// A hand on the tool; zero lets go. wrench  [N, Nm] at the TCP, base frame
     void pressHand(const Wrench& wrench);
     /// Changes what is around the arm: surfaces, boxes, the load really carried, a hand, conveyors. `change`
     /// runs in the simulator's thread.
     void changeWorld(std::function<void(arm::Environment&)> change);
-    void setSpeedSlider(double fraction);
+    void setSpeedSlider(double fraction);  ///< 0 ... 1, on the pendant
     /// Answers the oldest question of request_..._from_primary_client() with a value of its type: bool,
     /// std::int32_t, double or std::string. Others are ignored.
     void answerRequest(const std::variant<bool, std::int32_t, double, std::string>& answer);

@@ -38,21 +38,21 @@ class Environment {
 public:
     /// The load really carried; nothing = exactly the configured payload.
     void setLoad(const std::optional<Payload>& load) { load_ = load; }
-    const std::optional<Payload>& load() const { return load_; }
+    const std::optional<Payload>& load() const { return load_; }  ///< Really carried.
 
     /// What a hand exerts at the TCP, base axes [N, Nm]; stays until changed.
     void setHandWrench(const Wrench& wrench) { hand_ = wrench; }
-    const Wrench& handWrench() const { return hand_; }
+    const Wrench& handWrench() const { return hand_; }  ///< [N, Nm] at the TCP, base frame
 
     /// Adds a surface; false when kMaxPlanes exist or the plane makes no sense.
     bool addPlane(const ContactPlane& plane);
     /// Adds a box; false when kMaxBoxes exist or the box makes no sense.
     bool addBox(const ContactBox& box);
-    void clearSurfaces() { planeCount_ = boxCount_ = 0; }
+    void clearSurfaces() { planeCount_ = boxCount_ = 0; }  ///< Planes and boxes go.
 
     /// Runs a conveyor: what its encoder (0 or 1) counts [ticks/s]. Not a number is ignored.
     void setConveyorSpeed(int encoder, double ticksPerSecond);
-    const std::array<double, 2>& conveyorSpeeds() const { return conveyorSpeeds_; }
+    const std::array<double, 2>& conveyorSpeeds() const { return conveyorSpeeds_; }  ///< [ticks/s]
 
     /// Force above which contact is a protective stop [N].
     static constexpr double kForceLimit = 250;

@@ -8,6 +8,7 @@
 #include <QRegularExpression>
 #include <QStandardPaths>
 #include <QTest>
+#include <algorithm>
 
 namespace {
 
@@ -123,6 +124,66 @@ QByteArray contentsOf(const QString& file) {
     return f.open(QIODevice::ReadOnly) ? f.readAll() : QByteArray();
 }
 
+/// Those a program of others can include; the classes of the ur_rtde interface are given.
+QStringList publicHeaders() {
+    static const QRegularExpression kOwn(
+        "/(detail|custom|python|examples|ur_rtde)/|simulator/"
+        "(?!(assumptions|simulator|simulator_options|arm/arm_state|arm/environment|box/personality)\\.h)");
+    QStringList headers;
+    for (const QString& file : sourceFiles()) {
+        if (file.startsWith("robot/") && file.endsWith(".h") && !kOwn.match(file).hasMatch()) {
+            headers << file;
+        }
+    }
+    return headers;
+}
+
+/// "12: int f();" for each that can be called by others and has no comment of its own, on its line or above it.
+QStringList functionsWithoutComment(const QByteArray& header) {
+    static const QRegularExpression kScope("^(namespace|class|struct|template <.*> *(class|struct))\\b");
+    static const QRegularExpression kFunction(
+        "^(?!return|if|for|while|using|friend|explicit|enum|static_assert|typedef|case|[:,?}])"
+        "[\\w:<>,&*\\[\\] ]+[ &*>]\\w+\\(");
+    static const QRegularExpression kIterator("\\b(begin|end)\\(|operator|= default|= delete|\\boverride\\b");
+    const QStringList lines = QString::fromUtf8(header).split('\n');
+    QStringList found;
+    struct Scope {
+        bool declares;  ///< a namespace or a class: what stands in it can be called
+        bool open;      ///< public
+    };
+    QList<Scope> scopes;
+    QString before;
+    for (qsizetype i = 0; i < lines.size(); ++i) {
+        const QString line = lines[i].trimmed();
+        if (line.startsWith("//") || line.startsWith('#')) {
+            before = line;
+            continue;
+        }
+        if (!scopes.isEmpty() && (line == "public:" || line == "private:" || line == "protected:")) {
+            scopes.last().open = line == "public:";
+        }
+        const bool callable =
+            !scopes.isEmpty() &&
+            std::all_of(scopes.begin(), scopes.end(), [](const Scope& s) { return s.declares && s.open; });
+        const QString code = line.section("///<", 0, 0);
+        if (callable && kFunction.match(code).hasMatch() && !kIterator.match(code).hasMatch() &&
+            !kScope.match(code).hasMatch() && !line.contains("///<") && !before.startsWith("//") &&
+            !code.section('(', 0, 0).contains('=')) {
+            found << QStringLiteral("%1: %2").arg(i + 1).arg(line);
+        }
+        const bool declares = kScope.match(code).hasMatch();
+        for (const QChar c : code) {
+            if (c == '{') {
+                scopes.append({declares, !code.startsWith("class") && !code.contains("> class")});
+            } else if (c == '}' && !scopes.isEmpty()) {
+                scopes.removeLast();
+            }
+        }
+        before = line.startsWith("template") ? before : line;
+    }
+    return found;
+}
+
 }  // namespace
 
 class TestLayering : public QObject {
@@ -190,6 +251,34 @@ private Q_SLOTS:
         }
         QVERIFY(headers > 100);
         QVERIFY2(violations.isEmpty(), qPrintable(violations.join('\n')));
+    }
+
+    void theCheckerFindsAFunctionWithoutAComment() {
+        const QByteArray header =
+            "namespace a {\nclass B {\npublic:\n    int said() const;  ///< [mm]\n    int unsaid() const;\n"
+            "private:\n    int hidden();\n};\n/// Said.\nint f();\nint g();\n}\n";
+        QCOMPARE(functionsWithoutComment(header), (QStringList{"5: int unsaid() const;", "11: int g();"}));
+    }
+
+    void everyPublicFunctionSaysWhatItDoes() {
+        QStringList missing;
+        for (const QString& file : publicHeaders()) {
+            for (const QString& line : functionsWithoutComment(contentsOf(file))) {
+                missing << file + ':' + line;
+            }
+        }
+        QVERIFY2(missing.isEmpty(), qPrintable(missing.join('\n')));
+    }
+
+    void publicHeadersAreShort() {
+        QList<qsizetype> lengths;
+        for (const QString& file : publicHeaders()) {
+            lengths << contentsOf(file).count('\n');
+            QVERIFY2(lengths.last() <= 200, qPrintable(file));
+        }
+        QVERIFY(lengths.size() > 60);
+        std::sort(lengths.begin(), lengths.end());
+        QVERIFY2(lengths[lengths.size() / 2] <= 70, qPrintable(QString::number(lengths[lengths.size() / 2])));
     }
 
     void everyFileIsFormatted() {

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Who a simulated controller is, where it listens, and how its time passes.
+
+#include <QString>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+
+#include "robot/core/joints.h"
+#include "robot/core/robot_model.h"
+#include "robot/core/text.h"
+#include "robot/core/version.h"
+#include "robot/simulator/assumptions.h"
+
+namespace tiller::simulator {
+
+using tiller::operator<<;  // for the enumerations below
+
+enum class Time { Real, Virtual };
+
+/// The start pose of the vendor's simulated UR5e [rad]. Source: its first primary package.
+inline const JointPositions kHomeJoints{-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310};
+
+struct SimulatorOptions {
+    RobotModelId model = RobotModelId::UR5e;
+    SoftwareVersion software{5, 22, 1, 1214193};
+    Text listenAddress = QStringLiteral("127.0.0.1");
+    int portOffset = 0;         ///< added to every standard port
+    bool anyFreePorts = false;  ///< the system picks the ports; ask ports() after start()
+    Time time = Time::Real;
+    bool poweredOn = false;  ///< start with the brakes released, in RUNNING
+    JointPositions startJoints = kHomeJoints;
+    std::optional<int> priority;  ///< SCHED_FIFO priority wished for the thread; none: normal
+    std::uint64_t seed = 1;       ///< of measurement noise and of the scripts' random()
+    bool remoteControl = true;    ///< the pendant's Local/Remote switch
+    bool gateLocalControl =
+        false;  ///< refuse what a robot in Local refuses (the vendor's simulator does not)
+    bool gateLoopbackClients = false;  ///< refuse dashboard clients on this machine too
+    bool fastTransitions = false;      ///< power on and brake release within a few control periods
+    double startTime = 60.0;  ///< `timestamp` at start [s]; below 40 some clients wait for the boot to end
+    double bootTime = 0;      ///< [s] from the start to POWER_OFF; more than 0 makes `timestamp` begin at 0
+    bool safetyUnconfirmed = false;  ///< the start waits in CONFIRM_SAFETY for the operator
+    double calibrationError = 0;     ///< the reported kinematics differ by up to so many mm and mrad
+    Text programsFolder;             ///< where `load` finds programs; empty: there are none
+    Text serialNumber;               ///< empty: one of its own for each model
+    /// A pause this long after its last piece ends the script of an External Control node.
+    std::chrono::milliseconds scriptSilence{150};
+    Assumptions assumptions;  ///< how it behaves where it is not known how a real one does
+};
+
+/// Port numbers in use; 0 before start(), and for a service that this software does not have.
+struct Ports {
+    std::uint16_t dashboard = 29999;
+    std::uint16_t primary = 30001;
+    std::uint16_t secondary = 30002;
+    std::uint16_t realtime = 30003;
+    std::uint16_t rtde = 30004;
+    std::uint16_t primaryReadOnly = 30011;
+    std::uint16_t secondaryReadOnly = 30012;
+    std::uint16_t realtimeReadOnly = 30013;
+    std::uint16_t interpreter = 30020;  ///< 0 on software that has no interpreter mode
+    std::uint16_t robotApi = 80;        ///< HTTP, PolyScope X only; 8080 where the system keeps 80 to itself
+    std::uint16_t gripper = 63352;      ///< of Robotiq
+    std::uint16_t faults = 29990;       ///< faults on demand, see faults.h
+
+    static constexpr Ports none() { return {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}; }  ///< No port at all.
+};
+
+}  // namespace tiller::simulator
