@@ -1484,6 +1484,269 @@
     </message>
 </context>
 <context>
+    <name>RobotActions</name>
+    <message>
+        <source>Connect to a robot first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give control back first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No program runs on the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program runs already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the simulator, a robot or a project.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starts the simulated robot and connects to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the connection…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looks at everything between this PC and the robot, each with its fix.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a robot first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends the connection; a motion of ours stops first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No robot is connected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Powers the arm. Brakes stay engaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm has power, or is getting it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm may sag by a few millimetres. Keep clear.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Engages the brakes and takes the arm&apos;s power away; programs stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recover…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows what stopped the arm, and the way back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No stop of the safety system.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After a violation or a fault, once its cause is found. The arm stays off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only after a violation or a fault.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closes the popups on the teach pendant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot, which stops any other program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In control already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give control back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends the control program on the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not in control.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Software stop of whatever moves. Not an emergency stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load program…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loads a program of the robot&apos;s own by its name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starts the loaded program, or goes on with a paused one: the arm may move at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pauses the program that runs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops the robot&apos;s own program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RobotOutputs</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Output %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Analog output %1: %2 %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Input register %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed slider: %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RobotServices</name>
+    <message>
+        <source>%1 failed. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Release brakes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restart safety</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close popups</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Protective stop unlocked by the operator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load program %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program on the robot was stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program on the robot was not stopped: stop it on the teach pendant. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot was switched to Local control: motion was stopped and control given back. Switch it to Remote control on the teach pendant, then take control again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SessionRecording</name>
+    <message>
+        <source>Nothing is recorded: connect to a robot first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Recorded %n rows to %1</source>
+        <translation type="unfinished">
+            <numerusform>Recorded %n row to %1</numerusform>
+            <numerusform>Recorded %n rows to %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>SpaceMouse</name>
     <message>
         <source>left key</source>
@@ -1934,10 +2197,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This is not a table of waypoints. Copy one from the list to see its columns.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>“%1” is neither J nor L</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1947,6 +2206,10 @@
     </message>
     <message>
         <source>there is no frame “%1” in this project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is not a table of waypoints. Copy one from the list to see its columns, or paste the six figures of a pose.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2070,37 +2333,16 @@ Right click or F2 to rename and scale.</source>
     </message>
 </context>
 <context>
+    <name>tiller::FigureBox</name>
+    <message>
+        <source>“%1” was not taken: %2 to %3. Nothing was changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::FrameDetails</name>
     <message>
         <source>Selected frame</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Origin X</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Origin Y</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Origin Z</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rotation about X (RX)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rotation about Y (RY)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rotation about Z (RZ)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1, in Base. Enter applies it; nothing moves but the frame.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2116,6 +2358,14 @@ Right click or F2 to rename and scale.</source>
     </message>
     <message>
         <source>%1 from the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In Base. Return applies it; nothing moves but the frame.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3288,6 +3538,33 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
 </context>
 <context>
+    <name>tiller::PoseEditor</name>
+    <message>
+        <source>%1 X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation about X (RX)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation about Y (RY)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation about Z (RZ)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::PoseView</name>
     <message>
         <source>TCP pose in Base</source>
@@ -3366,6 +3643,10 @@ Let go of the key and the arm stops.</source>
     </message>
     <message>
         <source>Connect anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connected anyway, the window shows what data there are. What is red above may keep it from taking control, or end a motion while it runs.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3561,21 +3842,6 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing is recorded: connect to a robot first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Recording to %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>Recorded %n rows to %1</source>
-        <translation>
-            <numerusform>Recorded %n row to %1</numerusform>
-            <numerusform>Recorded %n rows to %1</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Connected to %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3593,66 +3859,6 @@ Let go of the key and the arm stops.</source>
     </message>
     <message>
         <source>Popup on the robot: %1 %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 failed. %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Power on</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Release brakes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Power off</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Restart safety</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Close popups</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Play program</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pause program</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop program</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Protective stop unlocked by the operator</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Load program %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>on</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Analog output %1: %2 %3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Input register %1: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3681,30 +3887,6 @@ Let go of the key and the arm stops.</source>
     </message>
     <message>
         <source>Taking control was ended by a stop</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The program on the robot was stopped</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The program on the robot was not stopped: stop it on the teach pendant. %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The robot was switched to Local control: motion was stopped and control given back. Switch it to Remote control on the teach pendant, then take control again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed slider: %1 %</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Output %1: %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3886,6 +4068,14 @@ not an e-stop</source>
         <source>pose rules</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the waypoint&apos;s frame. Return applies it; nothing moves but the waypoint.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointEditing</name>
@@ -3914,6 +4104,10 @@ not an e-stop</source>
             <numerusform>Paste %n waypoint</numerusform>
             <numerusform>Paste %n waypoints</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>waypoint</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4048,6 +4242,14 @@ not an e-stop</source>
     </message>
     <message>
         <source>Set the speed of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm cannot get there. “%1” stays as it was.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the pose of “%1”</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4275,6 +4477,14 @@ Jog the arm to a place and press Teach here (T).</source>
         <source>Waypoints from a file, without a robot: everything but moving works.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Forget</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes the selected robot off this list (Delete). Nothing is changed on the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::Demonstration</name>
@@ -4480,6 +4690,17 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
 </context>
 <context>
+    <name>tiller::app::HelpPage</name>
+    <message>
+        <source>Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while a key of the pad is held, and stops when it is let go. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second button is pressed, or another hand joins in;&lt;/li&gt;&lt;li&gt;a modifier, or a key that contradicts, goes down beside a held key of the keyboard;&lt;/li&gt;&lt;li&gt;the window loses the focus, anything opens over it, or another frame, speed, step or tab is chosen;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, the robot leaves Running, or its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the device is unplugged or falls silent;&lt;/li&gt;&lt;li&gt;nobody can prove that the key is still held: on X11 the display server is asked a hundred times a second whether the button or key is down, and a “no”, or no answer for 100 ms, ends the motion. Where nobody can be asked, header and Settings say so;&lt;/li&gt;&lt;li&gt;it has been held for long: a jog for %1 s (Settings), Freedrive for five minutes, a move to a place for 5 s more than it takes. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from everywhere, programs of others too. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters a letter below means its place on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::app::MainWindow</name>
     <message>
         <source>Tiller</source>
@@ -4534,107 +4755,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Connect to a robot first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Give control back first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No program runs on the robot.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A program runs already.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Open recent project</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Connect…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose the simulator, a robot or a project.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Simulated robot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Starts the simulated robot and connects to it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Check the connection…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Looks at everything between this PC and the robot, each with its fix.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose a robot first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Disconnect</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ends the connection; a motion of ours stops first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No robot is connected.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Powers the arm. Brakes stay engaged.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The arm has power, or is getting it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The arm may sag by a few millimetres. Keep clear.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Engages the brakes and takes the arm&apos;s power away; programs stop.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The arm is off.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Recover…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Shows what stopped the arm, and the way back.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No stop of the safety system.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>After a violation or a fault, once its cause is found. The arm stays off.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Only after a violation or a fault.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Closes the popups on the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4651,58 +4772,6 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
     <message>
         <source>Saves to this file now, and every change from now on.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Take control</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Starts the control program on the robot, which stops any other program.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>In control already.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Give control back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ends the control program on the robot.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not in control.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Software stop of whatever moves. Not an emergency stop.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Load program…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Loads a program of the robot&apos;s own by its name.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Starts the loaded program, or goes on with a paused one: the arm may move at once.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pauses the program that runs.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stops the robot&apos;s own program.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4799,10 +4868,6 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
     <message>
         <source>Speed cap %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while a key of the pad is held, and stops when it is let go. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second button is pressed, or another hand joins in;&lt;/li&gt;&lt;li&gt;a modifier, or a key that contradicts, goes down beside a held key of the keyboard;&lt;/li&gt;&lt;li&gt;the window loses the focus, anything opens over it, or another frame, speed, step or tab is chosen;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, the robot leaves Running, or its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the device is unplugged or falls silent;&lt;/li&gt;&lt;li&gt;nobody can prove that the key is still held: on X11 the display server is asked a hundred times a second whether the button or key is down, and a “no”, or no answer for 100 ms, ends the motion. Where nobody can be asked, header and Settings say so;&lt;/li&gt;&lt;li&gt;it has been held for long: a jog for %1 s (Settings), Freedrive for five minutes, a move to a place for 5 s more than it takes. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from everywhere, programs of others too. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters a letter below means its place on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
