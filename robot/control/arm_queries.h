@@ -13,9 +13,9 @@
 namespace tiller::control {
 
 struct InverseOptions {
-    std::optional<JointPositions> near;  ///< the solution nearest to this; left out: to the present ones
-    double maxPositionError = 1e-10;     ///< [m]
-    double maxOrientationError = 1e-10;  ///< [rad]
+    std::optional<JointPositions> near = {};  ///< the solution nearest to this; left out: to the present ones
+    double maxPositionError = 1e-10;          ///< [m]
+    double maxOrientationError = 1e-10;       ///< [rad]
 };
 
 /// Errors   of every call: NotInControl, LinkLost, Timeout, Cancelled, InvalidArgument, VersionUnsupported

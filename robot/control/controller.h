@@ -50,8 +50,8 @@ struct ControllerOptions {
     int priority = 85;  ///< SCHED_FIFO; 0 = leave the thread as it is
     /// The control thread stays on these CPUs, counted from 0; empty: where the system puts it. At a
     /// real-time priority one is best, the receiver's: being woken up on another one takes longer.
-    std::vector<int> cpus;
-    MotionLimits limits;
+    std::vector<int> cpus = {};
+    MotionLimits limits = {};
     /// Used for the limiter until, or unless, the controller has told its own dimensions.
     RobotModelId model = RobotModelId::UR5e;
     /// Data older than this, or a command unanswered for longer, end what is active; a move that was given a
@@ -66,11 +66,11 @@ struct ControllerOptions {
     /// before. False, and where force mode, freedrive or teach mode might go on in the pause: it is stopped.
     bool keepPaused = false;
     /// How the control program gets to the robot. Empty: sent to the primary interface.
-    std::function<Result<void>(const QString& program, const Deadline& deadline)> deliver;
+    std::function<Result<void>(const QString& program, const Deadline& deadline)> deliver = {};
     /// False: takeControl() does not wait for the program to run, which somebody else starts some time later.
     bool awaitProgram = true;
     /// What the control program sets when it begins.
-    ForceSettings force;
+    ForceSettings force = {};
 };
 
 /// Thread: one, named "control", SCHED_FIFO at ControllerOptions::priority where permitted; started by

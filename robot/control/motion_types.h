@@ -39,9 +39,9 @@ struct JogTarget {
     enum class Kind : std::uint8_t { Cartesian, Joint };
     Kind kind = Kind::Cartesian;
     JogFrame frame = JogFrame::Base;
-    Twist twist;         ///< Cartesian: in the axes of `frame` [m/s, rad/s]
-    JointVelocities qd;  ///< Joint [rad/s]
-    Pose T_base_frame;   ///< only for JogFrame::Custom; its rotation counts, its position does not
+    Twist twist = {};         ///< Cartesian: in the axes of `frame` [m/s, rad/s]
+    JointVelocities qd = {};  ///< Joint [rad/s]
+    Pose T_base_frame = {};   ///< only for JogFrame::Custom; its rotation counts, its position does not
     /// Above 0: ends with StopCause::Contact when the force on the TCP has changed by more than this since
     /// the motion began [N].
     double contactForce = 0;

@@ -21,13 +21,13 @@
 namespace tiller::io {
 
 struct InputRegistersOptions {
-    Text host;
+    Text host = {};
     std::uint16_t port = rtde::kPort;
     /// The registers this client wants to write, by number: 0-23 are a fieldbus' unless there is none, 24-47
     /// are for clients like this. The control program uses integers 0-9 and doubles 0-17 of its range.
-    std::vector<int> ints;
-    std::vector<int> doubles;
-    std::vector<int> bits;  ///< 64-127
+    std::vector<int> ints = {};
+    std::vector<int> doubles = {};
+    std::vector<int> bits = {};  ///< 64-127
 };
 
 /// Threads  any; calls are carried out one after the other

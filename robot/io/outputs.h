@@ -53,7 +53,7 @@ struct OutputFeedback {
 enum class AnalogDomain : std::uint8_t { Current, Voltage };
 
 struct OutputsOptions {
-    Text host;
+    Text host = {};
     std::uint16_t port = rtde::kPort;
 };
 

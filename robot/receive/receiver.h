@@ -30,7 +30,7 @@ namespace tiller::receive {
 std::vector<std::string> defaultFields();
 
 struct ReceiverOptions {
-    Text host;
+    Text host = {};
     std::uint16_t port = rtde::kPort;
     /// Packages a second; 0: as many as the controller gives (500, on CB3 125).
     double frequency = 0;
@@ -39,7 +39,7 @@ struct ReceiverOptions {
     /// SCHED_FIFO priority of the thread, where the system permits; 0 asks for none.
     int priority = 90;
     /// The thread stays on these CPUs, counted from 0; empty: where the system puts it.
-    std::vector<int> cpus;
+    std::vector<int> cpus = {};
     /// Stamps samples and measures ages. Must outlive the receiver.
     const Clock* clock = &SteadyClock::shared();
     /// How long one attempt to connect and shake hands may take. Together with the longest of the delays it

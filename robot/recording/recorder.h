@@ -35,7 +35,7 @@ std::vector<std::string> defaultRecordedFields();
 inline constexpr const char* kLostColumn = "packages_lost";
 
 struct RecorderOptions {
-    Text path;
+    Text path = {};
     /// Field names, all of which the receiver has to follow; empty: those of defaultRecordedFields() that it
     /// does. `timestamp` always comes first.
     std::vector<std::string> fields{};

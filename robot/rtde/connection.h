@@ -21,9 +21,9 @@
 namespace tiller::rtde {
 
 struct ConnectionOptions {
-    Text host;
+    Text host = {};
     std::uint16_t port = kPort;
-    SessionRequest request;
+    SessionRequest request = {};
 };
 
 class Connection {

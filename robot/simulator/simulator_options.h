@@ -32,9 +32,9 @@ struct SimulatorOptions {
     Time time = Time::Real;
     bool poweredOn = false;  ///< start with the brakes released, in RUNNING
     JointPositions startJoints = kHomeJoints;
-    std::optional<int> priority;  ///< SCHED_FIFO priority wished for the thread; none: normal
-    std::uint64_t seed = 1;       ///< of measurement noise and of the scripts' random()
-    bool remoteControl = true;    ///< the pendant's Local/Remote switch
+    std::optional<int> priority = {};  ///< SCHED_FIFO priority wished for the thread; none: normal
+    std::uint64_t seed = 1;            ///< of measurement noise and of the scripts' random()
+    bool remoteControl = true;         ///< the pendant's Local/Remote switch
     bool gateLocalControl =
         false;  ///< refuse what a robot in Local refuses (the vendor's simulator does not)
     bool gateLoopbackClients = false;  ///< refuse dashboard clients on this machine too
@@ -43,11 +43,11 @@ struct SimulatorOptions {
     double bootTime = 0;      ///< [s] from the start to POWER_OFF; more than 0 makes `timestamp` begin at 0
     bool safetyUnconfirmed = false;  ///< the start waits in CONFIRM_SAFETY for the operator
     double calibrationError = 0;     ///< the reported kinematics differ by up to so many mm and mrad
-    Text programsFolder;             ///< where `load` finds programs; empty: there are none
-    Text serialNumber;               ///< empty: one of its own for each model
+    Text programsFolder = {};        ///< where `load` finds programs; empty: there are none
+    Text serialNumber = {};          ///< empty: one of its own for each model
     /// A pause this long after its last piece ends the script of an External Control node.
     std::chrono::milliseconds scriptSilence{150};
-    Assumptions assumptions;  ///< how it behaves where it is not known how a real one does
+    Assumptions assumptions = {};  ///< how it behaves where it is not known how a real one does
 };
 
 /// Port numbers in use; 0 before start(), and for a service that this software does not have.
