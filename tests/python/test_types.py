@@ -68,15 +68,17 @@ class TestTypes(unittest.TestCase):
 
     def pyright(self):
         """Over all that is in the folder; beside it go the stubs, the package and the examples."""
-        if shutil.which("pyright") is None:
-            self.skipTest("pyright is not installed (npm install pyright)")
+        own = os.path.join(os.environ["TILLER_SOURCE"], "build", "npm", "node_modules", ".bin")
+        checker = shutil.which("pyright", path=own + os.pathsep + os.environ["PATH"])
+        if checker is None:
+            self.skipTest("pyright is not installed (packaging/test takes it from npm)")
         for stub in self.stubs():
             shutil.copy(stub, self.folder.name)
         shutil.copytree(os.path.join(self.modules, "tiller"), os.path.join(self.folder.name, "tiller"))
         shutil.copytree(EXAMPLES, os.path.join(self.folder.name, "examples"))
         with open(os.path.join(self.folder.name, "pyrightconfig.json"), "w", encoding="utf-8") as file:
             file.write('{"extraPaths": ["."], "reportMissingModuleSource": false, "pythonVersion": "3.11"}')
-        return self.run_checker(["pyright", "--pythonpath", sys.executable])
+        return self.run_checker([checker, "--pythonpath", sys.executable])
 
     def stubs(self):
         return [os.path.join(self.modules, module + ".pyi") for module in MODULES]
@@ -100,6 +102,12 @@ class TestTypes(unittest.TestCase):
         self.write(PROGRAM)
         code, text = self.pyright()
         self.assertEqual(code, 0, text)
+
+    def test_pyright_finds_what_is_wrong(self):
+        self.write(WRONG)
+        code, text = self.pyright()
+        self.assertNotEqual(code, 0)
+        self.assertIn("3 errors", text)
 
     def test_packages_say_that_they_are_typed(self):
         self.assertTrue(os.path.exists(os.path.join(self.modules, "tiller", "py.typed")))
