@@ -3,6 +3,9 @@
 //
 // What moves ends with its handle: whoever loses it (an exception, a name used again, the interpreter's end)
 // lets the arm brake. A process that dies takes the heartbeat with it, and the arm brakes by itself.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <exception>
 
 #include "robot/control/arm_queries.h"
@@ -70,6 +73,13 @@ private:
     SharedController controller_;
     Motion motion_;
 };
+
+/// [s] as Python gives it; what is out of range is refused where all options are checked.
+std::chrono::milliseconds milliseconds(double seconds) {
+    constexpr double kFarOff = 1e6;
+    const double told = std::isnan(seconds) ? -1 : std::clamp(seconds, -kFarOff, kFarOff);
+    return std::chrono::milliseconds(std::llround(told * 1000));
+}
 
 std::unique_ptr<NativeMotion> handle(const SharedController& controller, Result<Motion> motion) {
     return std::make_unique<NativeMotion>(controller, taken(std::move(motion)));
@@ -271,32 +281,38 @@ MotionPath pathOf(const std::vector<PathRow>& rows) {
 using ControllerClass = py::class_<NativeController, SharedController>;
 
 void defineMotions(ControllerClass& cls) {
-    const auto parameters = [](double speed, double acceleration) {
-        return MoveParameters{.speed = speed, .acceleration = acceleration, .holding = Holding::Free};
+    const auto parameters = [](double speed, double acceleration, double silence) {
+        return MoveParameters{.speed = speed,
+                              .acceleration = acceleration,
+                              .holding = Holding::Free,
+                              .silence = milliseconds(silence)};
     };
     cls.def("move_j", [parameters](const SharedController& self, const Six& q, double speed,
-                                   double acceleration) {
-        return handle(self,
-                      Motions(self->controller).moveJ(JointPositions(q), parameters(speed, acceleration)));
-    });
-    cls.def("move_j_to_pose", [parameters](const SharedController& self, const Six& pose, double speed,
-                                           double acceleration) {
+                                   double acceleration, double silence) {
         return handle(
             self,
-            Motions(self->controller).moveJToPose(Pose::fromArray(pose), parameters(speed, acceleration)));
+            Motions(self->controller).moveJ(JointPositions(q), parameters(speed, acceleration, silence)));
+    });
+    cls.def("move_j_to_pose", [parameters](const SharedController& self, const Six& pose, double speed,
+                                           double acceleration, double silence) {
+        return handle(self,
+                      Motions(self->controller)
+                          .moveJToPose(Pose::fromArray(pose), parameters(speed, acceleration, silence)));
     });
     cls.def("move_l", [parameters](const SharedController& self, const Six& pose, double speed,
-                                   double acceleration) {
+                                   double acceleration, double silence) {
         return handle(
-            self, Motions(self->controller).moveL(Pose::fromArray(pose), parameters(speed, acceleration)));
+            self,
+            Motions(self->controller).moveL(Pose::fromArray(pose), parameters(speed, acceleration, silence)));
     });
-    cls.def("move_path",
-            [](const SharedController& self, const std::vector<PathRow>& rows, const Seconds& seconds) {
-                const MotionPath path = pathOf(rows);
-                return handle(self, waited(seconds, [&](const Deadline& deadline) {
-                                  return Motions(self->controller).movePath(path, deadline);
-                              }));
-            });
+    cls.def("move_path", [](const SharedController& self, const std::vector<PathRow>& rows,
+                            const Seconds& seconds, double silence) {
+        const MotionPath path = pathOf(rows);
+        return handle(self, waited(seconds, [&](const Deadline& deadline) {
+                          return Motions(self->controller)
+                              .movePath(path, deadline, Holding::Free, milliseconds(silence));
+                      }));
+    });
     cls.def("move_until_contact", [](const SharedController& self, const Six& twist, const Six& direction,
                                      double acceleration, const Seconds& seconds) {
         return handle(self, waited(seconds, [&](const Deadline& deadline) {

@@ -156,6 +156,11 @@ class TestMotion(VirtualCase):
         path = [tiller.PathMove(self.robot.state.q + [0, 0, 0, 0, 0, x]) for x in (0.1, 0.2)]
         self.robot.move_path(path, PATIENCE).wait(PATIENCE)
 
+    def test_silence_has_bounds(self):
+        for silence in (0.05, 4.5, float("nan"), -1.0):
+            with self.subTest(silence), self.assertRaisesRegex(errors.Error, "silence"):
+                self.robot.move_j(self.robot.state.q, silence=silence)
+
     def test_moves_are_awaited(self):
         async def both():
             await self.robot.move_j(self.robot.state.q + [0, 0, 0, 0, 0, 0.2])
@@ -403,6 +408,17 @@ while True:
 """
 
 
+SILENT = """
+import sys, tiller
+with tiller.Robot(sys.argv[1], timeout=60) as robot:
+    robot.take_control(60)
+    move = robot.move_j(robot.state.q + [1.5, 0, 0, 0, 0, 0], 0.4, 1.0, silence=3.0)
+    print("moving", flush=True)
+    move.wait(60)
+    print(move.cause, flush=True)
+"""
+
+
 class TestEnds(unittest.TestCase):
     """In real time: another process is ended while it moves the arm."""
 
@@ -429,6 +445,24 @@ class TestEnds(unittest.TestCase):
         for what in ("move", "jog", "stream"):
             with self.subTest(what):
                 self.check(what, signal.SIGKILL)
+
+    def test_a_longer_silence_is_survived(self):
+        """A process that is held for half a second, as a busy machine does it, and a move that allows it."""
+        with tiller.Simulator() as simulator:
+            process = subprocess.Popen([sys.executable, "-B", "-c", SILENT, simulator.address], stdout=subprocess.PIPE, text=True)
+            try:
+                self.assertEqual(process.stdout.readline().strip(), "moving")
+                self.assertTrue(until(lambda: not stands(simulator)))
+                process.send_signal(signal.SIGSTOP)
+                then = simulator.truth["timestamp"]
+                self.assertTrue(until(lambda: simulator.truth["timestamp"] > then + 0.5))
+                self.assertFalse(stands(simulator))
+                process.send_signal(signal.SIGCONT)
+                self.assertEqual(process.stdout.readline().strip(), "Completed")
+            finally:
+                process.kill()
+                process.wait()
+                process.stdout.close()
 
     def test_ctrl_c(self):
         for what in ("move", "jog", "stream"):

@@ -193,22 +193,29 @@ class Robot:
 
     # ---- moves: handles that end the motion when they are dropped
 
-    def move_j(self, q: Floats, speed: float = 1.05, acceleration: float = 1.4) -> Move:
-        """Linear in joint space to joint positions [rad]; speed [rad/s], acceleration [rad/s2] of the leading joint."""
-        return self._move(self._controller.move_j(floats(q, "q"), speed, acceleration))
+    def move_j(self, q: Floats, speed: float = 1.05, acceleration: float = 1.4, silence: float = 0.1) -> Move:
+        """Linear in joint space to joint positions [rad]; speed [rad/s], acceleration [rad/s2] of the leading joint.
 
-    def move_j_to_pose(self, pose: Floats, speed: float = 1.05, acceleration: float = 1.4) -> Move:
-        """Linear in joint space to a pose of the TCP in the base frame [m, rad]; speed [rad/s], acceleration [rad/s2]."""
-        return self._move(self._controller.move_j_to_pose(floats(pose, "pose"), speed, acceleration))
+        silence: 0.1 ... 4 [s]; the move goes on when this computer falls silent for no longer than that (a busy machine, a
+        cable plugged in anew). So long the arm moves unattended; after it the robot ends the move by itself.
+        """
+        return self._move(self._controller.move_j(floats(q, "q"), speed, acceleration, silence))
 
-    def move_l(self, pose: Floats, speed: float = 0.25, acceleration: float = 1.2) -> Move:
-        """A straight line of the TCP to a pose in the base frame [m, rad]; speed [m/s], acceleration [m/s2]."""
-        return self._move(self._controller.move_l(floats(pose, "pose"), speed, acceleration))
+    def move_j_to_pose(self, pose: Floats, speed: float = 1.05, acceleration: float = 1.4, silence: float = 0.1) -> Move:
+        """Linear in joint space to a pose of the TCP in the base frame [m, rad]; speed [rad/s], acceleration [rad/s2];
+        silence as in move_j()."""
+        return self._move(self._controller.move_j_to_pose(floats(pose, "pose"), speed, acceleration, silence))
 
-    def move_path(self, path: Sequence[PathMove], timeout: float | None = 5.0) -> Move:
-        """Follows moves one after the other; timeout: for the start [s]. The arm must not be moving."""
+    def move_l(self, pose: Floats, speed: float = 0.25, acceleration: float = 1.2, silence: float = 0.1) -> Move:
+        """A straight line of the TCP to a pose in the base frame [m, rad]; speed [m/s], acceleration [m/s2]; silence as
+        in move_j()."""
+        return self._move(self._controller.move_l(floats(pose, "pose"), speed, acceleration, silence))
+
+    def move_path(self, path: Sequence[PathMove], timeout: float | None = 5.0, silence: float = 0.1) -> Move:
+        """Follows moves one after the other; timeout: for the start [s]; silence as in move_j(). The arm must not
+        be moving."""
         with self._waiting():
-            return self._move(self._controller.move_path([move.row() for move in path], timeout))
+            return self._move(self._controller.move_path([move.row() for move in path], timeout, silence))
 
     def move_until_contact(self, velocity: Floats, direction: Floats = ZEROS, acceleration: float = 0.5,
                            timeout: float | None = 5.0) -> Move:
