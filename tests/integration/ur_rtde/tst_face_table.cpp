@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Makes the table in robot/ur_rtde/METHODS.md: every method of the interface and the tests that exercise it.
+// Makes the table in robot/ur_rtde/METHODS.md: every method of the interface, and where the tests look at
+// what it does.
 // Run with TILLER_UPDATE_TABLES=1 to write it anew.
 #include <QDir>
 #include <QDirIterator>
@@ -105,16 +106,33 @@ QList<TestFunction> functionsIn(const QString& folder, const QString& pattern,
     return functions;
 }
 
-/// The tests where an object of this class has the method called. `files`: where objects of the class are
-/// known.
-QString exercised(const Method& method, const QList<TestFunction>& functions,
-                  const QHash<QString, QString>& objects) {
-    const QString call =
-        objects.value(method.owner) + QRegularExpression::escape(method.name) + "\\b(?=\\(|,|\\))";
-    const QRegularExpression pattern(call);
+/// What the tests of a language look like.
+struct Language {
+    QHash<QString, QString> objects;  ///< how the objects of each class are called
+    QRegularExpression assertion;
+    /// Functions that set up, or only refuse what is wrong: no effect is seen there.
+    QRegularExpression sideShow;
+};
+
+/// The first test where the method is called and its effect is looked at: an assertion stands on the line of
+/// the call, just before it or in the few after it.
+QString exercised(const Method& method, const QList<TestFunction>& functions, const Language& language) {
+    constexpr qsizetype kSoon = 8;  // [lines]
+    const QRegularExpression call(language.objects.value(method.owner) +
+                                  QRegularExpression::escape(method.name) + "\\b(?=\\(|,|\\))");
     for (const TestFunction& function : functions) {
-        if (pattern.match(function.text).hasMatch()) {
-            return function.where;
+        if (language.sideShow.match(function.where).hasMatch()) {
+            continue;
+        }
+        const QStringList lines = function.text.split('\n');
+        for (qsizetype i = 0; i < lines.size(); ++i) {
+            if (!call.match(lines[i]).hasMatch()) {
+                continue;
+            }
+            const QString after = lines.mid(std::max<qsizetype>(i - 1, 0), kSoon + 2).join('\n');
+            if (language.assertion.match(after).hasMatch()) {
+                return function.where;
+            }
         }
     }
     return {};
@@ -147,28 +165,30 @@ private Q_SLOTS:
 
     void everyMethodIsDeclaredAndExercised() {
         // How the objects are called in the tests of each language.
-        static const QHash<QString, QString> cpp = {
-            {"RTDEControlInterface", "(?:control_->|control\\.|second\\.)"},
-            {"RTDEReceiveInterface", "(?:receive_->|receive\\.|upper\\.|registers\\.)"},
-            {"RTDEIOInterface", "(?:\\bio\\.|upper\\.|lower\\.)"},
-            {"DashboardClient", "dashboard\\."},
-            {"ScriptClient", "(?:client|old|recent)\\."},
-            {"RobotiqGripper", "gripper\\."},
-            {"RTDEUtility", "RTDEUtility::"},
-            {"Path", "path\\."},
-            {"PathEntry", "\\[\\d\\]\\."},
-        };
-        static const QHash<QString, QString> python = {
-            {"RTDEControlInterface", "(?:control|self\\.control)\\."},
-            {"RTDEReceiveInterface", "receive\\."},
-            {"RTDEIOInterface", "\\bio\\."},
-            {"DashboardClient", "dashboard\\."},
-            {"ScriptClient", "client\\."},
-            {"RobotiqGripper", "gripper\\."},
-            {"Path", "path\\."},
-            {"PathEntry", "\\[\\d\\]\\."},
-            {"AsyncOperationStatus", "(?:status|AsyncOperationStatus\\(\\w*\\))\\."},
-        };
+        static const Language cpp{
+            {{"RTDEControlInterface", "(?:control_->|control\\.|second\\.)"},
+             {"RTDEReceiveInterface", "(?:receive_->|receive\\.|upper\\.|registers\\.)"},
+             {"RTDEIOInterface", "(?:\\bio\\.|upper\\.|lower\\.)"},
+             {"DashboardClient", "dashboard\\."},
+             {"ScriptClient", "(?:client|old|recent)\\."},
+             {"RobotiqGripper", "gripper\\."},
+             {"RTDEUtility", "RTDEUtility::"},
+             {"Path", "path\\."},
+             {"PathEntry", "\\[\\d\\]\\."}},
+            QRegularExpression("QVERIFY|QCOMPARE|QTRY_"),
+            QRegularExpression("Nobody|wrongArguments|Throw")};
+        static const Language python{
+            {{"RTDEControlInterface", "(?:control|self\\.control)\\."},
+             {"RTDEReceiveInterface", "receive\\."},
+             {"RTDEIOInterface", "\\bio\\."},
+             {"DashboardClient", "dashboard\\."},
+             {"ScriptClient", "client\\."},
+             {"RobotiqGripper", "gripper\\."},
+             {"Path", "path\\."},
+             {"PathEntry", "\\[\\d\\]\\."},
+             {"AsyncOperationStatus", "(?:status|AsyncOperationStatus\\(\\w*\\))\\."}},
+            QRegularExpression("self\\.assert"),
+            QRegularExpression("setUp|tearDown|test_types")};
         const auto cppTests =
             functionsIn("tests/integration/ur_rtde", "tst_face_*.cpp",
                         QRegularExpression("^    void (\\w+)\\(\\)", QRegularExpression::MultilineOption));
@@ -188,10 +208,8 @@ private Q_SLOTS:
             "# Methods of the ur_rtde interface\n\n"
             "Made by tests/integration/ur_rtde/tst_face_table (TILLER_UPDATE_TABLES=1 writes it): every "
             "method of ur_rtde 1.5.8 as it is declared here, what is different from ur_rtde (a dash: "
-            "nothing), "
-            "and the tests that exercise it against the simulated controller. The library's own calls for "
-            "the "
-            "same: [From ur_rtde to Tiller](FROM_UR_RTDE.md).\n\n"
+            "nothing), and tests that look at what it does with the simulated controller. The library's own "
+            "calls for the same: [From ur_rtde to Tiller](FROM_UR_RTDE.md).\n\n"
             "| class | method | different here | C++ | Python |\n|---|---|---|---|---|\n";
         const QHash<QString, Counterpart> from = counterparts();
         const auto methods = methodsIn("tests/data/ur_rtde/methods.txt");
@@ -202,7 +220,7 @@ private Q_SLOTS:
             }
             const QString inCpp = exercised(method, cppTests, cpp);
             if (inCpp.isEmpty()) {
-                missing << method.owner + "::" + method.name + " is not exercised in C++";
+                missing << method.owner + "::" + method.name + " is not looked at in C++";
             }
             const bool exposed =
                 method.owner == "RobotiqGripper" ||
@@ -211,7 +229,7 @@ private Q_SLOTS:
                 });
             const QString inPython = exposed ? exercised(method, pythonTests, python) : QString();
             if (exposed && inPython.isEmpty()) {
-                missing << method.owner + "." + method.name + " is not exercised in Python";
+                missing << method.owner + "." + method.name + " is not looked at in Python";
             }
             const QString signatures = signaturesOf(method, headers);
             if (signatures.isEmpty()) {
