@@ -83,6 +83,8 @@ class TestControl(unittest.TestCase):
         control = self.control
         self.assertTrue(control.sendCustomScriptFunction("mine", "set_standard_digital_out(1, True)\nsync()"))
         self.assertTrue(until(lambda: self.receive.getDigitalOutState(1)))
+        self.assertFalse(control.sendCustomScript("def b():\n  sync()\n  a = [1]\n  c = a[3]\nend\n"))
+        self.assertIn("line 4", control.lastError())
         self.assertTrue(control.sendCustomScript("def a():\n  set_standard_digital_out(1, False)\n  sync()\nend\n"))
         self.assertTrue(until(lambda: not self.receive.getDigitalOutState(1)))
         with tempfile.TemporaryDirectory() as folder:

@@ -155,6 +155,18 @@ private Q_SLOTS:
         QVERIFY(control_->moveJ(kStart));
     }
 
+    // While it runs, and before: what the controller says of the program comes with the line it means.
+    void aScriptThatFailsIsToldWithItsLine() {
+        QVERIFY(!control_->sendCustomScript("def late():\n  sync()\n  a = [1, 2]\n  b = a[7]\nend\n"));
+        const std::string late = control_->lastError();
+        QVERIFY2(late.find("line 4") != std::string::npos, late.c_str());
+        QVERIFY(!control_->sendCustomScript("def never():\n  sync()\n  b = = 7\nend\n"));
+        const std::string never = control_->lastError();
+        QVERIFY2(never.find("line 3") != std::string::npos, never.c_str());
+        QVERIFY(control_->isProgramRunning());
+        QVERIFY(control_->moveJ(kStart));
+    }
+
     void aStopOvertakesAMoveAnotherThreadWaitsFor() {
         auto waiting =
             std::async(std::launch::async, [&] { return control_->moveJ(with(kStart, 0, 1.0), 0.02, 1.4); });
