@@ -158,6 +158,14 @@ void applyTheme(QApplication& application, const Theme& theme) {
     application.setStyleSheet(styleSheet(theme));
 }
 
+PaperColors::PaperColors() : wasDark_(Theme::current().isDark()) {
+    QCoreApplication::instance()->setProperty(kSchemeProperty, false);
+}
+
+PaperColors::~PaperColors() {
+    QCoreApplication::instance()->setProperty(kSchemeProperty, wasDark_);
+}
+
 QFont textFont(int pixelSize, QFont::Weight weight) {
     static const QStringList families = {QStringLiteral("DejaVu Sans"), QStringLiteral("Bitstream Vera Sans"),
                                          QStringLiteral("Verdana"), QStringLiteral("Segoe UI"),

@@ -69,6 +69,19 @@ struct Theme {
 /// Threads  GUI
 void applyTheme(QApplication& application, const Theme& theme);
 
+/// While it lives, Theme::current() is the light one, for what is painted on paper; the application keeps its look.
+/// Threads  GUI
+class PaperColors {
+public:
+    PaperColors();
+    ~PaperColors();
+    PaperColors(const PaperColors&) = delete;
+    PaperColors& operator=(const PaperColors&) = delete;
+
+private:
+    bool wasDark_;
+};
+
 /// Corner radius of panels and keys [px].
 inline constexpr int kCornerRadius = 6;
 

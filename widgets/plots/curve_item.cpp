@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/curve_item.h"
 
+#include <QPaintEngine>
 #include <QPainter>
+#include <QPainterPath>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -181,8 +183,50 @@ bool CurveItem::dashed(std::size_t column) const {
     return true;
 }
 
+/// For files that keep lines: there is time for Qt's stroker.
+void CurveItem::paintLines(QPainter* painter) const {
+    const double perSecond = area_.width() / (t1_ - t0_);
+    const double perUnit = area_.height() / (y1_ - y0_);
+    const auto at = [&](double column, float value) {
+        return QPointF(area_.left() + (gridStart_ + column * gridWidth_ - t0_) * perSecond,
+                       area_.bottom() - (static_cast<double>(value) - y0_) * perUnit);
+    };
+    QPainterPath path;
+    bool drawing = false;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+        const Column& column = columns_[i];
+        if (isEmpty(column)) {
+            drawing = false;
+            continue;
+        }
+        const auto x = static_cast<double>(i);
+        if (drawing) {
+            path.lineTo(at(x, column.left));
+        } else {
+            path.moveTo(at(x, column.left));
+        }
+        if (column.high > std::max(column.left, column.right)) {
+            path.lineTo(at(x + 0.5, column.high));
+        }
+        if (column.low < std::min(column.left, column.right)) {
+            path.lineTo(at(x + 0.5, column.low));
+        }
+        path.lineTo(at(x + 1, column.right));
+        drawing = true;
+    }
+    painter->setClipRect(area_);
+    painter->setBrush(Qt::NoBrush);
+    painter->setPen(pen_);
+    painter->drawPath(path);
+}
+
 void CurveItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
     if (columns_.empty() || range_.isEmpty() || !(t1_ > t0_) || !(y1_ > y0_)) {
+        return;
+    }
+    const QPaintEngine::Type device = painter->paintEngine()->type();
+    if (device == QPaintEngine::SVG || device == QPaintEngine::Pdf) {
+        paintLines(painter);
         return;
     }
     // In columns of the grid from here on: they are device pixels, and rows are made as high as they are

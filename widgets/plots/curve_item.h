@@ -49,6 +49,7 @@ private:
                       std::int64_t end);
     void addLine(double x0, float y0, double x1, float y1);
     bool dashed(std::size_t column) const;
+    void paintLines(QPainter* painter) const;
 
     int signal_;
     QPen pen_;

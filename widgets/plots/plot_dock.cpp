@@ -19,6 +19,7 @@
 #include "widgets/common/theme.h"
 #include "widgets/plots/lane_text.h"
 #include "widgets/plots/plot_export.h"
+#include "widgets/plots/plot_picture.h"
 #include "widgets/plots/plot_view.h"
 #include "widgets/plots/receiver_source.h"
 #include "widgets/plots/sample_pump.h"
@@ -237,29 +238,42 @@ Result<void> PlotDock::exportCsv(const QString& path) const {
     return rows ? Result<void>() : Result<void>(rows.error());
 }
 
-Result<void> PlotDock::exportPng(const QString& path) const {
-    // The whole panel: title, cursors' read-out and lane belong to what the picture says.
-    const QPixmap picture = const_cast<PlotDock*>(this)->grab();
-    QFileInfo file(path);
-    if (!file.absoluteDir().exists()) {
-        return Error{ErrorCode::FileNotWritable, tr("export to %1").arg(path),
-                     tr("the folder does not exist")};
+Result<void> PlotDock::exportPicture(const QString& path) const {
+    PictureText text;
+    const SessionState& state = session_.state();
+    text.title = state.robotName.isEmpty() ? tr("Tiller · TCP force and joint currents")
+                                           : tr("%1 · TCP force and joint currents").arg(state.robotName);
+    const TimeWindow& window = view_->window();
+    QStringList details{QLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat),
+                        tr("controller time %1 … %2 s")
+                            .arg(format::number(window.start(), 3), format::number(window.end(), 3))};
+    if (state.simulated) {
+        details << tr("simulated");
     }
-    if (!picture.save(path, "PNG")) {
-        return Error{ErrorCode::FileNotWritable, tr("export to %1").arg(path), {}};
+    if (const QString words = view_->readout(); !words.isEmpty()) {
+        details << words;
     }
-    return {};
+    text.detail = details.join(QStringLiteral("   "));
+    return tiller::exportPicture(*view_, *history_, *lane_, text, path);
+}
+
+void PlotDock::sayNothingToExport() {
+    Q_EMIT session_.message(Severity::Warning,
+                            tr("Nothing was exported: the plots show no samples. Connect to a robot, or "
+                               "scroll to a time with samples."));
 }
 
 bool PlotDock::exportTo(const QString& path) {
     const bool csv = path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive);
-    const Result<void> result = csv ? exportCsv(path) : exportPng(path);
+    if (history_->isEmpty()) {
+        sayNothingToExport();
+        return false;
+    }
+    const Result<void> result = csv ? exportCsv(path) : exportPicture(path);
     if (result) {
         Q_EMIT session_.message(Severity::Info, tr("Exported the shown range to %1").arg(path));
-    } else if (result.error().code == ErrorCode::InvalidArgument) {
-        Q_EMIT session_.message(Severity::Warning,
-                                tr("Nothing was exported: the plots show no samples. Connect to a robot, or "
-                                   "scroll to a time with samples."));
+    } else if (csv && result.error().code == ErrorCode::InvalidArgument) {
+        sayNothingToExport();
     } else {
         Q_EMIT session_.message(Severity::Error, texts::errorText(result.error()));
     }
@@ -267,19 +281,27 @@ bool PlotDock::exportTo(const QString& path) {
 }
 
 void PlotDock::askExport() {
-    const QString png = tr("Picture (*.png)");
-    const QString csv = tr("Values (*.csv)");
+    const QList<QPair<QString, QString>> kinds = {
+        {tr("Picture (*.png)"), QStringLiteral(".png")},
+        {tr("Drawing (*.svg)"), QStringLiteral(".svg")},
+        {tr("Page (*.pdf)"), QStringLiteral(".pdf")},
+        {tr("Values (*.csv)"), QStringLiteral(".csv")},
+    };
+    QStringList filters;
+    for (const auto& kind : kinds) {
+        filters << kind.first;
+    }
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
     const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HH-mm-ss"));
-    QString filter = png;
+    QString filter = filters.first();
     QString path = QFileDialog::getSaveFileName(this, tr("Export the shown range"),
                                                 QDir(folder).filePath(QStringLiteral("plots_") + stamp),
-                                                png + QStringLiteral(";;") + csv, &filter);
+                                                filters.join(QStringLiteral(";;")), &filter);
     if (path.isEmpty()) {
         return;
     }
     if (QFileInfo(path).suffix().isEmpty()) {
-        path += filter == csv ? QStringLiteral(".csv") : QStringLiteral(".png");
+        path += kinds.value(std::max<qsizetype>(filters.indexOf(filter), 0)).second;
     }
     exportTo(path);
 }

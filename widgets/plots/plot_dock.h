@@ -41,9 +41,9 @@ public:
     /// Where "Record" puts its files; a folder "Tiller" in the user's documents unless told.
     void setRecordingFolder(const QString& folder) { recordingFolder_ = folder; }
 
-    /// Shown range as CSV, columns named as in recordings, or as the picture on the screen.
+    /// Shown range as CSV, columns named as in recordings, or as a picture (.png, .svg, .pdf).
     Result<void> exportCsv(const QString& path) const;
-    Result<void> exportPng(const QString& path) const;
+    Result<void> exportPicture(const QString& path) const;
     /// By the ending of the name; tells the operator how it went.
     bool exportTo(const QString& path);
 
@@ -61,6 +61,7 @@ private:
     void onState(const SessionState& state);
     void updateHeader();
     void askExport();
+    void sayNothingToExport();
     void toggleRecording();
 
     RobotSession& session_;

@@ -124,6 +124,14 @@ void PlotView::refresh(double seconds) {
     }
 }
 
+void PlotView::showLike(const PlotView& other) {
+    window_ = other.window_;
+    reference_ = other.reference_;
+    cursors_ = other.cursors_;
+    setReadoutSignal(other.readoutSignal_);
+    rewind();
+}
+
 void PlotView::rewind() {
     show(-1);
     Q_EMIT windowChanged();

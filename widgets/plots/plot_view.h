@@ -34,6 +34,9 @@ public:
     /// seconds  since the last call; paces the calm of the scales
     void refresh(double seconds);
 
+    /// The range, cursors and signal that another view of the same history shows.
+    void showLike(const PlotView& other);
+
     const TimeWindow& window() const { return window_; }
     void setSpan(double seconds);
     void pause();

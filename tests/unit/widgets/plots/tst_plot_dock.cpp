@@ -6,6 +6,7 @@
 #include <QImage>
 #include <QMenu>
 #include <QPainter>
+#include <QScopeGuard>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -297,6 +298,48 @@ private Q_SLOTS:
         const QString png = folder.filePath("range.png");
         QVERIFY(b.dock.exportTo(png));
         QVERIFY(QImage(png).width() >= 1500);
+    }
+
+    // Whatever the window's colours: a white page with a title, and neither keys nor pixels where lines will do.
+    void picturesAreForPaper() {
+        applyTheme(*qApp, Theme::dark());
+        const auto light = qScopeGuard([] { applyTheme(*qApp, Theme::light()); });
+        Bench b;
+        QTemporaryDir folder;
+        const auto bytesOf = [&](const QString& name) {
+            QFile file(folder.filePath(name));
+            return b.dock.exportTo(file.fileName()) && file.open(QIODevice::ReadOnly) ? file.readAll()
+                                                                                      : QByteArray();
+        };
+        const QImage png = QImage::fromData(bytesOf("a.PNG"));
+        for (const QPoint& corner : {QPoint(3, 3), QPoint(png.width() - 4, png.height() - 4)}) {
+            QCOMPARE(png.pixelColor(corner), QColor(Qt::white));
+        }
+        const QByteArray svg = bytesOf("a.svg");
+        QVERIFY(svg.contains("<svg"));
+        QVERIFY(svg.contains("TCP force and joint currents"));
+        QVERIFY(svg.contains("controller time"));
+        QVERIFY(svg.contains("Fz"));
+        QVERIFY(svg.contains("<path") || svg.contains("<polyline"));
+        QVERIFY2(!svg.contains("<image"), "curves are drawn as pixels");
+        QVERIFY(!svg.contains("Record"));
+        const QByteArray pdf = bytesOf("a.pdf");
+        QVERIFY(pdf.startsWith("%PDF"));
+        QVERIFY2(!pdf.contains("/Subtype /Image"), "curves are drawn as pixels");
+        QVERIFY(Theme::current().isDark());
+    }
+
+    void aFileOfAnotherKindIsRefusedAndLeftAlone() {
+        Bench b;
+        QTemporaryDir folder;
+        QFile file(folder.filePath("picture.gif"));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("mine") == 4);
+        file.close();
+        QSignalSpy messages(&b.session, &RobotSession::message);
+        QVERIFY(!b.dock.exportTo(file.fileName()));
+        QVERIFY(messages.last().at(1).toString().contains(".svg"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll(), QByteArray("mine"));
     }
 
     void anExportThatFailsSaysWhy() {

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/plot_picture.h"
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QImage>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QSaveFile>
+#include <QSvgGenerator>
+
+#include "widgets/common/theme.h"
+#include "widgets/plots/plot_view.h"
+
+namespace tiller {
+
+namespace {
+
+constexpr QSize kPlots(1200, 560);  // [px]
+constexpr int kTitleHeight = 56;
+constexpr int kMargin = 16;
+constexpr double kFineness = 2;  // pixels of a .png for one of the page
+constexpr double kPointsPerPixel = 0.75;
+constexpr QSize kPage(kPlots.width() + 2 * kMargin, kPlots.height() + kTitleHeight + kMargin);
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("tiller::PlotDock", text);
+}
+
+/// What is on the page, in its pixels.
+class Page {
+public:
+    Page(const PlotView& view, const SeriesBuffer& history, const StateLane& lane, PictureText text)
+        : plots_(history, lane), text_(std::move(text)) {
+        // Laid out like any other window, but never on a screen.
+        plots_.setAttribute(Qt::WA_DontShowOnScreen);
+        plots_.resize(kPlots);
+        plots_.setVisible(true);
+        plots_.showLike(view);
+    }
+
+    void paint(QPainter& painter) {
+        const Theme& theme = Theme::current();
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.fillRect(QRect(QPoint(0, 0), kPage), Qt::white);
+        painter.setPen(theme.text);
+        painter.setFont(textFont(18, QFont::DemiBold));
+        painter.drawText(QRect(kMargin, 8, kPlots.width(), 26), Qt::AlignLeft | Qt::AlignVCenter,
+                         text_.title);
+        painter.setPen(theme.secondary);
+        painter.setFont(textFont(13));
+        painter.drawText(QRect(kMargin, 32, kPlots.width(), 20), Qt::AlignLeft | Qt::AlignVCenter,
+                         text_.detail);
+        plots_.scene()->render(&painter, QRectF(QPointF(kMargin, kTitleHeight), kPlots),
+                               QRectF(QPointF(0, 0), kPlots));
+    }
+
+private:
+    const PaperColors paper_;  // before the plots, which take their colours when they are made
+    PlotView plots_;
+    PictureText text_;
+};
+
+QByteArray png(Page& page) {
+    QImage image(kPage * kFineness, QImage::Format_RGB32);
+    image.setDevicePixelRatio(kFineness);
+    {
+        QPainter painter(&image);
+        page.paint(painter);
+    }
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    image.save(&buffer, "PNG");
+    return bytes;
+}
+
+QByteArray svg(Page& page, const QString& title) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    QSvgGenerator generator;
+    generator.setOutputDevice(&buffer);
+    generator.setSize(kPage);
+    generator.setViewBox(QRect(QPoint(0, 0), kPage));
+    generator.setTitle(title);
+    QPainter painter(&generator);
+    page.paint(painter);
+    painter.end();
+    return bytes;
+}
+
+QByteArray pdf(Page& page, const QString& title) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    QPdfWriter writer(&buffer);
+    writer.setTitle(title);
+    writer.setCreator(QStringLiteral("Tiller"));
+    writer.setPageSize(QPageSize(QSizeF(kPage) * kPointsPerPixel, QPageSize::Point));
+    writer.setPageMargins({});
+    constexpr int kDotsPerInch = 96;
+    writer.setResolution(kDotsPerInch);
+    QPainter painter(&writer);
+    page.paint(painter);
+    painter.end();
+    return bytes;
+}
+
+}  // namespace
+
+Result<void> exportPicture(const PlotView& view, const SeriesBuffer& history, const StateLane& lane,
+                           const PictureText& text, const QString& path) {
+    const QString context = tr("export to %1").arg(path);
+    const QString ending = QFileInfo(path).suffix().toLower();
+    if (ending != QLatin1String("png") && ending != QLatin1String("svg") && ending != QLatin1String("pdf")) {
+        return Error{ErrorCode::InvalidArgument, context,
+                     tr("name the file .png, .svg or .pdf for a picture, .csv for values")};
+    }
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly)) {
+        return Error{ErrorCode::FileNotWritable, context, file.errorString()};
+    }
+    Page page(view, history, lane, text);
+    const QByteArray bytes = ending == QLatin1String("png")   ? png(page)
+                             : ending == QLatin1String("svg") ? svg(page, text.title)
+                                                              : pdf(page, text.title);
+    if (bytes.isEmpty() || file.write(bytes) != bytes.size() || !file.commit()) {
+        const bool full = file.error() == QFileDevice::ResourceError;
+        return Error{full ? ErrorCode::DiskFull : ErrorCode::FileNotWritable, context, file.errorString()};
+    }
+    return {};
+}
+
+}  // namespace tiller
