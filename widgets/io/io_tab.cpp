@@ -8,7 +8,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "robot/receive/receiver.h"
+#include "robot/receive/robot_state.h"
 #include "widgets/io/analog_row.h"
 #include "widgets/io/io_channel.h"
 #include "widgets/io/register_panel.h"
@@ -95,6 +95,12 @@ IoTab::IoTab(RobotSession& session, QWidget* parent)
     refreshTimer_.setSingleShot(true);
     refreshTimer_.setInterval(kRefreshMs);
     connect(&refreshTimer_, &QTimer::timeout, this, &IoTab::refresh);
+    connect(&session_, &RobotSession::linkBegan, this, [this] { sample_ = {}; });
+    connect(&session_, &RobotSession::samplesReceived, this, [this](const SampleBatch& batch) {
+        if (!batch.samples.empty()) {
+            sample_ = batch.samples.back();
+        }
+    });
     connect(&session_, &RobotSession::stateChanged, this, [this](const SessionState& state) {
         state_ = state;
         if (!refreshTimer_.isActive()) {
@@ -290,8 +296,7 @@ void IoTab::buildAnalog(QVBoxLayout* layout) {
 }
 
 void IoTab::refreshAnalog(bool known, bool stale) {
-    const receive::Receiver* receiver = session_.receiver();
-    if (!known || receiver == nullptr || receiver->latest().isEmpty()) {
+    if (!known || sample_.isEmpty()) {
         for (const auto* rows : {&analogInputs_, &analogOutputs_}) {
             for (AnalogRow* row : *rows) {
                 row->setValue(0, io::AnalogDomain::Current, false, true);
@@ -300,8 +305,7 @@ void IoTab::refreshAnalog(bool known, bool stale) {
         registers_->showNothing();
         return;
     }
-    const receive::Sample sample = receiver->latest();
-    const receive::RobotState robot(sample);
+    const receive::RobotState robot(sample_);
     const std::uint32_t types = robot.analogIoTypes().value_or(0);
     const auto domain = [types](int bit) {
         return (types >> bit & 1U) != 0 ? io::AnalogDomain::Voltage : io::AnalogDomain::Current;

@@ -68,6 +68,7 @@ private:
     std::function<void(int, bool)> setOutput_;
     const Clock* clock_ = &SteadyClock::shared();
     SessionState state_;
+    receive::Sample sample_;  ///< the one state_ was made from
     QTimer refreshTimer_;
     QVector<IoChannel*> inputs_;
     QVector<IoChannel*> outputs_;

@@ -19,10 +19,9 @@
 #include "widgets/common/theme.h"
 #include "widgets/plots/lane_text.h"
 #include "widgets/plots/plot_export.h"
+#include "widgets/plots/plot_feed.h"
 #include "widgets/plots/plot_picture.h"
 #include "widgets/plots/plot_view.h"
-#include "widgets/plots/receiver_source.h"
-#include "widgets/plots/sample_pump.h"
 #include "widgets/plots/series_buffer.h"
 #include "widgets/plots/state_lane.h"
 #include "widgets/session/robot_session.h"
@@ -67,7 +66,7 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
     , session_(session)
     , history_(std::make_unique<SeriesBuffer>(kPlotSignalCount))
     , lane_(std::make_unique<StateLane>())
-    , pump_(std::make_unique<SamplePump>(*history_)) {
+    , feed_(std::make_unique<PlotFeed>(*history_)) {
     setObjectName(QStringLiteral("plots"));
     setTitle(tr("Plots"));
     setSubtitle(tr("TCP force [N] · joint current [A]"));
@@ -77,15 +76,11 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
 
     connect(view_, &PlotView::windowChanged, this, &PlotDock::updateHeader);
     connect(view_, &PlotView::readoutChanged, this, &PlotDock::updateHeader);
-    connect(pump_.get(), &SamplePump::frame, this, [this] {
-        if (!history_->isEmpty()) {
-            lane_->forgetBefore(history_->firstTime());
-        }
-        view_->refresh(SamplePump::kFrameMs / 1000.0);
-    });
+    connect(&session_, &RobotSession::linkBegan, this, [this] { feed_->beginLink(); });
+    connect(&session_, &RobotSession::samplesReceived, this,
+            [this](const SampleBatch& batch) { feed_->take(batch); });
     connect(&session_, &RobotSession::stateChanged, this, &PlotDock::onState);
     onState(session_.state());
-    pump_->start();
 }
 
 PlotDock::~PlotDock() = default;
@@ -138,11 +133,6 @@ void PlotDock::buildHeader() {
     updateHeader();
 }
 
-void PlotDock::setSource(std::unique_ptr<PlotSource> source) {
-    ownSource_ = source != nullptr;
-    pump_->setSource(std::move(source));
-}
-
 void PlotDock::setPaused(bool paused) {
     if (paused) {
         view_->pause();
@@ -156,17 +146,14 @@ void PlotDock::setJogLabel(const QString& label) {
 }
 
 void PlotDock::onState(const SessionState& state) {
-    receive::Receiver* receiver = session_.receiver();
-    // The layout, not the receiver: our subscription keeps it alive, so that its address is never used again.
-    const void* layout = receiver != nullptr ? receiver->layout().get() : nullptr;
-    if (!ownSource_ && layout != layout_) {
-        layout_ = layout;
-        pump_->setSource(receiver != nullptr ? std::make_unique<ReceiverSource>(*receiver) : nullptr);
-    }
     if (state.hasData() && state.link != LinkState::Connecting) {
         const LaneEntry entry = laneEntry(state, jogLabel_);
-        lane_->add(pump_->plotTime(state.robotTime), entry.kind, entry.label);
+        lane_->add(feed_->plotTime(state.robotTime), entry.kind, entry.label);
     }
+    if (!history_->isEmpty()) {
+        lane_->forgetBefore(history_->firstTime());
+    }
+    view_->refresh(RobotSession::kFrameMs / 1000.0);
     if (state.recording.active != recording_ || recording_) {
         recording_ = state.recording.active;
         recordingSeconds_ = state.recording.seconds;

@@ -2,7 +2,7 @@
 #pragma once
 
 // The panel "Plots": TCP force above, joint currents below, what the robot did in a lane underneath, and the
-// controls in its title bar. It feeds itself from the session: samples at the full rate, states once a frame.
+// controls in its title bar. It takes from the session, once a frame, every sample since the last one and the state.
 
 #include <QString>
 #include <memory>
@@ -17,10 +17,9 @@ class QToolButton;
 namespace tiller {
 
 class ElidedLabel;
-class PlotSource;
+class PlotFeed;
 class PlotView;
 class RobotSession;
-class SamplePump;
 class SeriesBuffer;
 class StateLane;
 
@@ -32,12 +31,9 @@ public:
     ~PlotDock() override;
 
     PlotView& view() { return *view_; }
-    SamplePump& pump() { return *pump_; }
     const SeriesBuffer& history() const { return *history_; }
     const StateLane& lane() const { return *lane_; }
 
-    /// Rows from here instead of the session's receiver; for tests and playback.
-    void setSource(std::unique_ptr<PlotSource> source);
     /// Where "Record" puts its files; a folder "Tiller" in the user's documents unless told.
     void setRecordingFolder(const QString& folder) { recordingFolder_ = folder; }
 
@@ -67,15 +63,13 @@ private:
     RobotSession& session_;
     std::unique_ptr<SeriesBuffer> history_;
     std::unique_ptr<StateLane> lane_;
-    std::unique_ptr<SamplePump> pump_;
+    std::unique_ptr<PlotFeed> feed_;
     PlotView* view_ = nullptr;
     ElidedLabel* readout_ = nullptr;
     QToolButton* span_ = nullptr;
     QToolButton* pause_ = nullptr;
     QToolButton* export_ = nullptr;
     QToolButton* record_ = nullptr;
-    const void* layout_ = nullptr;  // of the receiver whose samples the pump drains; only compared
-    bool ownSource_ = false;
     QString jogLabel_;
     QString recordingFolder_;
     bool recording_ = false;

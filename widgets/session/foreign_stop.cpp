@@ -69,10 +69,7 @@ void ForeignStop::request(StopCause cause, const receive::Receiver& receiver) {
     request_ = Request{clock_.nowNs(), newest.isEmpty() ? 0 : newest.sequence};
     askService();
     if (!newest.isEmpty() && !meter_.isMeasuring()) {
-        if (sample_.isEmpty()) {
-            sample_ = receive::Sample(receiver.layout());
-        }
-        stream_ = receiver.subscribe();
+        measuredFrom_ = newest.sequence;
         meter_.add(measured(newest));
         if (meter_.isMoving()) {
             meter_.begin(cause, clock_.nowNs());
@@ -104,9 +101,11 @@ void ForeignStop::withdraw() {
     stopper_.withdraw();
 }
 
-void ForeignStop::measure() {
-    while (meter_.isMeasuring() && stream_.next(sample_)) {
-        meter_.add(measured(sample_));
+void ForeignStop::measure(const SampleBatch& batch) {
+    for (const receive::Sample& sample : batch.samples) {
+        if (meter_.isMeasuring() && sample.sequence > measuredFrom_) {
+            meter_.add(measured(sample));
+        }
     }
 }
 
@@ -129,8 +128,8 @@ std::optional<Error> ForeignStop::failure() const {
     return local || primary.code == ErrorCode::None ? answer_->error : primary;
 }
 
-ForeignStop::Outcome ForeignStop::follow(const SessionState& state) {
-    measure();
+ForeignStop::Outcome ForeignStop::follow(const SessionState& state, const SampleBatch& batch) {
+    measure(batch);
     if (!request_) {
         return Outcome::None;
     }

@@ -14,6 +14,7 @@
 #include "robot/dashboard/service_worker.h"
 #include "robot/receive/receiver.h"
 #include "robot/script/program_stopper.h"
+#include "widgets/session/sample_batch.h"
 #include "widgets/session/session_state.h"
 
 namespace tiller {
@@ -42,9 +43,9 @@ public:
     void withdraw();
 
     enum class Outcome { None, Stopped, Failed };
-    /// Once a frame: measures, asks again where that helps.
+    /// Once a frame, with what it brought: measures, asks again where that helps.
     /// Returns  what came of the request, once
-    Outcome follow(const SessionState& state);
+    Outcome follow(const SessionState& state, const SampleBatch& batch);
     /// Why the last one failed.
     const Error& error() const { return error_; }
     /// The last stop that was measured, from the request to standstill.
@@ -63,7 +64,7 @@ private:
     };
 
     void askService();
-    void measure();
+    void measure(const SampleBatch& batch);
     bool isStopped(const SessionState& state) const;
     std::optional<Error> failure() const;
 
@@ -77,8 +78,7 @@ private:
     Error error_;
 
     control::StopMeter meter_;
-    receive::Subscription stream_;
-    receive::Sample sample_;
+    std::uint64_t measuredFrom_ = 0;  ///< the newest sample when the stop was asked for
 };
 
 }  // namespace tiller

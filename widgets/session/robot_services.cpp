@@ -101,14 +101,14 @@ void RobotServices::stopForeignProgram(control::StopCause cause) {
     d_.link->foreignStop->request(cause, *d_.link->receiver);
 }
 
-void RobotServices::followForeignStop() {
+void RobotServices::followForeignStop(const SampleBatch& batch) {
     if (stopInControl_ && d_.clock->nowNs() - stopInControl_->second > kTakenOverNs) {
         stopInControl_.reset();
     }
     if (stopInControl_ && ForeignStop::isMeant(stopInControl_->first, d_.state)) {
         d_.link->foreignStop->request(std::exchange(stopInControl_, std::nullopt)->first, *d_.link->receiver);
     }
-    switch (d_.link->foreignStop->follow(d_.state)) {
+    switch (d_.link->foreignStop->follow(d_.state, batch)) {
         case ForeignStop::Outcome::None:
             break;
         case ForeignStop::Outcome::Stopped:

@@ -20,6 +20,7 @@ namespace dashboard {
 struct ServiceReport;
 }
 class RobotSession;
+struct SampleBatch;
 struct SessionBackend;
 
 class RobotServices {
@@ -37,7 +38,7 @@ public:
     // For the session.
     /// A stop by STOP, Esc or Space is meant for a program of others too.
     void stopForeignProgram(control::StopCause cause);
-    void followForeignStop();
+    void followForeignStop(const SampleBatch& batch);
     /// Looks, about twice a second, at what RTDE does not tell.
     void ask();
     /// A stop before this moment is not meant for what comes after it.

@@ -14,7 +14,6 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kTakeControlTime{5000};
-constexpr int kRefreshMs = 16;
 
 QString stopSentence(const control::StopMeasurement& stop) {
     return RobotSession::tr("Stopped: %1 (%2 ms, %3)")
@@ -49,10 +48,10 @@ RobotSession::RobotSession(const Clock& clock, QObject* parent)
     , services_(*this, *d_)
     , recording_(*this, *d_) {
     qRegisterMetaType<SessionState>();
-    d_->refreshTimer.setTimerType(Qt::PreciseTimer);
-    d_->refreshTimer.setInterval(kRefreshMs);
-    connect(&d_->refreshTimer, &QTimer::timeout, this, &RobotSession::refresh);
-    d_->refreshTimer.start();
+    d_->frameClock.setTimerType(Qt::PreciseTimer);
+    d_->frameClock.setInterval(kFrameMs);
+    connect(&d_->frameClock, &QTimer::timeout, this, &RobotSession::refresh);
+    d_->frameClock.start();
     d_->read();
 }
 
@@ -94,6 +93,7 @@ void RobotSession::connectTo(const RobotAddress& address) {
     receiverOptions.port = static_cast<std::uint16_t>(rtde::kPort + address.portOffset);
     receiverOptions.clock = d_->clock;
     link->receiver = std::make_shared<receive::Receiver>(receiverOptions);
+    link->stream = link->receiver->subscribe();
     static_cast<void>(link->receiver->start());  // what it refuses is its lastError(), which readLink() shows
 
     control::ControllerOptions controllerOptions;
@@ -126,6 +126,7 @@ void RobotSession::connectTo(const RobotAddress& address) {
 
     d_->link = std::move(link);
     d_->sample = receive::Sample(d_->link->receiver->layout());
+    Q_EMIT linkBegan();
     Q_EMIT message(Severity::Info, tr("Connecting to %1 (%2)").arg(address.name, address.host),
                    Origin::Operator);
     refresh();
@@ -163,7 +164,7 @@ void RobotSession::disconnectFromRobot() {
 }
 
 void RobotSession::shutDown() {
-    d_->refreshTimer.stop();
+    d_->frameClock.stop();
     disconnectFromRobot();
 }
 
@@ -308,15 +309,22 @@ void RobotSession::stop(control::StopCause cause) {
 // -----------------------------------------------------------------------------------------------------
 
 void RobotSession::refresh() {
+    // Taken out for this frame: whoever hears of it may let events run, and with them another frame.
+    std::vector<receive::Sample> room = std::move(d_->room);
+    const SampleBatch batch = d_->drain(room);
     d_->read();
+    if (!batch.samples.empty() || batch.lost > 0) {
+        Q_EMIT samplesReceived(batch);
+    }
     reportChanges();
     if (d_->link) {
-        services_.followForeignStop();
+        services_.followForeignStop(batch);
         if (outputs_.keepConnected()) {
             d_->link->foreignStop->warmUp();
         }
         services_.ask();
     }
+    d_->room = std::move(room);
     Q_EMIT stateChanged(d_->state);
 }
 

@@ -15,6 +15,7 @@
 #include "robot/script/controller_message.h"
 #include "widgets/session/robot_outputs.h"
 #include "widgets/session/robot_services.h"
+#include "widgets/session/sample_batch.h"
 #include "widgets/session/session_recording.h"
 #include "widgets/session/session_state.h"
 
@@ -57,7 +58,8 @@ public:
     ~RobotSession() override;
 
     const SessionState& state() const;
-    /// For plots and recorders that want every sample; null while disconnected.
+    /// For whoever follows the robot at a pace of his own; null while disconnected. What is shown comes with
+    /// samplesReceived and stateChanged.
     receive::Receiver* receiver() const;
 
     // Connection. Never blocks; the outcome comes through stateChanged and message.
@@ -97,14 +99,21 @@ public:
     /// whatever moves.
     void setSpeedCap(double metresPerSecond);
 
-    /// Makes a new SessionState from the newest sample and tells everybody. Called by a 60 Hz timer that the
-    /// session owns; tests in virtual time call it themselves.
+    /// One frame: fetches the samples that came since the last one, makes a new SessionState from the newest and
+    /// tells everybody. Called by the interface's one frame clock, a timer that the session owns, and where
+    /// something shall show at once; tests in virtual time call it themselves.
     void refresh();
+    /// Between two frames [ms].
+    static constexpr int kFrameMs = 16;
     /// Ends the link and waits for it: at the end of the program. Blocks: half a second at most, longer only
     /// where a file system does
     void shutDown();
 
 Q_SIGNALS:
+    /// A link to a robot begins: what was received before is another robot's, or an older link's.
+    void linkBegan();
+    /// In each frame with new samples, before the stateChanged that shows the last of them.
+    void samplesReceived(const tiller::SampleBatch& batch);
     void stateChanged(const tiller::SessionState& state);
     /// A motion ended and its stop was measured.
     void motionStopped(const tiller::control::StopMeasurement& measurement);

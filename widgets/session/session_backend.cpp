@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/session/session_backend.h"
 
+#include <utility>
+
 #include "robot/receive/robot_state.h"
 #include "widgets/session/texts.h"
 
@@ -22,6 +24,27 @@ RobotModelId modelOf(const script::RobotConfiguration& configuration, const Soft
 }
 
 }  // namespace
+
+SampleBatch SessionBackend::drain(std::vector<receive::Sample>& into) {
+    if (link == nullptr) {
+        return {};
+    }
+    std::size_t count = 0;
+    while (true) {
+        if (count == into.size()) {
+            into.emplace_back();
+        }
+        if (!link->stream.next(into[count])) {
+            break;
+        }
+        ++count;
+    }
+    if (count > 0) {
+        sample = into[count - 1];
+    }
+    const std::uint64_t lostBefore = std::exchange(link->lost, link->stream.lost());
+    return {std::span(into).first(count), link->lost - lostBefore};
+}
 
 void SessionBackend::read() {
     if (link == nullptr) {
@@ -48,7 +71,7 @@ void SessionBackend::readLink() {
     const receive::Receiver& receiver = *link->receiver;
     const std::int64_t age = receiver.ageNs();
     const bool receiving = receiver.state() == receive::ReceiverState::Receiving;
-    const bool everReceived = state.sequence != 0 || !receiver.latest().isEmpty();
+    const bool everReceived = !sample.isEmpty();
     if (!everReceived) {
         state.link =
             receiver.state() == receive::ReceiverState::Waiting ? LinkState::Lost : LinkState::Connecting;
@@ -80,7 +103,6 @@ void SessionBackend::readLink() {
 }
 
 void SessionBackend::readSample() {
-    link->receiver->latest(sample);
     if (sample.isEmpty()) {
         return;
     }

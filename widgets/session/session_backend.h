@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "robot/control/controller.h"
 #include "robot/control/jog.h"
@@ -27,6 +28,8 @@ namespace tiller {
 /// Everything that talks to one robot. Torn down on the worker, because joining threads takes a moment.
 struct RobotLink {
     std::shared_ptr<receive::Receiver> receiver;
+    receive::Subscription stream;  ///< every sample, fetched once a frame
+    std::uint64_t lost = 0;        ///< of the stream, until the last frame
     std::shared_ptr<control::Controller> controller;
     control::Jog jog;      ///< the newest one
     control::Motion move;  ///< the newest motion that is none: a move or freedrive
@@ -46,12 +49,13 @@ struct SessionBackend {
     std::uint64_t generation = 0;  ///< of the connection; answers to an older one are dropped
     std::unique_ptr<RobotLink> link;
     recording::Recorder recorder;
-    QTimer refreshTimer;
+    QTimer frameClock;
 
     LinkHistory history;
-    receive::Sample sample;
-    dashboard::ServiceReport report;  ///< asked for about once a second; Unknown until it was answered
-    bool localRefuses = false;        ///< it was in Remote once, or has refused something for being in Local
+    receive::Sample sample;             ///< the newest, as all parts of the window show it
+    std::vector<receive::Sample> room;  ///< for the samples of a frame, kept from frame to frame
+    dashboard::ServiceReport report;    ///< asked for about once a second; Unknown until it was answered
+    bool localRefuses = false;  ///< it was in Remote once, or has refused something for being in Local
     bool takingControl = false;
     CancelToken taking;  ///< ends the taking under way
     control::MotionLimits limits;
@@ -71,6 +75,8 @@ struct SessionBackend {
     SessionWorker controlling;  ///< takes control and gives it back
     SessionWorker worker;
 
+    /// Fetches what came since the last frame, and the last of it into `sample`.
+    SampleBatch drain(std::vector<receive::Sample>& into);
     /// Fills `state` from the newest sample and the controller's status.
     void read();
 

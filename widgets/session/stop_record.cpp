@@ -33,8 +33,9 @@ int suspectOf(const std::vector<StopRecord::Point>& points, double stoppedAt) {
 
 }  // namespace
 
-StopRecorder::StopRecorder(RobotSession& session, QObject* parent) : QObject(parent), session_(session) {
-    connect(&session, &RobotSession::stateChanged, this, &StopRecorder::drain);
+StopRecorder::StopRecorder(RobotSession& session, QObject* parent) : QObject(parent) {
+    connect(&session, &RobotSession::linkBegan, this, &StopRecorder::forget);
+    connect(&session, &RobotSession::samplesReceived, this, &StopRecorder::follow);
     connect(&session, &RobotSession::controllerMessage, this, &StopRecorder::hear);
 }
 
@@ -42,25 +43,19 @@ double StopRecorder::secondsSince() const {
     return record_ ? std::max(0.0, now_ - record_->stoppedAt) : 0.0;
 }
 
-void StopRecorder::drain(const SessionState& state) {
-    receive::Receiver* receiver = session_.receiver();
-    if (receiver == nullptr) {
-        return;
+void StopRecorder::forget() {
+    points_.clear();
+    said_.clear();
+    stopped_ = false;
+    now_ = 0;
+    record_.reset();
+}
+
+void StopRecorder::follow(const SampleBatch& batch) {
+    for (const receive::Sample& sample : batch.samples) {
+        take(sample);
+        now_ = receive::RobotState(sample).timestamp();
     }
-    if (receiver->layout() != layout_) {
-        // Another connection: what was recorded before belongs to another robot.
-        layout_ = receiver->layout();
-        stream_ = receiver->subscribe();
-        sample_ = receive::Sample(layout_);
-        points_.clear();
-        said_.clear();
-        stopped_ = false;
-        record_.reset();
-    }
-    while (stream_.next(sample_)) {
-        take(sample_);
-    }
-    now_ = state.robotTime;
 }
 
 void StopRecorder::take(const receive::Sample& sample) {

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "robot/receive/receiver.h"
+#include "robot/receive/sample.h"
 #include "widgets/session/robot_session.h"
 
 namespace tiller {
@@ -53,15 +53,12 @@ Q_SIGNALS:
     void changed();
 
 private:
-    void drain(const SessionState& state);
+    void forget();
+    void follow(const SampleBatch& batch);
     void take(const receive::Sample& sample);
     void freeze(const receive::Sample& sample, SafetyStatus status);
     void hear(const script::ControllerMessage& message);
 
-    RobotSession& session_;
-    std::shared_ptr<const receive::SampleLayout> layout_;  ///< tells connections apart
-    receive::Subscription stream_;
-    receive::Sample sample_;
     std::deque<StopRecord::Point> points_;
     std::deque<std::pair<double, QString>> said_;
     bool stopped_ = false;

@@ -5,7 +5,9 @@
 #include <QTest>
 #include <memory>
 
+#include "tests/support/sample_stream.h"
 #include "widgets/common/theme.h"
+#include "widgets/io/analog_row.h"
 #include "widgets/io/io_channel.h"
 #include "widgets/io/io_tab.h"
 
@@ -125,6 +127,22 @@ private Q_SLOTS:
         QVERIFY(asked_.isEmpty());
         feed(withBits(1, 1, LinkState::Lost));
         QTRY_COMPARE(tab_->input(0)->stateWord(), QString("no data"));
+    }
+
+    // The analog values are of the sample that the bits beside them came with, never of a newer one.
+    void analogValuesAreOfTheSampleShown() {
+        test::SampleStream stream;
+        stream.set(stream.add(1.0, 1), "standard_analog_input0", 12);
+        stream.frame([this](const SampleBatch& batch) { Q_EMIT session_->samplesReceived(batch); });
+        feed(withBits(1, 0));
+        QTRY_COMPARE(tab_->input(0)->stateWord(), QString("on"));
+        QVERIFY2(tab_->analogInput(0)->valueText().startsWith("12"),
+                 qPrintable(tab_->analogInput(0)->valueText()));
+        Q_EMIT session_->linkBegan();  // another robot, of which no sample has come
+        feed(withBits(0, 0));
+        QTRY_COMPARE(tab_->input(0)->stateWord(), QString("off"));
+        QVERIFY2(!tab_->analogInput(0)->valueText().contains("12"),
+                 qPrintable(tab_->analogInput(0)->valueText()));
     }
 
     void inputsCannotBeSwitched() {

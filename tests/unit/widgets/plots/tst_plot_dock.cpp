@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The plot panel with real mouse, wheel and key events, fed by a source of its own.
+// The plot panel with real mouse, wheel and key events, fed with samples of the test's own.
 #include <QApplication>
 #include <QFile>
 #include <QImage>
@@ -12,9 +12,11 @@
 #include <QTest>
 #include <QToolButton>
 #include <QWheelEvent>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "tests/support/sample_stream.h"
 #include "widgets/common/elided_label.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/curve_item.h"
@@ -22,7 +24,6 @@
 #include "widgets/plots/plot_overlay.h"
 #include "widgets/plots/plot_pane.h"
 #include "widgets/plots/plot_view.h"
-#include "widgets/plots/sample_pump.h"
 #include "widgets/plots/state_lane.h"
 #include "widgets/session/robot_session.h"
 
@@ -31,41 +32,31 @@ using namespace tiller;
 namespace {
 
 /// 500 Hz, Fz = time in newtons, so that every read-out can be checked by head.
-class RampSource : public PlotSource {
-public:
-    int from = 0;
-    int until = 0;
-
-    std::uint64_t drain(const std::function<void(const PlotRow&)>& take) override {
-        for (; from < until; ++from) {
-            PlotRow row;
-            row.robotTime = from * 0.002;
-            row.sequence = static_cast<std::uint64_t>(from) + 1;
-            row.values[2] = static_cast<float>(row.robotTime);
-            row.values[6] = 1;
-            take(row);
-        }
-        return 0;
-    }
-};
-
 struct Bench {
     RobotSession session;
     PlotDock dock{session};
-    RampSource* source = nullptr;
+    test::SampleStream stream;
+    int next = 0;  ///< the sample that comes next
 
     Bench() {
-        auto owned = std::make_unique<RampSource>();
-        source = owned.get();
-        dock.setSource(std::move(owned));
-        dock.pump().stop();  // frames come when the test says so
+        session.shutDown();  // frames come when the test says so
         dock.resize(1500, 375);
         dock.show();
         runTo(60);
     }
+    /// One frame with everything until then.
     void runTo(double seconds) {
-        source->until = static_cast<int>(std::lround(seconds / 0.002)) + 1;
-        dock.pump().pump();
+        const int until = static_cast<int>(std::lround(seconds / 0.002)) + 1;
+        for (; next < until; ++next) {
+            const double time = next * 0.002;
+            receive::Sample& sample = stream.add(time, static_cast<std::uint64_t>(next) + 1);
+            std::fill(sample.values.begin(), sample.values.end(), 0.0);
+            stream.set(sample, "timestamp", time);
+            stream.set(sample, "actual_TCP_force_2", time);
+            stream.set(sample, "actual_current_0", 1);
+        }
+        stream.frame([this](const SampleBatch& batch) { Q_EMIT session.samplesReceived(batch); });
+        Q_EMIT session.stateChanged(session.state());
     }
     PlotView& view() { return dock.view(); }
     QPoint at(double time) { return {static_cast<int>(std::lround(view().xAt(time))), 100}; }
@@ -221,7 +212,7 @@ private Q_SLOTS:
 
     void thereIsNoValueInAGap() {
         Bench b;
-        b.source->from = b.source->until + 2000;  // four seconds lost
+        b.next += 2000;  // four seconds lost
         b.runTo(70);
         QVERIFY(b.view().valueAt(PlotSignal::ForceZ, 59.9).has_value());
         QVERIFY(!b.view().valueAt(PlotSignal::ForceZ, 62).has_value());

@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parts of the plots that need no window: time window, scale, lane, pump, CSV.
+// The parts of the plots that need no window: time window, scale, lane, feed, CSV.
 #include <QFile>
-#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <deque>
 #include <limits>
 #include <utility>
 
+#include "tests/support/sample_stream.h"
 #include "widgets/plots/axis_range.h"
 #include "widgets/plots/lane_text.h"
 #include "widgets/plots/plot_export.h"
-#include "widgets/plots/sample_pump.h"
+#include "widgets/plots/plot_feed.h"
 #include "widgets/plots/state_lane.h"
 #include "widgets/plots/time_window.h"
 
@@ -23,37 +22,16 @@ using namespace tiller;
 
 namespace {
 
-class FakeSource : public PlotSource {
-public:
-    std::deque<PlotRow> rows;
-    std::uint64_t lost = 0;
-
-    std::uint64_t drain(const std::function<void(const PlotRow&)>& take) override {
-        for (const PlotRow& row : rows) {
-            take(row);
-        }
-        rows.clear();
-        return std::exchange(lost, 0);
-    }
-    void add(double time, std::uint64_t sequence, float fz = 0) {
-        PlotRow row;
-        row.robotTime = time;
-        row.sequence = sequence;
-        row.values[2] = fz;
-        rows.push_back(row);
-    }
-};
-
-struct Pumped {
+struct Fed {
     SeriesBuffer history{kPlotSignalCount, 4096};
-    SamplePump pump{history};
-    FakeSource* source = nullptr;
+    PlotFeed feed{history};
+    test::SampleStream stream;
 
-    Pumped() { connectSource(); }
-    void connectSource() {
-        auto owned = std::make_unique<FakeSource>();
-        source = owned.get();
-        pump.setSource(std::move(owned));
+    void add(double time, std::uint64_t sequence, double fz = 0) {
+        stream.set(stream.add(time, sequence), "actual_TCP_force_2", fz);
+    }
+    int frame() {
+        return stream.frame([this](const SampleBatch& batch) { return feed.take(batch); });
     }
 };
 
@@ -235,63 +213,71 @@ private Q_SLOTS:
         QVERIFY(laneEntry(state, {}).kind == LaneKind::NoData);
     }
 
-    // ---- pump
-    void rowsBecomeSamplesInOrder() {
-        Pumped p;
-        QSignalSpy frames(&p.pump, &SamplePump::frame);
+    // ---- feed
+    void samplesBecomeRowsInOrder() {
+        Fed f;
         for (int i = 0; i < 10; ++i) {
-            p.source->add(5 + i * 0.002, static_cast<std::uint64_t>(i) + 1, static_cast<float>(i));
+            f.add(5 + i * 0.002, static_cast<std::uint64_t>(i) + 1, i);
         }
-        p.pump.pump();
-        QCOMPARE(frames.takeFirst().first().toInt(), 10);
-        QCOMPARE(p.history.end(), std::int64_t{10});
-        QCOMPARE(p.history.value(2, 9), 9.0F);
-        QCOMPARE(p.pump.gaps(), std::uint64_t{0});
-        p.pump.pump();
-        QCOMPARE(frames.takeFirst().first().toInt(), 0);
+        QCOMPARE(f.frame(), 10);
+        QCOMPARE(f.history.end(), std::int64_t{10});
+        QCOMPARE(f.history.value(2, 9), 9.0F);
+        QCOMPARE(f.feed.gaps(), std::uint64_t{0});
+        QCOMPARE(f.frame(), 0);
+    }
+    void whatTheRobotDoesNotSendIsNoNumber() {
+        Fed f;
+        f.add(5, 1);
+        f.frame();
+        QVERIFY(std::isnan(f.history.value(static_cast<int>(PlotSignal::CurrentBase), 0)));
     }
     void aRingThatRanOverIsAGapAndCounted() {
-        Pumped p;
-        p.source->add(1.000, 1);
-        p.source->add(1.002, 2);
-        p.pump.pump();
-        p.source->add(9.000, 4001);
-        p.source->add(9.002, 4002);
-        p.source->lost = 3998;
-        p.pump.pump();
-        QCOMPARE(p.pump.overrun(), std::uint64_t{3998});
-        QCOMPARE(p.pump.gaps(), std::uint64_t{1});
-        QVERIFY(p.history.gapBefore(2));
-        QVERIFY(!p.history.gapBefore(3));
+        Fed f;
+        f.add(1.000, 1);
+        f.add(1.002, 2);
+        f.frame();
+        f.add(9.000, 4001);
+        f.add(9.002, 4002);
+        f.stream.lost = 3998;
+        f.frame();
+        QCOMPARE(f.feed.overrun(), std::uint64_t{3998});
+        QCOMPARE(f.feed.gaps(), std::uint64_t{1});
+        QVERIFY(f.history.gapBefore(2));
+        QVERIFY(!f.history.gapBefore(3));
     }
     void packetsTheControllerSkippedAreAGap() {
-        Pumped p;
-        p.source->add(1.000, 1);
-        p.source->add(1.002, 2);
-        p.source->add(1.100, 3);  // counted by nobody, but a hole in time
-        p.pump.pump();
-        QVERIFY(p.history.gapBefore(2));
-        PlotRow row;
-        row.robotTime = 1.102;
-        row.sequence = 4;
-        row.gapBefore = true;
-        p.source->rows.push_back(row);
-        p.pump.pump();
-        QVERIFY(p.history.gapBefore(3));
+        Fed f;
+        f.add(1.000, 1);
+        f.add(1.002, 2);
+        f.add(1.100, 3);  // counted by nobody, but a hole in time
+        f.frame();
+        QVERIFY(f.history.gapBefore(2));
+        f.stream.add(1.102, 4).lostBefore = 1;
+        f.frame();
+        QVERIFY(f.history.gapBefore(3));
+    }
+    void aConnectionMadeAnewIsAGap() {
+        Fed f;
+        f.add(1.000, 1);
+        f.add(1.002, 2);
+        f.stream.add(1.004, 3).connection = 2;
+        f.frame();
+        QVERIFY(!f.history.gapBefore(1));
+        QVERIFY(f.history.gapBefore(2));
     }
     void aControllerThatRestartsGoesOnAfterAGap() {
-        Pumped p;
-        p.source->add(500.000, 1);
-        p.source->add(500.002, 2);
-        p.pump.pump();
-        p.connectSource();
-        p.source->add(0.002, 1);
-        p.source->add(0.004, 2);
-        p.pump.pump();
-        QCOMPARE(p.history.end(), std::int64_t{4});
-        QVERIFY(p.history.gapBefore(2));
-        QVERIFY(p.history.time(2) > 500.002);
-        QCOMPARE(p.pump.plotTime(0.004), p.history.time(3));
+        Fed f;
+        f.add(500.000, 1);
+        f.add(500.002, 2);
+        f.frame();
+        f.feed.beginLink();
+        f.add(0.002, 1);
+        f.add(0.004, 2);
+        f.frame();
+        QCOMPARE(f.history.end(), std::int64_t{4});
+        QVERIFY(f.history.gapBefore(2));
+        QVERIFY(f.history.time(2) > 500.002);
+        QCOMPARE(f.feed.plotTime(0.004), f.history.time(3));
     }
 
     // ---- CSV

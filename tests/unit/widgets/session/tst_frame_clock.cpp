@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One clock for the whole interface: each frame fetches what came since the last one, once, and everybody is shown
+// the last of it.
+#include <QTest>
+#include <vector>
+
+#include "tests/support/virtual_cell.h"
+
+using namespace tiller;
+using tiller::test::VirtualCell;
+
+namespace {
+
+/// What a part of the window hears of a session.
+struct Listener {
+    std::vector<std::uint64_t> sequences;  ///< of all samples, in their order
+    std::uint64_t lost = 0;
+    int links = 0;
+    int batches = 0;
+    int frames = 0;
+    int framesBehind = 0;  ///< whose state was not made from the last sample
+    QObject context;       ///< hears nothing any more once this is gone
+
+    explicit Listener(RobotSession& session) {
+        QObject::connect(&session, &RobotSession::linkBegan, &context, [this] {
+            ++links;
+            sequences.clear();
+        });
+        QObject::connect(&session, &RobotSession::samplesReceived, &context,
+                         [this](const SampleBatch& batch) {
+                             ++batches;
+                             lost += batch.lost;
+                             for (const receive::Sample& sample : batch.samples) {
+                                 sequences.push_back(sample.sequence);
+                             }
+                         });
+        QObject::connect(&session, &RobotSession::stateChanged, &context, [this](const SessionState& state) {
+            ++frames;
+            framesBehind += !sequences.empty() && state.sequence != sequences.back() ? 1 : 0;
+        });
+    }
+    /// Every sample came once, none before another that was sent earlier.
+    bool isWhole() const {
+        for (std::size_t i = 1; i < sequences.size(); ++i) {
+            if (sequences[i] != sequences[i - 1] + 1) {
+                return false;
+            }
+        }
+        return lost == 0;
+    }
+};
+
+struct Bench {
+    VirtualClock clock;
+    RobotSession session{clock};
+    VirtualCell cell{clock, session};
+};
+
+}  // namespace
+
+class TestFrameClock : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everySampleComesOnceAndTheLastIsShown() {
+        Bench bench;
+        Listener first(bench.session);
+        Listener second(bench.session);
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        bench.cell.advanceMs(400);
+        QCOMPARE(first.links, 1);
+        QVERIFY(first.sequences.size() >= 150);  // 500 a second
+        QVERIFY(first.isWhole());
+        QCOMPARE(first.framesBehind, 0);
+        QVERIFY2(first.batches * 2 < static_cast<int>(first.sequences.size()),
+                 "a frame brings several samples");
+        QVERIFY(second.sequences == first.sequences);
+    }
+
+    // What is late comes with the next frame; what had no room is counted.
+    void aFrozenInterfaceGetsAllOfItAfterwards() {
+        Bench bench;
+        Listener listener(bench.session);
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        bench.cell.advanceMs(100);
+        const int batches = listener.batches;
+        const std::size_t before = listener.sequences.size();
+        bench.cell.advanceWithFrozenInterface(300);
+        QCOMPARE(listener.batches, batches);
+        bench.session.refresh();
+        QCOMPARE(listener.batches, batches + 1);
+        QVERIFY(listener.sequences.size() >= before + 140);
+        QVERIFY(listener.isWhole());
+        QCOMPARE(listener.framesBehind, 0);
+    }
+
+    void aNewLinkIsToldAndBeginsAnew() {
+        Bench bench;
+        Listener listener(bench.session);
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        bench.cell.advanceMs(100);
+        bench.session.disconnectFromRobot();
+        const std::size_t before = listener.sequences.size();
+        bench.session.refresh();
+        QCOMPARE(listener.sequences.size(), before);
+        QCOMPARE(listener.links, 1);
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        bench.cell.advanceMs(100);
+        QCOMPARE(listener.links, 2);
+        QVERIFY(!listener.sequences.empty());
+        QVERIFY(listener.isWhole());
+    }
+
+    // Whoever hears of a frame may let events run, and so begin another.
+    void aFrameWithinAFrameLeavesTheFirstWhole() {
+        bool nested = false;
+        Bench bench;
+        Listener outer(bench.session);
+        QObject::connect(&bench.session, &RobotSession::samplesReceived, &bench.session,
+                         [&](const SampleBatch& batch) {
+                             if (nested || batch.samples.empty()) {
+                                 return;
+                             }
+                             nested = true;
+                             const std::uint64_t last = batch.samples.back().sequence;
+                             bench.cell.advanceWithFrozenInterface(40);
+                             bench.session.refresh();
+                             QCOMPARE(batch.samples.back().sequence, last);
+                         });
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        bench.cell.advanceMs(100);
+        QVERIFY(nested);
+        QVERIFY(outer.isWhole());
+    }
+};
+
+QTEST_MAIN(TestFrameClock)
+#include "tst_frame_clock.moc"
