@@ -20,7 +20,9 @@ class QWidget;
 
 namespace tiller {
 
-/// What a press begins. RobotSession's beginJog/beginMove, hold and endMotion fit straight in.
+/// What a press on one key begins, keeps and ends: a single motion with its target, its reach and how it is let go.
+/// MotionPort (widgets/session) is the other side of it, the one way to the arm for every panel: it knows jogs, moves
+/// and freedrive but no key. A key's HoldMotion is made from it; the guard needs no session and no robot.
 struct HoldMotion {
     using Id = std::uint64_t;
     /// Begins the motion, or says why not.

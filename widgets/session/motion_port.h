@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The doors through which panels move the arm, so that each can be tried without a robot.
+// The one way through which every panel moves the arm, so that each can be tried without a robot. What a single key
+// does with it while it is held is a HoldMotion (widgets/common/hold_guard.h).
 
 #include <functional>
 
@@ -24,7 +25,7 @@ struct MotionPort {
     std::function<bool(Id, const control::JogTarget&)> holdWith = {};
 };
 
-/// The doors of a session, which must outlive the port.
+/// The port of a session, which must outlive it.
 MotionPort motionPort(RobotSession& session);
 
 }  // namespace tiller
