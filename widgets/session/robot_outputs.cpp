@@ -47,13 +47,7 @@ const OutputHolders& RobotOutputs::holders() const {
     return holders_;
 }
 
-bool RobotOutputs::keepConnected() {
-    const std::uint64_t connection = d_.sample.connection;
-    if (d_.sample.isEmpty() || connection == connection_) {
-        return false;
-    }
-    // The first data of a connection: the robot is there, so the outputs can be connected (again).
-    connection_ = connection;
+void RobotOutputs::connect() {
     const std::uint64_t generation = d_.generation;
     d_.worker.post(&session_, [this, generation, outputs = d_.link->outputs](const CancelToken& token) {
         const Result<void> result = outputs->connect(Deadline::after(kConnectTime, token));
@@ -71,12 +65,10 @@ bool RobotOutputs::keepConnected() {
             }
         });
     });
-    return true;
 }
 
 void RobotOutputs::forget() {
     holders_ = {};
-    connection_ = 0;
     sliderBusy_ = false;
     sliderWanted_.reset();
     sliderLogged_.reset();

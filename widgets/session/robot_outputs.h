@@ -36,9 +36,8 @@ public:
     void setNames(const QMap<QString, QString>& names);
 
     // For the session.
-    /// Connects the outputs when the data of a new connection have come.
-    /// Returns  whether they have
-    bool keepConnected();
+    /// Connects the outputs, for the first time or again.
+    void connect();
     void reportSlider();
     /// The robot is gone: nothing of it is remembered but the names.
     void forget();
@@ -51,7 +50,6 @@ private:
     SessionBackend& d_;
     OutputHolders holders_;
     QMap<QString, QString> names_;
-    std::uint64_t connection_ = 0;        ///< the receiver's connection the outputs were connected for
     std::optional<double> sliderWanted_;  ///< newest wish while one is being carried out
     bool sliderBusy_ = false;
     std::optional<double> sliderLogged_;  ///< its place as the log knows it

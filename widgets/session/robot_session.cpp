@@ -50,6 +50,10 @@ RobotSession::RobotSession(const Clock& clock, QObject* parent)
     qRegisterMetaType<SessionState>();
     d_->frameClock.setTimerType(Qt::PreciseTimer);
     d_->frameClock.setInterval(kFrameMs);
+    connect(this, &RobotSession::connected, this, [this] {
+        outputs_.connect();
+        d_->link->foreignStop->warmUp();
+    });
     connect(&d_->frameClock, &QTimer::timeout, this, &RobotSession::refresh);
     d_->frameClock.start();
     d_->read();
@@ -311,7 +315,9 @@ void RobotSession::stop(control::StopCause cause) {
 void RobotSession::refresh() {
     // Taken out for this frame: whoever hears of it may let events run, and with them another frame.
     std::vector<receive::Sample> room = std::move(d_->room);
+    const std::uint64_t connection = d_->sample.connection;
     const SampleBatch batch = d_->drain(room);
+    const bool isConnectedAnew = d_->sample.connection != connection;
     d_->read();
     if (!batch.samples.empty() || batch.lost > 0) {
         Q_EMIT samplesReceived(batch);
@@ -319,8 +325,8 @@ void RobotSession::refresh() {
     reportChanges();
     if (d_->link) {
         services_.followForeignStop(batch);
-        if (outputs_.keepConnected()) {
-            d_->link->foreignStop->warmUp();
+        if (isConnectedAnew) {
+            Q_EMIT connected();
         }
         services_.ask();
     }

@@ -112,6 +112,8 @@ public:
 Q_SIGNALS:
     /// A link to a robot begins: what was received before is another robot's, or an older link's.
     void linkBegan();
+    /// The first data of a connection are there: of a new link, or because the robot has come back to this one.
+    void connected();
     /// In each frame with new samples, before the stateChanged that shows the last of them.
     void samplesReceived(const tiller::SampleBatch& batch);
     void stateChanged(const tiller::SessionState& state);

@@ -2,6 +2,7 @@
 //
 // One clock for the whole interface: each frame fetches what came since the last one, once, and everybody is shown
 // the last of it.
+#include <QElapsedTimer>
 #include <QTest>
 #include <vector>
 
@@ -110,6 +111,32 @@ private Q_SLOTS:
         QCOMPARE(listener.links, 2);
         QVERIFY(!listener.sequences.empty());
         QVERIFY(listener.isWhole());
+    }
+
+    // Outputs are connected anew by it; nobody has to compare what he saw before.
+    void aRobotThatComesBackIsTheSameLink() {
+        constexpr int kPatienceMs = 20'000;
+        Bench bench;
+        Listener listener(bench.session);
+        int connections = 0;
+        QObject::connect(&bench.session, &RobotSession::connected, &listener.context, [&] { ++connections; });
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        bench.cell.advanceMs(100);
+        QCOMPARE(connections, 1);
+        bench.cell.robot.closeClients();
+        QElapsedTimer patience;
+        patience.start();
+        while (connections < 2 && patience.elapsed() < kPatienceMs) {
+            bench.clock.advanceNs(2 * kNsPerMs);
+            bench.cell.robot.step();
+            bench.session.refresh();
+            QTest::qWait(1);
+        }
+        QCOMPARE(connections, 2);
+        QCOMPARE(listener.links, 1);
+        QVERIFY(bench.session.state().hasData());
+        bench.cell.advanceMs(100);
+        QCOMPARE(connections, 2);
     }
 
     // Whoever hears of a frame may let events run, and so begin another.
