@@ -58,8 +58,16 @@ struct Bench : WindowBench {
             box->setChecked(true);
         }
     }
-    bool takes(RecoveryKey step) {
-        if (!until([&] { return page()->shownStep() == step && key()->isEnabled(); })) {
+    bool shows(RecoveryStep step) { return page()->guide().step == step && !page()->guide().takesControl; }
+    bool offersControl() { return page()->guide().takesControl; }
+    bool takes(RecoveryStep step) {
+        return clicks([&] { return shows(step); });
+    }
+    bool takesControl() {
+        return clicks([&] { return offersControl(); });
+    }
+    bool clicks(const std::function<bool()>& isOffered) {
+        if (!until([&] { return isOffered() && key()->isEnabled(); })) {
             return false;
         }
         QTest::mouseClick(key(), Qt::LeftButton);
@@ -125,7 +133,7 @@ private Q_SLOTS:
         bench.cell.robot.protectiveStop();
         bench.cell.advanceMs(200);
         QVERIFY(bench.openPage());
-        QCOMPARE(bench.page()->shownStep(), RecoveryKey::Unlock);
+        QCOMPARE(bench.page()->guide().step, RecoveryStep::Unlock);
         QVERIFY(bench.page()->findChild<QLabel*>("recoveryTitle")->text().contains("Protective stop"));
         QVERIFY(!bench.page()->findChild<QLabel*>("recoveryWhere")->text().isEmpty());
         const QList<StopPlot*> plots = bench.page()->findChildren<StopPlot*>();
@@ -157,12 +165,12 @@ private Q_SLOTS:
         QCOMPARE(bench.safety(), SafetyMode::ProtectiveStop);
         QTest::mouseClick(bench.key(), Qt::LeftButton);
         QVERIFY(bench.until([&] { return bench.safety() == SafetyMode::Normal; }));
-        QVERIFY(bench.takes(RecoveryKey::TakeControl));
+        QVERIFY(bench.takesControl());
         QVERIFY(bench.until([&] { return bench.window.session().state().canMove(); }));
         const Pose at = bench.cell.truth().tcpPose;
         bench.cell.advanceMs(500);
         QVERIFY2(distanceMm(at, bench.cell.truth().tcpPose) < 0.05, "nothing moves by itself");
-        QVERIFY(bench.takes(RecoveryKey::Done));
+        QVERIFY(bench.takes(RecoveryStep::Done));
         QTRY_VERIFY(bench.page() == nullptr);
     }
 
@@ -177,9 +185,9 @@ private Q_SLOTS:
         bench.cell.advanceMs(6000);
         QVERIFY(!bench.key()->isVisible());
         bench.cell.robot.emergencyStop(false);
-        QVERIFY(bench.takes(RecoveryKey::PowerOn));
-        QVERIFY(bench.takes(RecoveryKey::ReleaseBrakes));
-        QVERIFY(bench.takes(RecoveryKey::TakeControl));
+        QVERIFY(bench.takes(RecoveryStep::PowerOn));
+        QVERIFY(bench.takes(RecoveryStep::ReleaseBrakes));
+        QVERIFY(bench.takesControl());
         QVERIFY(bench.until([&] { return bench.window.session().state().canMove(); }));
     }
 
@@ -191,7 +199,7 @@ private Q_SLOTS:
         QVERIFY(!bench.key()->isVisible());
         QVERIFY(bench.page()->findChild<QLabel*>("recoveryWaiting")->text().contains("Nothing to press"));
         bench.cell.robot.safeguardStop(false);
-        QVERIFY(bench.until([&] { return bench.page()->shownStep() != RecoveryKey::None; }));
+        QVERIFY(bench.until([&] { return bench.key()->isVisible(); }));
         QVERIFY(bench.safety() == SafetyMode::Normal);
     }
 
@@ -206,12 +214,12 @@ private Q_SLOTS:
         QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
         fault ? bench.cell.robot.fault() : bench.cell.robot.violation();
         QVERIFY(bench.openPage());
-        QVERIFY(bench.until([&] { return bench.page()->shownStep() == RecoveryKey::RestartSafety; }));
+        QVERIFY(bench.until([&] { return bench.shows(RecoveryStep::RestartSafety); }));
         QVERIFY(!bench.key()->isEnabled());
         bench.tickAll();
-        QVERIFY(bench.takes(RecoveryKey::RestartSafety));
-        QVERIFY(bench.takes(RecoveryKey::PowerOn));
-        QVERIFY(bench.until([&] { return bench.page()->shownStep() == RecoveryKey::ReleaseBrakes; }));
+        QVERIFY(bench.takes(RecoveryStep::RestartSafety));
+        QVERIFY(bench.takes(RecoveryStep::PowerOn));
+        QVERIFY(bench.until([&] { return bench.shows(RecoveryStep::ReleaseBrakes); }));
     }
 
     void polyScopeXIsLedFromPowerOffToJoggingAndBackFromAStop() {
@@ -229,18 +237,18 @@ private Q_SLOTS:
 
         bench.cell.robot.protectiveStop();
         QVERIFY(bench.openPage());
-        QCOMPARE(bench.page()->shownStep(), RecoveryKey::Unlock);
+        QCOMPARE(bench.page()->guide().step, RecoveryStep::Unlock);
         // For as long as one likes: nothing unlocks by itself.
         bench.cell.advanceMs(7000);
         QCOMPARE(bench.safety(), SafetyMode::ProtectiveStop);
         QVERIFY(!bench.key()->isEnabled());
         bench.tickAll();
-        QVERIFY(bench.takes(RecoveryKey::Unlock));
+        QVERIFY(bench.takes(RecoveryStep::Unlock));
         QVERIFY2(bench.until([&] { return bench.safety() == SafetyMode::Normal; }),
                  qPrintable(bench.cell.what()));
-        QVERIFY(bench.takes(RecoveryKey::TakeControl));
+        QVERIFY(bench.takesControl());
         QVERIFY(bench.until([&] { return bench.state().canMove(); }));
-        QVERIFY(bench.takes(RecoveryKey::Done));
+        QVERIFY(bench.takes(RecoveryStep::Done));
         bench.window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&bench.window));
         const double second = bench.jog();
@@ -257,12 +265,12 @@ private Q_SLOTS:
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         bench.cell.robot.fault();
         QVERIFY(bench.openPage());
-        QVERIFY(bench.until([&] { return bench.page()->shownStep() == RecoveryKey::RestartSafety; }));
+        QVERIFY(bench.until([&] { return bench.shows(RecoveryStep::RestartSafety); }));
         bench.tickAll();
-        QVERIFY(bench.takes(RecoveryKey::RestartSafety));
-        QVERIFY2(bench.takes(RecoveryKey::PowerOn), qPrintable(bench.cell.what()));
-        QVERIFY(bench.takes(RecoveryKey::ReleaseBrakes));
-        QVERIFY(bench.until([&] { return bench.page()->shownStep() == RecoveryKey::TakeControl; }));
+        QVERIFY(bench.takes(RecoveryStep::RestartSafety));
+        QVERIFY2(bench.takes(RecoveryStep::PowerOn), qPrintable(bench.cell.what()));
+        QVERIFY(bench.takes(RecoveryStep::ReleaseBrakes));
+        QVERIFY(bench.until([&] { return bench.offersControl(); }));
     }
 
     void whatPolyScopeXHasNotSaysWhyOnItself() {

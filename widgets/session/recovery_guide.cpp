@@ -4,7 +4,6 @@
 #include <QCoreApplication>
 #include <cmath>
 
-#include "robot/dashboard/recovery.h"
 #include "widgets/session/texts.h"
 
 namespace tiller {
@@ -16,23 +15,20 @@ struct RecoveryGuideText {
 };
 
 /// After the safety system let go: the ordinary way up.
-RecoveryGuide wayUp(const SessionState& state, dashboard::RecoveryStep next) {
+RecoveryGuide wayUp(const SessionState& state, RecoveryStep next) {
     RecoveryGuide guide;
+    guide.step = next;
     guide.title = RecoveryGuideText::tr("Safety is normal again");
     const ModeWords mode = robotModeWords(state.robotMode);
     guide.what = mode.advice;
     switch (next) {
-        case dashboard::RecoveryStep::PowerOn:
-            guide.step = RecoveryKey::PowerOn;
+        case RecoveryStep::PowerOn:
+        case RecoveryStep::ReleaseBrakes:
             break;
-        case dashboard::RecoveryStep::ReleaseBrakes:
-            guide.step = RecoveryKey::ReleaseBrakes;
-            break;
-        case dashboard::RecoveryStep::Done:
-            guide.step =
-                state.control == ControlState::InControl ? RecoveryKey::Done : RecoveryKey::TakeControl;
+        case RecoveryStep::Done:
+            guide.takesControl = state.control != ControlState::InControl;
             guide.what =
-                guide.step == RecoveryKey::Done
+                !guide.takesControl
                     ? RecoveryGuideText::tr(
                           "The arm can be moved. What was armed before the stop does not move it: every "
                           "motion needs a new press.")
@@ -59,20 +55,20 @@ RecoveryGuide guideFor(const SessionState& state, double sinceStop) {
         return guide;
     }
     const SafetyStatus status = state.safety();
-    const dashboard::RecoveryStep next = dashboard::nextRecoveryStep(status, state.robotMode);
+    const RecoveryStep next = dashboard::nextRecoveryStep(status, state.robotMode);
     if (allowsMotion(status)) {
         return wayUp(state, next);
     }
     const ModeWords words = safetyWords(status);
     guide.title = words.text;
     guide.what = words.advice;
+    guide.step = next;
     switch (next) {
-        case dashboard::RecoveryStep::Unlock: {
+        case RecoveryStep::Unlock: {
             guide.checks = {
                 RecoveryGuideText::tr("I looked at the arm: nobody touches it, nothing is caught."),
                 RecoveryGuideText::tr("What stopped it is known and removed."),
                 RecoveryGuideText::tr("Payload and TCP are those of the tool that is mounted.")};
-            guide.step = RecoveryKey::Unlock;
             const double left = dashboard::kUnlockAfter - sinceStop;
             if (left > 0) {
                 guide.countdown = static_cast<int>(std::ceil(left));
@@ -80,11 +76,10 @@ RecoveryGuide guideFor(const SessionState& state, double sinceStop) {
             }
             break;
         }
-        case dashboard::RecoveryStep::RestartSafety:
+        case RecoveryStep::RestartSafety:
             guide.checks = {
                 RecoveryGuideText::tr("I looked at the arm and at the robot's log: the cause is known."),
                 RecoveryGuideText::tr("The cause is removed, and nobody is in the arm's reach.")};
-            guide.step = RecoveryKey::RestartSafety;
             break;
         default:
             guide.waiting = RecoveryGuideText::tr("Nothing to press here: it ends when its cause is gone.");
@@ -97,32 +92,28 @@ RecoveryGuide guideFor(const SessionState& state, double sinceStop) {
 
 RecoveryGuide recoveryGuide(const SessionState& state, double sinceStop) {
     RecoveryGuide guide = guideFor(state, sinceStop);
-    const bool asksTheRobot = guide.step == RecoveryKey::Unlock || guide.step == RecoveryKey::RestartSafety ||
-                              guide.step == RecoveryKey::PowerOn || guide.step == RecoveryKey::ReleaseBrakes;
+    const bool asksTheRobot = guide.step != RecoveryStep::Done && !guide.keyText().isEmpty();
     if (const QString why = texts::serviceObstacle(state); asksTheRobot && !why.isEmpty()) {
         guide.waiting = why;
     }
     return guide;
 }
 
-QString recoveryKeyText(RecoveryKey step) {
+QString RecoveryGuide::keyText() const {
     switch (step) {
-        case RecoveryKey::None:
-            break;
-        case RecoveryKey::Unlock:
+        case RecoveryStep::Unlock:
             return RecoveryGuideText::tr("Unlock");
-        case RecoveryKey::RestartSafety:
+        case RecoveryStep::RestartSafety:
             return RecoveryGuideText::tr("Restart safety");
-        case RecoveryKey::PowerOn:
+        case RecoveryStep::PowerOn:
             return RecoveryGuideText::tr("Power on");
-        case RecoveryKey::ReleaseBrakes:
+        case RecoveryStep::ReleaseBrakes:
             return RecoveryGuideText::tr("Release brakes");
-        case RecoveryKey::TakeControl:
-            return RecoveryGuideText::tr("Take control");
-        case RecoveryKey::Done:
-            return RecoveryGuideText::tr("Close");
+        case RecoveryStep::Done:
+            return takesControl ? RecoveryGuideText::tr("Take control") : RecoveryGuideText::tr("Close");
+        default:
+            return {};
     }
-    return {};
 }
 
 }  // namespace tiller

@@ -6,20 +6,12 @@
 
 #include <QStringList>
 
+#include "robot/dashboard/recovery.h"
 #include "widgets/session/session_state.h"
 
 namespace tiller {
 
-/// What the page's one key does.
-enum class RecoveryKey {
-    None,           ///< nothing the PC can do: see `waiting`
-    Unlock,         ///< a protective stop
-    RestartSafety,  ///< a violation or a fault
-    PowerOn,
-    ReleaseBrakes,
-    TakeControl,
-    Done,  ///< the arm can be moved again
-};
+using dashboard::RecoveryStep;
 
 struct RecoveryGuide {
     QString title;  ///< "Protective stop"
@@ -27,14 +19,16 @@ struct RecoveryGuide {
     /// To be looked at and ticked by the operator before `step` can be taken; empty where nothing is
     /// unlocked.
     QStringList checks;
-    RecoveryKey step = RecoveryKey::None;
+    RecoveryStep step = RecoveryStep::Look;  ///< what leads on; its key is keyText()
+    bool takesControl = false;  ///< Done, as far as the robot goes: what is left is to take control of it
     QString waiting;    ///< why the step cannot be taken yet although all is ticked; empty when it can
     int countdown = 0;  ///< [s] left of the controller's lock, rounded up
+
+    /// "Unlock", as on the page's one key; empty where there is nothing the PC can do.
+    QString keyText() const;
 };
 
 /// sinceStop  by the controller's clock [s]
 RecoveryGuide recoveryGuide(const SessionState& state, double sinceStop);
-/// "Unlock", as on the key.
-QString recoveryKeyText(RecoveryKey step);
 
 }  // namespace tiller

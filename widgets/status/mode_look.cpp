@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "robot/dashboard/recovery.h"
 #include "widgets/common/format.h"
 #include "widgets/session/texts.h"
 
@@ -260,23 +261,20 @@ NextStep nextStep(const SessionState& state) {
     if (state.link != LinkState::Live) {
         return NextStep::None;
     }
-    if (!allowsMotion(state.safety())) {
-        return NextStep::Recover;
-    }
     const bool deaf = !texts::serviceObstacle(state).isEmpty();
-    switch (state.robotMode) {
-        case RobotMode::PowerOff:
-        case RobotMode::Idle:
-            if (deaf) {
-                return NextStep::None;
-            }
-            return state.robotMode == RobotMode::Idle ? NextStep::ReleaseBrakes : NextStep::PowerOn;
-        case RobotMode::Running:
+    switch (dashboard::nextRecoveryStep(state.safety(), state.robotMode)) {
+        case dashboard::RecoveryStep::PowerOn:
+            return deaf ? NextStep::None : NextStep::PowerOn;
+        case dashboard::RecoveryStep::ReleaseBrakes:
+            return deaf ? NextStep::None : NextStep::ReleaseBrakes;
+        case dashboard::RecoveryStep::Done:
             return state.control == ControlState::None || state.control == ControlState::Refused
                        ? NextStep::TakeControl
                        : NextStep::None;
-        default:
+        case dashboard::RecoveryStep::Look:
             return NextStep::None;
+        default:  // the safety system holds the arm
+            return NextStep::Recover;
     }
 }
 

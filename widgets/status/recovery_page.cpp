@@ -174,7 +174,8 @@ void RecoveryPage::build() {
 
 void RecoveryPage::applyState(const SessionState& state) {
     const RecoveryGuide before = std::exchange(guide_, recoveryGuide(state, stops_.secondsSince()));
-    if (before.title != guide_.title || before.step != guide_.step) {
+    if (before.title != guide_.title || before.step != guide_.step ||
+        before.takesControl != guide_.takesControl) {
         sent_ = false;
         title_->setText(guide_.title);
         setAccessibleName(guide_.title);
@@ -247,10 +248,9 @@ void RecoveryPage::showChecks() {
 void RecoveryPage::showKey() {
     const bool ticked =
         std::all_of(checks_.begin(), checks_.end(), [](const QCheckBox* box) { return box->isChecked(); });
-    const bool possible = guide_.step != RecoveryKey::None && guide_.waiting.isEmpty() && ticked && !sent_;
-    key_->setVisible(guide_.step != RecoveryKey::None);
-    key_->setEnabled(possible);
-    QString text = recoveryKeyText(guide_.step);
+    QString text = guide_.keyText();
+    key_->setVisible(!text.isEmpty());
+    key_->setEnabled(!text.isEmpty() && guide_.waiting.isEmpty() && ticked && !sent_);
     if (guide_.countdown > 0) {
         text += tr(" (%1 s)").arg(guide_.countdown);
     }
@@ -266,11 +266,9 @@ void RecoveryPage::takeStep() {
     if (!key_->isEnabled()) {
         return;
     }
-    sent_ = guide_.step != RecoveryKey::TakeControl && guide_.step != RecoveryKey::Done;
+    sent_ = guide_.step != RecoveryStep::Done;
     switch (guide_.step) {
-        case RecoveryKey::None:
-            break;
-        case RecoveryKey::Unlock:
+        case RecoveryStep::Unlock:
             session_.services().unlockProtectiveStop(UnlockConsent());
             // A refusal leaves the arm as it is: the operator looks again, and ticks again.
             for (QCheckBox* box : checks_) {
@@ -278,25 +276,28 @@ void RecoveryPage::takeStep() {
             }
             sent_ = false;
             break;
-        case RecoveryKey::RestartSafety:
+        case RecoveryStep::RestartSafety:
             session_.services().perform(RobotCommand::RestartSafety);
             for (QCheckBox* box : checks_) {
                 box->setChecked(false);
             }
             sent_ = false;
             break;
-        case RecoveryKey::PowerOn:
+        case RecoveryStep::PowerOn:
             session_.services().perform(RobotCommand::PowerOn);
             break;
-        case RecoveryKey::ReleaseBrakes:
+        case RecoveryStep::ReleaseBrakes:
             session_.services().perform(RobotCommand::ReleaseBrakes);
             break;
-        case RecoveryKey::TakeControl:
+        case RecoveryStep::Done:
+            if (!guide_.takesControl) {
+                close();
+                return;
+            }
             session_.takeControl();
             break;
-        case RecoveryKey::Done:
-            close();
-            return;
+        default:  // no key
+            break;
     }
     showKey();
 }

@@ -54,7 +54,7 @@ class RecoveryPage : public QDialog {
 public:
     RecoveryPage(RobotSession& session, const StopRecorder& stops, QWidget* parent = nullptr);
 
-    RecoveryKey shownStep() const { return guide_.step; }
+    const RecoveryGuide& guide() const { return guide_; }
 
 public Q_SLOTS:
     void applyState(const tiller::SessionState& state);
