@@ -46,12 +46,17 @@ public:
     std::uint64_t pending(const Cursor& cursor) const { return count() - cursor.next; }
 
     void push(std::span<const std::uint64_t> record) {  ///< One writer. Real-time: yes
+        pushEach([&](std::size_t i) { return record[i]; });
+    }
+    /// The same, straight from where the words are: source(index) gives each word, in order.
+    template <class Source>
+    void pushEach(Source source) {
         const std::uint64_t number = head_.load(std::memory_order_relaxed);
         const std::size_t slot = number & mask_;
         stamps_[slot].store(2 * number + 1, std::memory_order_relaxed);
         std::atomic<std::uint64_t>* words = &data_[slot * words_];
         for (std::size_t i = 0; i < words_; ++i) {
-            words[i].store(record[i], std::memory_order_release);
+            words[i].store(source(i), std::memory_order_release);
         }
         stamps_[slot].store(2 * number + 2, std::memory_order_release);
         head_.store(number + 1, std::memory_order_release);

@@ -25,12 +25,17 @@ public:
     std::uint64_t version() const { return sequence_.load(std::memory_order_acquire) / 2; }
 
     void write(std::span<const std::uint64_t> values) {  ///< One writer. Real-time: yes
+        writeEach([&](std::size_t i) { return values[i]; });
+    }
+    /// The same, straight from where the words are: source(index) gives each word, in order.
+    template <class Source>
+    void writeEach(Source source) {
         const std::uint64_t sequence = sequence_.load(std::memory_order_relaxed);
         sequence_.store(sequence + 1, std::memory_order_relaxed);
         // Release on each word keeps the odd number in front of it; no fence, which ThreadSanitizer cannot
         // see.
         for (std::size_t i = 0; i < size_; ++i) {
-            words_[i].store(values[i], std::memory_order_release);
+            words_[i].store(source(i), std::memory_order_release);
         }
         sequence_.store(sequence + 2, std::memory_order_release);
     }

@@ -2,10 +2,10 @@
 #include "robot/receive/receiver.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
 #include <condition_variable>
-#include <cstring>
 #include <mutex>
 #include <thread>
 
@@ -144,10 +144,10 @@ struct Receiver::Worker {
         , layout(std::make_shared<SampleLayout>(withTimestamp(options.fields)))
         , stream(std::make_shared<Subscription::Stream>(layout, options.ringCapacity))
         , latest(kFirstValue + layout->size())
-        , record(kFirstValue + layout->size(), std::bit_cast<std::uint64_t>(kAbsent)) {
+        , wire(1, kAbsent)
+        , places(layout->size(), 0) {
         // Nothing received yet: number 0, every value absent.
-        std::fill_n(record.begin(), kFirstValue, 0U);
-        latest.write(record);
+        latest.writeEach([this](std::size_t i) { return word(i); });
     }
 
     // Given, or made once.
@@ -181,12 +181,10 @@ struct Receiver::Worker {
     realtime::PriorityReport priority;
 
     // The thread's own.
-    struct Move {
-        std::size_t from, to, count;
-    };
-    std::vector<std::uint64_t> record;
-    std::vector<double> wire;
-    std::vector<Move> moves;
+    std::array<std::uint64_t, kFirstValue> head{};
+    std::vector<double> wire;         ///< a package as it is decoded; its last number is the absent one
+    std::vector<std::size_t> places;  ///< where in `wire` each number of a sample is
+    std::size_t timestampPlace = 0;
     std::uint64_t sequence = 0;
     std::uint64_t connections = 0;
     StreamWatch watch;
@@ -195,6 +193,11 @@ struct Receiver::Worker {
     bool hasPrevious = false;  ///< in this connection
     std::int64_t windowStartNs = 0;
     std::uint64_t windowPackets = 0;
+
+    /// Of the record that goes to the readers.
+    std::uint64_t word(std::size_t i) const {
+        return i < kFirstValue ? head[i] : std::bit_cast<std::uint64_t>(wire[places[i - kFirstValue]]);
+    }
 
     void run() {
         realtime::nameThread("tiller-receive");
@@ -256,24 +259,19 @@ struct Receiver::Worker {
     /// Where each number of the package belongs in a sample. Types are the robot's own: should one differ
     /// from the catalogue, as many numbers are taken as fit.
     void plan(const rtde::Recipe& recipe) {
-        wire.assign(recipe.size(), 0.0);
-        moves.clear();
+        wire.assign(recipe.size() + 1, kAbsent);
+        std::fill(places.begin(), places.end(), recipe.size());
         for (const rtde::RecipeField& field : recipe.fields()) {
             const SampleLayout::Entry* entry = layout->find(field.name);
             if (entry == nullptr) {
                 continue;
             }
-            const Move move{field.first, kFirstValue + entry->first,
-                            std::min(entry->count, componentCount(field.type))};
-            const bool joins = !moves.empty() && moves.back().from + moves.back().count == move.from &&
-                               moves.back().to + moves.back().count == move.to;
-            if (joins) {
-                moves.back().count += move.count;
-            } else {
-                moves.push_back(move);
+            const std::size_t count = std::min(entry->count, componentCount(field.type));
+            for (std::size_t i = 0; i < count; ++i) {
+                places[entry->first + i] = field.first + i;
             }
         }
-        std::fill(record.begin(), record.end(), std::bit_cast<std::uint64_t>(kAbsent));
+        timestampPlace = places[layout->find("timestamp")->first];
     }
 
     Error follow(rtde::Connection& connection) {
@@ -326,15 +324,11 @@ struct Receiver::Worker {
             resetWanted = false;
             reset();
         }
-        for (const Move& move : moves) {
-            std::memcpy(&record[move.to], &wire[move.from], move.count * sizeof(double));
-        }
-        // "timestamp" may stand anywhere in the list, but its place is always known.
-        const StreamWatch::Verdict verdict = watch.add(std::bit_cast<double>(record[timestampWord]), hostNs);
-        record[kSequence] = ++sequence;
-        record[kHostTime] = static_cast<std::uint64_t>(hostNs);
-        record[kConnection] = connections;
-        record[kLostBefore] = verdict.lost;
+        const StreamWatch::Verdict verdict = watch.add(wire[timestampPlace], hostNs);
+        head[kSequence] = ++sequence;
+        head[kHostTime] = static_cast<std::uint64_t>(hostNs);
+        head[kConnection] = connections;
+        head[kLostBefore] = verdict.lost;
         if (hasPrevious) {
             lost.fetch_add(verdict.lost, std::memory_order_relaxed);
             late.fetch_add(verdict.late ? 1 : 0, std::memory_order_relaxed);
@@ -344,8 +338,9 @@ struct Receiver::Worker {
         previousHostNs = hostNs;
         hasPrevious = true;
         // What is called fresh is there, and whoever sees a package counted finds all of it.
-        latest.write(record);
-        stream->ring.push(record);
+        const auto words = [this](std::size_t i) { return word(i); };
+        latest.writeEach(words);
+        stream->ring.pushEach(words);
         dueNs.store(hostNs - std::max<std::int64_t>(verdict.jitterNs, 0), std::memory_order_release);
         hasData.store(true, std::memory_order_release);
         receiving.store(true, std::memory_order_release);
@@ -372,8 +367,6 @@ struct Receiver::Worker {
         intervals.clear();
         showIntervals();
     }
-
-    const std::size_t timestampWord = kFirstValue + layout->find("timestamp")->first;
 };
 
 Receiver::Receiver(ReceiverOptions options) : d_(std::make_unique<Worker>(std::move(options))) {}

@@ -14,8 +14,10 @@ constexpr double kRestartDistance = 0.1;
 /// A hole of more than this many times the last distance is one, whoever counted what.
 constexpr double kHole = 3.5;
 
+}  // namespace
+
 /// Where in a sample the plots' values are; what a layout does not have reads as NaN.
-struct Places {
+struct PlotFeed::Places {
     std::size_t timestamp = kNone;
     std::array<std::size_t, kPlotSignalCount> values{};
 
@@ -28,20 +30,7 @@ struct Places {
                 layout.indexOfComponent(plot_signals::column(static_cast<PlotSignal>(i))).value_or(kNone);
         }
     }
-
-    PlotRow rowOf(const receive::Sample& sample) const {
-        PlotRow row;
-        row.robotTime = sample.at(timestamp);
-        row.sequence = sample.sequence;
-        row.gapBefore = sample.lostBefore > 0;
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            row.values[i] = static_cast<float>(sample.at(values[i]));
-        }
-        return row;
-    }
 };
-
-}  // namespace
 
 void PlotFeed::beginLink() {
     gapPending_ = any_;
@@ -57,28 +46,27 @@ int PlotFeed::take(const SampleBatch& batch) {
     const Places places(*batch.samples.front().layout);
     int added = 0;
     for (const receive::Sample& sample : batch.samples) {
-        PlotRow row = places.rowOf(sample);
-        row.gapBefore = row.gapBefore || (connection_ != 0 && sample.connection != connection_);
-        connection_ = sample.connection;
-        added += take(row) ? 1 : 0;
+        added += take(sample, places) ? 1 : 0;
     }
     return added;
 }
 
-bool PlotFeed::take(const PlotRow& row) {
-    if (!std::isfinite(row.robotTime)) {
+bool PlotFeed::take(const receive::Sample& sample, const Places& places) {
+    const double robotTime = sample.at(places.timestamp);
+    bool gap = gapPending_ || sample.lostBefore > 0 || (connection_ != 0 && sample.connection != connection_);
+    connection_ = sample.connection;
+    if (!std::isfinite(robotTime)) {
         return false;
     }
-    bool gap = row.gapBefore || gapPending_;
     if (any_) {
-        gap = gap || (lastSequence_ != 0 && row.sequence != lastSequence_ + 1);
-        const double forward = row.robotTime - lastRobotTime_;
+        gap = gap || (lastSequence_ != 0 && sample.sequence != lastSequence_ + 1);
+        const double forward = robotTime - lastRobotTime_;
         if (forward <= 0) {
-            if (row.sequence == lastSequence_) {
+            if (sample.sequence == lastSequence_) {
                 return false;
             }
             // The controller began its time anew.
-            offset_ = history_.lastTime() + kRestartDistance - row.robotTime;
+            offset_ = history_.lastTime() + kRestartDistance - robotTime;
             gap = true;
         } else if (lastStep_ > 0 && forward > kHole * lastStep_) {
             gap = true;
@@ -87,9 +75,13 @@ bool PlotFeed::take(const PlotRow& row) {
             lastStep_ = forward;
         }
     }
-    lastRobotTime_ = row.robotTime;
-    lastSequence_ = row.sequence;
-    if (!history_.append(plotTime(row.robotTime), row.values, gap)) {
+    lastRobotTime_ = robotTime;
+    lastSequence_ = sample.sequence;
+    const auto valueOf = [&](std::size_t signal) {
+        return signal < places.values.size() ? static_cast<float>(sample.at(places.values[signal]))
+                                             : std::numeric_limits<float>::quiet_NaN();
+    };
+    if (!history_.appendEach(plotTime(robotTime), valueOf, gap)) {
         return false;
     }
     any_ = true;

@@ -30,7 +30,8 @@ public:
     std::uint64_t gaps() const { return gaps_; }
 
 private:
-    bool take(const PlotRow& row);
+    struct Places;
+    bool take(const receive::Sample& sample, const Places& places);
 
     SeriesBuffer& history_;
     double offset_ = 0;

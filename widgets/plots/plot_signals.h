@@ -5,7 +5,6 @@
 
 #include <QPen>
 #include <QString>
-#include <array>
 #include <cstdint>
 #include <span>
 
@@ -28,15 +27,6 @@ enum class PlotSignal : std::uint8_t {
     CurrentWrist3,
 };
 inline constexpr int kPlotSignalCount = 12;
-
-/// One packet of the robot, as far as the plots want it.
-struct PlotRow {
-    double robotTime = 0;        ///< the controller's time stamp [s]
-    std::uint64_t sequence = 0;  ///< counts packets; a jump is a gap
-    bool gapBefore = false;      ///< the receiver knows of lost packets right before this one
-    std::array<float, kPlotSignalCount>
-        values{};  ///< N, Nm, A by PlotSignal; NaN: the robot does not send it
-};
 
 namespace plot_signals {
 

@@ -50,21 +50,6 @@ std::size_t SeriesBuffer::memoryBytes() const {
            signals_.size() * (count * sizeof(float) + entries * sizeof(MinMax));
 }
 
-bool SeriesBuffer::append(double time, std::span<const float> values, bool gapBefore) {
-    if (!std::isfinite(time) || (end_ > 0 && time <= lastTime())) {
-        return false;
-    }
-    const std::size_t at = slot(end_);
-    times_[at] = time;
-    gaps_[at] = gapBefore ? 1 : 0;
-    for (std::size_t i = 0; i < signals_.size(); ++i) {
-        signals_[i].values[at] = i < values.size() ? values[i] : std::numeric_limits<float>::quiet_NaN();
-    }
-    ++end_;
-    completeLevels();
-    return true;
-}
-
 void SeriesBuffer::completeLevels() {
     // An entry is made when its last sample has come; until then, and once its first sample has fallen out,
     // nobody asks for it.

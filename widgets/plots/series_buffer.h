@@ -5,6 +5,7 @@
 // size, with levels of minima and maxima above them. Whatever is asked of it costs as much as there are pixel
 // columns in the answer, not as there are samples in the history. The oldest samples fall out.
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -64,7 +65,30 @@ public:
     /// time       [s], later than that of the row before
     /// gapBefore  samples between this row and the one before were lost
     /// Returns    false, and keeps nothing, if the time does not go forward or is not finite
-    bool append(double time, std::span<const float> values, bool gapBefore = false);
+    bool append(double time, std::span<const float> values, bool gapBefore = false) {
+        return appendEach(
+            time,
+            [&](std::size_t i) {
+                return i < values.size() ? values[i] : std::numeric_limits<float>::quiet_NaN();
+            },
+            gapBefore);
+    }
+    /// The same, straight from where the values are: source(signal) gives each of them.
+    template <class Source>
+    bool appendEach(double time, Source source, bool gapBefore) {
+        if (!std::isfinite(time) || (end_ > 0 && time <= lastTime())) {
+            return false;
+        }
+        const std::size_t at = slot(end_);
+        times_[at] = time;
+        gaps_[at] = gapBefore ? 1 : 0;
+        for (std::size_t i = 0; i < signals_.size(); ++i) {
+            signals_[i].values[at] = source(i);
+        }
+        ++end_;
+        completeLevels();
+        return true;
+    }
 
     /// Samples are numbered from the first one ever appended: first() is the oldest still kept, end() the
     /// next one to come.
