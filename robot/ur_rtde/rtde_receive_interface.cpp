@@ -6,9 +6,9 @@
 #include <mutex>
 #include <stdexcept>
 #include <string_view>
-#include <thread>
 
 #include "robot/core/modes.h"
+#include "robot/core/wait_until.h"
 #include "robot/receive/receiver.h"
 #include "robot/recording/recorder.h"
 #include "robot/rtde/fields.h"
@@ -136,16 +136,12 @@ double RTDEReceiveInterface::Private::speed() {
 bool RTDEReceiveInterface::Private::waitForPackage(milliseconds atMost) {
     const std::uint64_t before = receiver.counters().packets;
     const auto deadline = tiller::urrtde::within(atMost);
-    while (receiver.counters().packets == before) {
-        if (deadline.isCancelled()) {
-            throw tiller::urrtde::Interrupted();
-        }
-        if (deadline.hasExpired() || receiver.state() == ReceiverState::Stopped) {
-            return false;
-        }
-        std::this_thread::sleep_for(milliseconds(1));
+    const auto came = [&] { return receiver.counters().packets != before; };
+    tiller::waitUntil(deadline, [&] { return came() || receiver.state() == ReceiverState::Stopped; });
+    if (!came() && deadline.isCancelled()) {
+        throw tiller::urrtde::Interrupted();
     }
-    return true;
+    return came();
 }
 
 void RTDEReceiveInterface::Private::start() {
@@ -154,17 +150,18 @@ void RTDEReceiveInterface::Private::start() {
         throw std::invalid_argument(started.error().message());
     }
     const auto deadline = tiller::urrtde::within(kConnectTime + milliseconds(500));
-    while (receiver.counters().packets == before) {
-        const bool failed = receiver.state() == ReceiverState::Waiting;
-        if (failed || deadline.hasExpired()) {
-            const tiller::Error error = receiver.lastError();
-            if (deadline.isCancelled()) {
-                throw tiller::urrtde::Interrupted();
-            }
-            throw std::runtime_error(failed ? error.toString().toStdString()
-                                            : "the robot sends no data over RTDE: is it switched on?");
+    const auto came = [&] { return receiver.counters().packets != before; };
+    bool failed = false;
+    tiller::waitUntil(deadline, [&] {
+        failed = !came() && receiver.state() == ReceiverState::Waiting;
+        return failed || came();
+    });
+    if (!came()) {
+        if (deadline.isCancelled()) {
+            throw tiller::urrtde::Interrupted();
         }
-        std::this_thread::sleep_for(milliseconds(1));
+        throw std::runtime_error(failed ? receiver.lastError().toString().toStdString()
+                                        : "the robot sends no data over RTDE: is it switched on?");
     }
     if (verbose) {
         for (const std::string& field : receiver.absentFields()) {

@@ -55,7 +55,6 @@ public:
     void setTerms(HoldTerms& terms);
 
     bool active() const { return rules_.isActive(); }
-    HoldMotion::Id motionId() const { return id_; }
 
     /// The key was pressed. Returns false when no motion began; refused() then says why.
     bool press(const Grip& grip = {});

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "robot/core/wait_until.h"
 #include "robot/ur_rtde/detail/arguments.h"
 #include "robot/ur_rtde/detail/waiting.h"
 
@@ -62,11 +63,14 @@ void clearUnlessStopping(RegisterLink& link) {
 
 // A connection with no room for it just now has some a moment later.
 bool sendStop(RegisterLink& link, const Command& command) {
-    bool sent = link.sendAlone(command.recipe, numbered(command));
-    for (int i = 0; i < 20 && !sent && link.isAlive(); ++i) {
-        std::this_thread::sleep_for(milliseconds(5));
-        sent = link.sendAlone(command.recipe, numbered(command));
-    }
+    bool sent = false;
+    waitUntil(
+        Deadline::after(milliseconds(100)),
+        [&] {
+            sent = link.sendAlone(command.recipe, numbered(command));
+            return sent || !link.isAlive();
+        },
+        milliseconds(5));
     return sent;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/ur_rtde/custom/register_link.h"
 
+#include "robot/core/wait_until.h"
 #include "robot/realtime/thread_priority.h"
 #include "robot/rtde/fields.h"
 #include "robot/ur_rtde/detail/waiting.h"
@@ -79,11 +80,15 @@ Result<std::unique_ptr<RegisterLink>> RegisterLink::open(const RegisterLinkOptio
     wanted.request.inputs = inputRequests(options.offset);
     // A controller may hold the registers of a connection that has just ended for a moment longer.
     auto opened = rtde::Connection::open(wanted, deadline);
-    for (int attempt = 0; attempt < 20 && !opened && opened.error().code == ErrorCode::RegisterInUse;
-         ++attempt) {
-        std::this_thread::sleep_for(milliseconds(50));
-        opened = rtde::Connection::open(wanted, deadline);
-    }
+    waitUntil(
+        Deadline::after(milliseconds(1000)),
+        [&] {
+            if (!opened && opened.error().code == ErrorCode::RegisterInUse) {
+                opened = rtde::Connection::open(wanted, deadline);
+            }
+            return opened || opened.error().code != ErrorCode::RegisterInUse;
+        },
+        milliseconds(50));
     if (!opened) {
         return opened.error();
     }

@@ -105,7 +105,7 @@ void ProgramServer::serve(Descriptor client) {
                     std::span(reinterpret_cast<const std::uint8_t*>(text.data()) + at, text.size() - at));
                 at += sent.bytes;
                 if (sent.status == Status::WouldBlock) {
-                    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                    native_socket::waitWritable(client, std::chrono::milliseconds(10));
                 } else if (sent.status != Status::Ok) {
                     return;
                 }
