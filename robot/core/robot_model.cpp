@@ -300,4 +300,13 @@ std::optional<RobotModelId> robotModelByName(const Text& name) {
     return std::nullopt;
 }
 
+std::optional<RobotModelId> robotModelByType(int robotType, bool isCb3) {
+    for (const RobotModel& model : models()) {
+        if (model.robotType == robotType && model.isCb3() == isCb3) {
+            return model.id;
+        }
+    }
+    return std::nullopt;
+}
+
 }  // namespace tiller

@@ -75,5 +75,7 @@ const RobotModel& robotModel(RobotModelId id);  ///< Its data, for the life of t
 std::span<const RobotModel> robotModels();      ///< All there are.
 /// By name, case ignored: "ur5e", "UR8Long", "ur8 long".
 std::optional<RobotModelId> robotModelByName(const Text& name);
+/// By ConfigurationData robot_type; the first of those that share it, whose joints are the same.
+std::optional<RobotModelId> robotModelByType(int robotType, bool isCb3);
 
 }  // namespace tiller

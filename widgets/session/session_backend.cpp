@@ -12,17 +12,6 @@ namespace {
 constexpr std::int64_t kStaleNs = 300 * kNsPerMs;
 constexpr std::int64_t kLostNs = 1000 * kNsPerMs;
 
-/// The arm's model from what its primary interface says; the first of those that report the same type.
-RobotModelId modelOf(const script::RobotConfiguration& configuration, const SoftwareVersion& version,
-                     RobotModelId otherwise) {
-    for (const RobotModel& model : robotModels()) {
-        if (model.robotType == configuration.robotType && model.isCb3() == version.isCb3()) {
-            return model.id;
-        }
-    }
-    return otherwise;
-}
-
 }  // namespace
 
 SampleBatch SessionBackend::drain(std::vector<receive::Sample>& into) {
@@ -97,7 +86,8 @@ void SessionBackend::readLink() {
     state.version = receiver.version();
     if (link->primary) {
         if (const auto configuration = link->primary->configuration()) {
-            state.model = modelOf(*configuration, state.version, state.model);
+            state.model =
+                robotModelByType(configuration->robotType, state.version.isCb3()).value_or(state.model);
         }
     }
 }

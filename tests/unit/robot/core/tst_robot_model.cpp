@@ -98,6 +98,16 @@ private Q_SLOTS:
         QVERIFY(std::abs(1.812 / gain[3] - 0.23313859105110168) < 1e-3);
     }
 
+    void modelsOfOneTypeHaveTheSameJoints() {
+        for (const RobotModel& model : robotModels()) {
+            const auto found = robotModelByType(model.robotType, model.isCb3());
+            QVERIFY2(found.has_value(), model.name);
+            QCOMPARE(robotModel(*found).maxTorque, model.maxTorque);
+            QCOMPARE(robotModel(*found).isCb3(), model.isCb3());
+        }
+        QVERIFY(!robotModelByType(99, false).has_value());
+    }
+
     void oldControllersAreTheThreeFirstModels() {
         int cb3 = 0;
         for (const RobotModel& model : robotModels()) {
