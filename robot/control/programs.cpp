@@ -207,7 +207,7 @@ bool Programs::isProgramRunning() const {
 
 QString Programs::controlProgram(const SoftwareVersion& version, RegisterRange registers) {
     const ArmLimits arm = ArmLimits::of(robotModel(ControllerOptions().model));
-    return controlScript(version, registers, ControlProgram::newSession(), {}, arm.maxSpeed).text;
+    return controlScript(version, registers, ControlProgram::newSession(), {}, arm).text;
 }
 
 }  // namespace tiller::control

@@ -11,6 +11,16 @@ namespace tiller::control {
 
 using std::chrono::milliseconds;
 
+namespace {
+
+/// "5.4", and "5.25.1" where that counts.
+QString shortly(const SoftwareVersion& version) {
+    const QString both = QStringLiteral("%1.%2").arg(version.major).arg(version.minor);
+    return version.bugfix > 0 ? both + QStringLiteral(".%1").arg(version.bugfix) : both;
+}
+
+}  // namespace
+
 ControlProgram::ControlProgram(const ControllerOptions& options, ControlLoop& loop, const ControlLink& link,
                                RequestChannel& requests)
     : options_(options)
@@ -36,7 +46,10 @@ Result<void> ControlProgram::listen(const SoftwareVersion& version, const Deadli
     }
     ArmLimits limits = ArmLimits::of(robotModel(options_.model));
     if (const auto told = listener->configuration()) {
-        limits = {told->dh, told->minPosition, told->maxPosition, told->maxSpeed};
+        // The robot tells its type, but not what torques its joints can give.
+        const auto model = robotModelByType(told->robotType, version.isCb3());
+        limits = {told->dh, told->minPosition, told->maxPosition, told->maxSpeed,
+                  robotModel(model.value_or(options_.model)).maxTorque};
     }
     const std::lock_guard lock(guard_);
     arm_ = limits;
@@ -63,15 +76,18 @@ ArmLimits ControlProgram::arm() const {
 }
 
 Result<void> ControlProgram::needs(const SoftwareVersion& eSeries, const SoftwareVersion& cb3,
-                                   const QString& context) const {
+                                   const QString& context, const SoftwareVersion& polyScopeX) const {
     const SoftwareVersion has = version();
-    const SoftwareVersion& least = has.isCb3() ? cb3 : eSeries;
+    const bool ownOfX = polyScopeX.major > 0;
+    const SoftwareVersion& least = has.isCb3() ? cb3 : has.isPolyScopeX() && ownOfX ? polyScopeX : eSeries;
     if (least.major > 0 && has >= least) {
         return {};
     }
-    const QString since = least.major > 0
-                              ? QStringLiteral("it needs %1.%2 or newer").arg(least.major).arg(least.minor)
-                              : QStringLiteral("this series does not have it");
+    QString since = QStringLiteral("this series does not have it");
+    if (least.major > 0) {
+        since = QStringLiteral("it needs %1 or newer").arg(shortly(has.isCb3() ? cb3 : eSeries));
+        since += ownOfX ? QStringLiteral(", on PolyScope X %1").arg(shortly(polyScopeX)) : QString();
+    }
     return Error{
         ErrorCode::VersionUnsupported, context,
         QStringLiteral("software %1.%2.%3: %4").arg(has.major).arg(has.minor).arg(has.bugfix).arg(since)};
@@ -117,8 +133,8 @@ Result<void> ControlProgram::uploadOnce(std::int32_t session, const QString& sec
         const std::lock_guard lock(guard_);
         without = refused_;
     }
-    const ControlScript script = controlScript(version(), options_.registers, session, options_.limits,
-                                               arm().maxSpeed, section, without, options_.force);
+    const ControlScript script = controlScript(version(), options_.registers, session, options_.limits, arm(),
+                                               section, without, options_.force);
     {
         const std::lock_guard lock(guard_);
         primary_->takeMessages();  // what was said before is not about us

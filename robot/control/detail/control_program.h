@@ -42,9 +42,10 @@ public:
     script::PrimaryClient& listener() { return *primary_; }
     SoftwareVersion version() const;
     ArmLimits arm() const;
-    /// Errors  VersionUnsupported below these versions; a CB3 version of zeros: never there
-    Result<void> needs(const SoftwareVersion& eSeries, const SoftwareVersion& cb3,
-                       const QString& context) const;
+    /// Errors  VersionUnsupported below these versions; a CB3 version of zeros: never there; one of PolyScope X
+    ///         of zeros: all of them have it
+    Result<void> needs(const SoftwareVersion& eSeries, const SoftwareVersion& cb3, const QString& context,
+                       const SoftwareVersion& polyScopeX = {}) const;
     /// Errors  VersionUnsupported when the controller does not know this builtin
     Result<void> knows(const char* name, const QString& context) const;
 

@@ -5,6 +5,7 @@
 #include <QSet>
 #include <QStringList>
 #include <algorithm>
+#include <cmath>
 
 #include "robot/control/detail/registers.h"
 
@@ -19,21 +20,31 @@ QString number(double value) {
     return QString::number(value, 'f', kDigits);
 }
 
+QString numbers(const std::array<double, 6>& values) {
+    QStringList out;
+    for (const double value : values) {
+        out.append(number(value));
+    }
+    return out.join(QLatin1String(", "));
+}
+
 QString stepTime(const SoftwareVersion& version) {
     const bool hasFunction = version >= SoftwareVersion{5, 4, 0, 0};
     return hasFunction ? QStringLiteral("get_steptime()") : number(version.controlPeriod());
 }
 
-/// "5.10 3.15": from these e-Series and CB3 versions on; with the e-Series version only, never on CB3.
+/// "5.10 3.15": from these e-Series and CB3 versions on; with the e-Series version only, or "-" in place of
+/// the other, never on CB3. A third one is that of PolyScope X; without it all of them have it.
 bool isSince(const SoftwareVersion& version, const QString& since) {
-    constexpr std::uint32_t kFirstESeries = 5;
-    const QStringList both = since.split(QLatin1Char(' '), Qt::SkipEmptyParts);
-    const qsizetype which = version.major >= kFirstESeries ? 0 : 1;
-    if (which >= both.size()) {
+    const QStringList series = since.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    const bool ownOfX = version.isPolyScopeX() && series.size() > 2;
+    const QString least = series.value(ownOfX ? 2 : version.isCb3() ? 1 : 0, QStringLiteral("-"));
+    if (least == QLatin1String("-")) {
         return false;
     }
-    const QStringList parts = both[which].split(QLatin1Char('.'));
-    return version >= SoftwareVersion{parts.value(0).toUInt(), parts.value(1).toUInt(), 0, 0};
+    const QStringList parts = least.split(QLatin1Char('.'));
+    return version >=
+           SoftwareVersion{parts.value(0).toUInt(), parts.value(1).toUInt(), parts.value(2).toUInt(), 0};
 }
 
 /// "teach_mode", or "time 5.17": unless the controller has refused it, and from these versions on.
@@ -130,8 +141,8 @@ QString refusedName(const QString& text) {
 }
 
 ControlScript controlScript(const SoftwareVersion& version, RegisterRange range, std::int32_t session,
-                            const MotionLimits& limits, const std::array<double, 6>& jointSpeeds,
-                            const QString& section, const QStringList& refused, const ForceSettings& force) {
+                            const MotionLimits& limits, const ArmLimits& arm, const QString& section,
+                            const QStringList& refused, const ForceSettings& force) {
     const QString source = QString::fromUtf8(controlScriptTemplate());
     // Ports that take scripts also take single lines: what stands in front of the program must not be sent.
     const qsizetype begin = source.indexOf(QLatin1String("def "));
@@ -147,11 +158,9 @@ ControlScript controlScript(const SoftwareVersion& version, RegisterRange range,
     fill("BRAKE_LINEAR", number(limits.jogDeceleration));
     fill("BRAKE_ROTATION", number(limits.jointDeceleration));
     fill("BRAKE_JOINTS", number(limits.jointDeceleration));
-    QStringList speeds;
-    for (const double speed : jointSpeeds) {
-        speeds.append(number(speed));
-    }
-    fill("JOINT_SPEEDS", speeds.join(QLatin1String(", ")));
+    fill("JOINT_SPEEDS", numbers(arm.maxSpeed));
+    fill("JOINT_TORQUES", numbers(arm.maxTorque));
+    fill("UPPER_ARM", number(std::abs(arm.dh.a[1])));
     fill("LEEWAY", number(kJointLeeway));
     const auto setting = [&](const char* function, const char* since, const std::optional<double>& value) {
         return value && isSince(version, QLatin1String(since))

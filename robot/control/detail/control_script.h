@@ -5,10 +5,10 @@
 
 #include <QString>
 #include <QStringList>
-#include <array>
 #include <cstdint>
 
 #include "robot/control/controller.h"
+#include "robot/control/detail/velocity_limiter.h"
 #include "robot/core/version.h"
 
 namespace tiller::control {
@@ -29,15 +29,14 @@ struct ControlScript {
 
 /// version  software without a function gets the lines that do without it
 /// session  marks this start of the program; echoed by it
-/// jointSpeeds  the fastest each joint of this arm can turn [rad/s]: what a servo target is judged by
+/// arm      what its joints can do: by that servo targets are judged, and torques braked
 /// section  lines of a path or a function, run by ScriptCommand::Section. Names beginning with tiller_ are
 /// the
 ///          program's own
 /// refused  names in CALLS that this controller does not know: the program does without them
 ControlScript controlScript(const SoftwareVersion& version, RegisterRange range, std::int32_t session,
-                            const MotionLimits& limits, const std::array<double, 6>& jointSpeeds,
-                            const QString& section = {}, const QStringList& refused = {},
-                            const ForceSettings& force = {});
+                            const MotionLimits& limits, const ArmLimits& arm, const QString& section = {},
+                            const QStringList& refused = {}, const ForceSettings& force = {});
 
 /// Of what the controller says when it cannot compile the program: the name that it does not know, if the
 /// program can do without it; else empty.

@@ -104,6 +104,7 @@ ArmLimits ArmLimits::of(const RobotModel& model) {
     limits.minPosition.fill(-kJointPositionLimit);
     limits.maxPosition.fill(kJointPositionLimit);
     limits.maxSpeed = model.maxJointSpeed;
+    limits.maxTorque = model.maxTorque;
     return limits;
 }
 

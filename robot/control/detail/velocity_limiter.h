@@ -12,12 +12,13 @@
 
 namespace tiller::control {
 
-/// What the limiter knows of the arm.
+/// What is known of the arm.
 struct ArmLimits {
     DhParameters dh;
     std::array<double, 6> minPosition{};  ///< [rad]
     std::array<double, 6> maxPosition{};  ///< [rad]
     std::array<double, 6> maxSpeed{};     ///< [rad/s]
+    std::array<double, 6> maxTorque{};    ///< [Nm]
 
     static ArmLimits of(const RobotModel& model);
 };

@@ -18,7 +18,7 @@ namespace tiller::test {
 using namespace tiller::control;
 
 inline constexpr std::int32_t kSession = 99;
-inline constexpr std::array<double, 6> kJointSpeeds{3.14, 3.14, 3.14, 3.14, 3.14, 3.14};
+inline const ArmLimits kArm = ArmLimits::of(robotModel(RobotModelId::UR5e));
 
 namespace urscript = tiller::simulator::urscript;
 
@@ -42,7 +42,7 @@ struct ScriptBench {
         urscript::CompileOptions options;
         options.version = version;
         const auto compiled = urscript::compile(
-            controlScript(version, range, kSession, MotionLimits{}, kJointSpeeds, section).text.toStdString(),
+            controlScript(version, range, kSession, MotionLimits{}, kArm, section).text.toStdString(),
             options);
         if (!compiled) {
             qFatal("control.script line %d, column %d: %s", compiled.error.line, compiled.error.column,

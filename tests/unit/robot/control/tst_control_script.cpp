@@ -54,13 +54,11 @@ private Q_SLOTS:
         options.version = SoftwareVersion{5, 22, 0, 0};
         options.missing = {name.toStdString(), "end_" + name.toStdString()};
         const auto with = urscript::compile(
-            controlScript(*options.version, RegisterRange::Upper, 1, {}, kJointSpeeds).text.toStdString(),
-            options);
+            controlScript(*options.version, RegisterRange::Upper, 1, {}, kArm).text.toStdString(), options);
         QVERIFY(!with);
         QCOMPARE(refusedName(QString::fromStdString(with.error.text)), name);
         const auto without = urscript::compile(
-            controlScript(*options.version, RegisterRange::Upper, 1, {}, kJointSpeeds, {}, {name})
-                .text.toStdString(),
+            controlScript(*options.version, RegisterRange::Upper, 1, {}, kArm, {}, {name}).text.toStdString(),
             options);
         QVERIFY2(bool(without), without.error.text.c_str());
     }
@@ -221,7 +219,7 @@ private Q_SLOTS:
     }
 
     void nothingIsLeftUnfilled() {
-        const ControlScript script = controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {}, kJointSpeeds);
+        const ControlScript script = controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {}, kArm);
         QVERIFY(!script.text.contains(QLatin1String("{{")));
         QVERIFY(script.text.startsWith(QLatin1String("def ")));
         const QString source = QString::fromUtf8(controlScriptTemplate());
@@ -251,7 +249,7 @@ private Q_SLOTS:
         bench.send(left);
         bench.program.reset();
         const auto text =
-            controlScript({5, 22, 0, 0}, RegisterRange::Upper, kSession, {}, kJointSpeeds).text.toStdString();
+            controlScript({5, 22, 0, 0}, RegisterRange::Upper, kSession, {}, kArm).text.toStdString();
         bench.program = std::make_unique<urscript::Interpreter>(urscript::compile(text).program, bench.host);
         bench.frame(100);
         QVERIFY(bench.host.motions.empty());

@@ -169,8 +169,8 @@ private Q_SLOTS:
     }
 
     void linesOfASectionAreFoundAgain() {
-        const ControlScript plain = controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {}, kJointSpeeds);
-        const ControlScript script = controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {}, kJointSpeeds,
+        const ControlScript plain = controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {}, kArm);
+        const ControlScript script = controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {}, kArm,
                                                    QStringLiteral("a = 1\nb = 2\nc = 3"));
         const QString found = script.text.section(QLatin1Char('\n'), script.sectionLine, script.sectionLine);
         QVERIFY(found.contains(QLatin1String("b = 2")));
@@ -198,7 +198,7 @@ private Q_SLOTS:
 
     void whatASectionDoesNotUseIsNotInItsProgram() {
         const auto text = [](const char* section) {
-            return controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {}, kJointSpeeds,
+            return controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {}, kArm,
                                  QString::fromLatin1(section))
                 .text;
         };
@@ -556,7 +556,7 @@ private Q_SLOTS:
 
     void whatOldSoftwareLacksIsNotInItsProgram() {
         for (const auto& version : {SoftwareVersion{3, 5, 0, 0}, SoftwareVersion{5, 3, 0, 0}}) {
-            const QString text = controlScript(version, RegisterRange::Lower, 1, {}, kJointSpeeds).text;
+            const QString text = controlScript(version, RegisterRange::Lower, 1, {}, kArm).text;
             for (const char* name : {"tool_contact(", "get_inverse_kin_has_solution(",
                                      "get_freedrive_status(", "set_target_payload("}) {
                 QVERIFY2(!text.contains(QLatin1String(name)), name);
