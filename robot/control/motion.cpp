@@ -32,7 +32,7 @@ double distance(const std::array<double, 6>& a, const std::array<double, 6>& b, 
 }
 
 /// What an end other than the target means to who waits for it.
-Error errorOf(StopCause cause) {
+Error errorOf(StopCause cause, MotionKind kind) {
     const QString context = QStringLiteral("wait for a motion");
     switch (cause) {
         case StopCause::UnsafeMode:
@@ -58,6 +58,11 @@ Error errorOf(StopCause cause) {
         case StopCause::EventLoopStalled:
             return {ErrorCode::Stopped, context, QStringLiteral("it was not refreshed in time")};
         case StopCause::LimitReached:
+            if (kind == MotionKind::Torque) {
+                return {ErrorCode::LimitExceeded, context,
+                        QStringLiteral("the TCP or the elbow got faster than the cap; setSpeedCap() sets "
+                                       "another one")};
+            }
             return {ErrorCode::Stopped, context, QStringLiteral("a limit was reached")};
         default:
             return {ErrorCode::Stopped, context, QStringLiteral("it was stopped")};
@@ -161,7 +166,7 @@ Result<void> Motion::wait(const Deadline& deadline) const {
             return said;
         }
     }
-    return errorOf(now.cause);
+    return errorOf(now.cause, kind_);
 }
 
 bool Motion::cancel(StopCause cause) const {

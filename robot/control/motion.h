@@ -30,6 +30,7 @@ enum class MotionKind : std::uint8_t {
     ServoC,
     SpeedJ,
     SpeedL,
+    Torque,
     Freedrive,
     Function,
     Stop,  ///< braking to standstill

@@ -15,7 +15,7 @@
 //   movePath                    its last target; the same
 //   moveUntilContact            the contact; 100 ms without refresh(), unless Free
 //   startJog                    100 ms without refresh(), unless Free; a limit in its way; its contactForce
-//   servo and speed streams     100 ms without send(), unless Free
+//   servo, speed and torque     100 ms without send(), unless Free; torques above the cap on speed
 //   stopJ, stopL                standstill
 //
 // And any of them: a newer command, a stop, cancel() of its handle, a robot mode other than RUNNING, a safety
@@ -25,7 +25,8 @@
 //
 // Whatever speed is asked for: TCP and elbow get no faster than the cap, 0.25 m/s unless it was set otherwise
 // (ControllerOptions::limits, Controller::setSpeedCap). A move is slowed down for it: Motion::plan() and
-// ControllerStatus::limiter say by what and how much, and how long the move takes.
+// ControllerStatus::limiter say by what and how much, and how long the move takes. A stream of torques cannot be
+// slowed down: it ends there, see setpoints.h.
 
 #include <chrono>
 #include <optional>
@@ -119,6 +120,13 @@ public:
     Result<JointSpeed> startSpeedJ(const SpeedParameters& parameters = {}, Holding holding = Holding::Held);
     /// As startServoJ, with twists of the TCP.
     Result<ToolSpeed> startSpeedL(const SpeedParameters& parameters = {}, Holding holding = Holding::Held);
+
+    /// As startServoJ, with the torques of the joints, from where the arm comes to rest; until the first ones are
+    /// sent it holds its place. Gravity is not part of them: the controller holds the arm and its payload, which
+    /// has to be set. Nothing keeps the arm where it is; how the stream ends, and what ends it: see setpoints.h.
+    /// Source   URScript direct_torque
+    /// Errors   also VersionUnsupported (software before 5.25.1, PolyScope X before 10.12.1, CB3)
+    Result<JointTorque> startTorque(const TorqueParameters& parameters = {}, Holding holding = Holding::Held);
 
     /// Ends whatever is active; the handle completes when the arm stands. Works whether or not something
     /// moves. deceleration > 0: of the leading joint [rad/s2]. Source: URScript stopj

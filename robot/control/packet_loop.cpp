@@ -269,4 +269,11 @@ Result<void> PacketLoop::speedL(const CycleCallback<Twist>& callback, const Spee
                parameters, pacing_, deadline, report);
 }
 
+Result<void> PacketLoop::torque(const CycleCallback<JointTorques>& callback,
+                                const TorqueParameters& parameters, const Deadline& deadline,
+                                CycleReport* report) {
+    return run(*controller_, Motions(*controller_).startTorque(parameters, Holding::Free), callback,
+               parameters, pacing_, deadline, report);
+}
+
 }  // namespace tiller::control

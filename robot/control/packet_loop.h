@@ -86,6 +86,10 @@ public:
     Result<void> speedL(const CycleCallback<Twist>& callback, const SpeedParameters& parameters,
                         const Deadline& deadline, CycleReport* report = nullptr);
 
+    /// Joint torques [Nm], one a cycle.
+    Result<void> torque(const CycleCallback<JointTorques>& callback, const TorqueParameters& parameters,
+                        const Deadline& deadline, CycleReport* report = nullptr);
+
 private:
     Controller* controller_;
     Pacing pacing_;

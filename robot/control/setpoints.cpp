@@ -2,6 +2,7 @@
 #include "robot/control/setpoints.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "robot/control/detail/argument_check.h"
 #include "robot/control/detail/controller_private.h"
@@ -44,6 +45,9 @@ Error SetpointRules::check(const JointVelocities& target) const {
 }
 Error SetpointRules::check(const Twist& target) const {
     return ArgumentCheck("send a tool speed").twist("target", target, toolSpeed).error();
+}
+Error SetpointRules::check(const JointTorques& target) const {
+    return ArgumentCheck("send joint torques").torques("target", target, arm).error();
 }
 
 namespace {
@@ -112,6 +116,14 @@ Error SetpointRules::check(const SpeedParameters& p) const {
         .pose("T_base_frame", p.T_base_frame)
         .error();
 }
+Error SetpointRules::check(const TorqueParameters& p) const {
+    ArgumentCheck check("torque parameters");
+    for (std::size_t joint = 0; joint < p.viscousScale.size(); ++joint) {
+        check.range("viscousScale", p.viscousScale[joint], 0, 1, "")
+            .range("coulombScale", p.coulombScale[joint], 0, 1, "");
+    }
+    return check.error();
+}
 
 void fill(MotionCommand& command, const JointPositions& target) {
     command.target = target.array();
@@ -126,6 +138,10 @@ void fill(MotionCommand& command, const JointVelocities& target) {
 }
 void fill(MotionCommand& command, const Twist& target) {
     command.target = six(target.vector());
+}
+void fill(MotionCommand& command, const JointTorques& target) {
+    command.target = target.array();
+    command.choice = 1;
 }
 
 void fill(MotionCommand& command, const ServoParameters& p, double period) {
@@ -145,6 +161,17 @@ void fill(MotionCommand& command, const SpeedParameters& p, double) {
     command.choice = static_cast<std::int32_t>(p.frame);
     const Eigen::Vector3d& rotation = p.T_base_frame.rotation;
     command.rotation = {rotation.x(), rotation.y(), rotation.z()};
+}
+// Two in one number, as spread_scales() in control.script takes them apart.
+void fill(MotionCommand& command, const TorqueParameters& p, double) {
+    const auto packed = [&p](std::size_t joint) {
+        constexpr double kThousand = 1000;
+        return (std::round(p.viscousScale[joint] * kThousand) + 0.25 + p.coulombScale[joint] / 2) / kThousand;
+    };
+    command.speed = packed(0);
+    command.acceleration = packed(1);
+    command.rotationAcceleration = packed(2);
+    command.rotation = {packed(3), packed(4), packed(5)};
 }
 
 SetpointRules rulesOf(Controller& controller) {
@@ -208,6 +235,7 @@ template class Setpoints<Pose, ServoParameters>;
 template class Setpoints<Pose, CircularServoParameters>;
 template class Setpoints<JointVelocities, SpeedParameters>;
 template class Setpoints<Twist, SpeedParameters>;
+template class Setpoints<JointTorques, TorqueParameters>;
 
 namespace {
 
@@ -266,6 +294,27 @@ Result<ToolSpeed> Motions::startSpeedL(const SpeedParameters& parameters, Holdin
     const auto motion =
         startStream(*controller_, ScriptCommand::SpeedL, MotionKind::SpeedL, parameters, holding);
     return motion ? Result<ToolSpeed>(ToolSpeed(*motion, parameters)) : motion.error();
+}
+
+Result<JointTorque> Motions::startTorque(const TorqueParameters& parameters, Holding holding) {
+    constexpr SoftwareVersion kESeries{5, 25, 1, 0};
+    constexpr SoftwareVersion kPolyScopeX{10, 12, 1, 0};
+    const QString context = QStringLiteral("start a stream");
+    auto& d = ControllerAccess::of(*controller_);
+    if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
+        return error;  // without control the version is not known
+    }
+    if (const auto known = d.program.needs(kESeries, {}, context, kPolyScopeX); !known) {
+        return known.error();
+    }
+    for (const char* name : {"direct_torque", "get_mass_matrix"}) {
+        if (const auto known = d.program.knows(name, context); !known) {
+            return known.error();
+        }
+    }
+    const auto motion =
+        startStream(*controller_, ScriptCommand::Torque, MotionKind::Torque, parameters, holding);
+    return motion ? Result<JointTorque>(JointTorque(*motion, parameters)) : motion.error();
 }
 
 }  // namespace tiller::control

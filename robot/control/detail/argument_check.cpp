@@ -112,6 +112,23 @@ ArgumentCheck& ArgumentCheck::jointSpeeds(const char* name, const JointVelocitie
     return *this;
 }
 
+ArgumentCheck& ArgumentCheck::torques(const char* name, const JointTorques& torques, const ArmLimits& arm) {
+    for (int joint = 0; joint < kJointCount; ++joint) {
+        const auto i = static_cast<std::size_t>(joint);
+        if (!checkFinite(name, kJointNames[i], torques[joint])) {
+            return *this;
+        }
+        if (std::abs(torques[joint]) > arm.maxTorque[i] + kRounding) {
+            refuse(ErrorCode::LimitExceeded, QStringLiteral("%1: %2 with %3 Nm; it has no more than %4 Nm")
+                                                 .arg(text(name), text(kJointNames[i]))
+                                                 .arg(torques[joint])
+                                                 .arg(arm.maxTorque[i]));
+            return *this;
+        }
+    }
+    return *this;
+}
+
 ArgumentCheck& ArgumentCheck::twist(const char* name, const Twist& twist, double cap) {
     const Vector6 values = twist.vector();
     for (int i = 0; i < kJointCount; ++i) {

@@ -24,6 +24,7 @@ public:
     ArgumentCheck& joints(const char* name, const JointPositions& q, const ArmLimits& arm);
     ArgumentCheck& pose(const char* name, const Pose& pose);
     ArgumentCheck& jointSpeeds(const char* name, const JointVelocities& qd, const ArmLimits& arm);
+    ArgumentCheck& torques(const char* name, const JointTorques& torques, const ArmLimits& arm);
     /// cap  on the linear part [m/s]
     ArgumentCheck& twist(const char* name, const Twist& twist, double cap);
     /// A place or an offset near the robot [m].

@@ -15,6 +15,13 @@ namespace {
 // How long the program may leave a package unanswered before it counts as gone.
 constexpr std::int64_t kEchoGoneNs = 500 * kNsPerMs;
 
+/// [mm/s], from 1 on: 0 says that there are no torques yet. No cap is one that nothing reaches.
+std::int32_t inMillimetres(double cap) {
+    constexpr double kLargest = 1e6;
+    constexpr double kMillimetresPerMetre = 1000;
+    return static_cast<std::int32_t>(std::clamp(std::round(cap * kMillimetresPerMetre), 1.0, kLargest));
+}
+
 double fastest(const JointVelocities& qd) {
     return qd.values.cwiseAbs().maxCoeff();
 }
@@ -334,6 +341,14 @@ void ControlLoop::watch(const Feedback& data) {
             case ScriptState::TooFar:
                 endActive(StopCause::TargetTooFar, data.hostNs);
                 break;
+            case ScriptState::TcpTooFast:
+            case ScriptState::ElbowTooFast:
+                status_.limiter = {};
+                status_.limiter.kind = data.echo.state == ScriptState::TcpTooFast ? LimiterKind::TcpSpeed
+                                                                                  : LimiterKind::ElbowSpeed;
+                status_.limiter.scale = 0;
+                endActive(StopCause::LimitReached, data.hostNs);
+                break;
             case ScriptState::Ready:
             case ScriptState::Executing:
             case ScriptState::Braking:
@@ -422,6 +437,9 @@ void ControlLoop::composeProgram(const MotionCommand& motion, const Feedback& da
             break;
     }
     command.choice = from->choice;
+    if (command.kind == ScriptCommand::Torque && from->choice > 0) {
+        command.choice = inMillimetres(speedCap_.load());
+    }
     command.values = from->target;
     command.speed = from->speed;
     command.acceleration = from->acceleration;

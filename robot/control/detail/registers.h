@@ -36,6 +36,7 @@ enum class ScriptCommand : std::int32_t {
     SpeedL = 15,
     Freedrive = 16,
     Teach = 17,
+    Torque = 18,
 };
 
 enum class ScriptState : std::int32_t {
@@ -47,6 +48,8 @@ enum class ScriptState : std::int32_t {
     OutOfReach = 5,  ///< no joint positions for the target: stopped, dead
     Contact = 6,     ///< contact detection found one: stopped, dead
     TooFar = 7,      ///< a servo target further off than the arm could get: stopped, dead
+    TcpTooFast = 8,  ///< torques made the TCP faster than the cap: stopped, dead
+    ElbowTooFast = 9,
 };
 
 /// Questions and settings. Source: serve() in control.script
@@ -110,7 +113,7 @@ struct Command {
     ScriptCommand kind = ScriptCommand::Idle;
     std::int32_t choice = 0;           ///< jogs: a JogFrame; others as control.script says
     std::int32_t session = 0;          ///< tells the program's instances apart
-    std::array<double, 6> values{};    ///< twist, joint speeds or target
+    std::array<double, 6> values{};    ///< twist, joint speeds, torques or target
     double speed = 0;                  ///< moves only
     double acceleration = 0;           ///< [m/s2] or [rad/s2]
     double rotationAcceleration = 0;   ///< [rad/s2]

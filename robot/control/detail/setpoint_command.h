@@ -19,9 +19,11 @@ struct SetpointRules {
     Error check(const Pose& target) const;
     Error check(const JointVelocities& target) const;
     Error check(const Twist& target) const;
+    Error check(const JointTorques& target) const;
     Error check(const ServoParameters& parameters) const;
     Error check(const CircularServoParameters& parameters) const;
     Error check(const SpeedParameters& parameters) const;
+    Error check(const TorqueParameters& parameters) const;
 
     /// Whether the arm can get from one servo target to the next: see kJointLeeway.
     /// seconds  between them
@@ -40,8 +42,10 @@ void fill(MotionCommand& command, const JointPositions& target);
 void fill(MotionCommand& command, const Pose& target);
 void fill(MotionCommand& command, const JointVelocities& target);
 void fill(MotionCommand& command, const Twist& target);
+void fill(MotionCommand& command, const JointTorques& target);
 void fill(MotionCommand& command, const ServoParameters& parameters, double period);
 void fill(MotionCommand& command, const CircularServoParameters& parameters, double period);
 void fill(MotionCommand& command, const SpeedParameters& parameters, double period);
+void fill(MotionCommand& command, const TorqueParameters& parameters, double period);
 
 }  // namespace tiller::control
