@@ -119,6 +119,44 @@ private Q_SLOTS:
         QCOMPARE(bench.loop.status().limiter.kind, LimiterKind::None);
     }
 
+    void torquesGoOutWithTheCapAndEndAboveIt_data() {
+        QTest::addColumn<ScriptState>("state");
+        QTest::addColumn<LimiterKind>("limiter");
+        QTest::newRow("TCP") << ScriptState::TcpTooFast << LimiterKind::TcpSpeed;
+        QTest::newRow("elbow") << ScriptState::ElbowTooFast << LimiterKind::ElbowSpeed;
+    }
+    void torquesGoOutWithTheCapAndEndAboveIt() {
+        QFETCH(ScriptState, state);
+        QFETCH(LimiterKind, limiter);
+        Bench bench;
+        bench.takeControl();
+        MotionCommand stream;
+        stream.kind = MotionCommand::Kind::Program;
+        stream.program = static_cast<std::int32_t>(ScriptCommand::Torque);
+        stream.held = false;
+        const MotionId motion = bench.mailbox.start(stream, bench.now());
+        QCOMPARE(bench.tick().kind, ScriptCommand::Torque);
+        QCOMPARE(bench.command.choice, 0);
+        MotionCommand target;
+        target.target = {1, 2, 3, 4, 5, 6};
+        target.choice = 1;
+        QVERIFY(bench.mailbox.change(motion, target, bench.now()));
+        QCOMPARE(bench.tick().values[5], 6.0);
+        QCOMPARE(bench.command.choice, 250);
+        bench.data.echo.state = state;
+        QCOMPARE(bench.tick().kind, ScriptCommand::Idle);
+        QCOMPARE(bench.causeOf(motion), StopCause::LimitReached);
+        QCOMPARE(bench.loop.status().limiter.kind, limiter);
+        QCOMPARE(bench.loop.status().limiter.scale, 0.0);
+        // Without a cap nothing is above it.
+        bench.loop.setSpeedCap(kNoCap);
+        const MotionId next = bench.mailbox.start(stream, bench.now());
+        QVERIFY(bench.mailbox.change(next, target, bench.now()));
+        bench.tick();
+        QVERIFY(bench.command.choice > 100'000);
+        QCOMPARE(bench.loop.status().limiter.kind, LimiterKind::None);
+    }
+
     void aChangedTcpEndsTheJog() {
         Bench bench;
         bench.takeControl();

@@ -43,15 +43,15 @@ private Q_SLOTS:
     // A name the controller does not know is left out, with what needs it.
     void compilesWithoutWhatItCanDoWithout_data() {
         QTest::addColumn<QString>("name");
-        for (const char* name :
-             {"teach_mode", "servoc", "is_within_safety_limits", "enable_external_ft_sensor", "time"}) {
+        for (const char* name : {"teach_mode", "servoc", "is_within_safety_limits",
+                                 "enable_external_ft_sensor", "time", "direct_torque", "get_mass_matrix"}) {
             QTest::newRow(name) << QString::fromLatin1(name);
         }
     }
     void compilesWithoutWhatItCanDoWithout() {
         QFETCH(QString, name);
         urscript::CompileOptions options;
-        options.version = SoftwareVersion{5, 22, 0, 0};
+        options.version = SoftwareVersion{5, 25, 1, 0};
         options.missing = {name.toStdString(), "end_" + name.toStdString()};
         const auto with = urscript::compile(
             controlScript(*options.version, RegisterRange::Upper, 1, {}, kArm).text.toStdString(), options);

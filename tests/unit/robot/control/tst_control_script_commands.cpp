@@ -3,6 +3,7 @@
 #include <QFile>
 #include <QTest>
 
+#include "robot/control/detail/setpoint_command.h"
 #include "tests/unit/robot/control/script_bench.h"
 
 using namespace tiller;
@@ -24,6 +25,46 @@ Command servo(ScriptCommand kind, std::int32_t epoch, bool target) {
     command.rotationAcceleration = 300;
     return command;
 }
+
+constexpr SoftwareVersion kHasTorque{5, 25, 1, 0};
+
+/// One set of torques of a stream, under a cap of 0.25 m/s.
+Command torque(std::int32_t epoch, const JointTorques& target, const TorqueParameters& parameters = {}) {
+    MotionCommand filled;
+    fill(filled, target);
+    fill(filled, parameters, 0.002);
+    Command command;
+    command.kind = ScriptCommand::Torque;
+    command.epoch = epoch;
+    command.choice = 250;
+    command.values = filled.target;
+    command.speed = filled.speed;
+    command.acceleration = filled.acceleration;
+    command.rotationAcceleration = filled.rotationAcceleration;
+    command.rotation = filled.rotation;
+    return command;
+}
+
+/// A stream of torques in epoch 2, with the arm at 0.4 rad/s.
+struct TorqueBench : Bench {
+    explicit TorqueBench() : Bench(RegisterRange::Upper, kHasTorque) {
+        host.tcpVelocity = {};
+        hold(ScriptCommand::Idle, 1, 2);
+        push(5);
+        host.qd[0] = 0.4;
+    }
+    void push(int frames) {
+        for (int i = 0; i < frames; ++i) {
+            Bench::send(torque(2, JointTorques(10, 0, 0, 0, 0, 0)));
+            frame();
+        }
+    }
+    /// What the newest motion gives to the base [Nm]; nothing if it is none of torques.
+    std::optional<double> base() const {
+        const auto* given = last<urscript::DirectTorque>();
+        return given != nullptr ? std::optional(given->torque[0]) : std::nullopt;
+    }
+};
 
 Command stopJ(std::int32_t epoch, double deceleration) {
     Command stop;
@@ -379,6 +420,242 @@ private Q_SLOTS:
         }
         QCOMPARE(bench.state(), ScriptState::Executing);
         QCOMPARE(bench.last<urscript::ServoJ>()->q[0], 2.0);
+    }
+
+    void torquesGoOutInEachPeriodOnceThereAreSome() {
+        Bench bench(RegisterRange::Upper, kHasTorque);
+        bench.host.tcpVelocity = {};
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        Command none = torque(2, {});
+        none.choice = 0;
+        for (int i = 0; i < 5; ++i) {
+            bench.send(none);
+            bench.frame();
+        }
+        QVERIFY(bench.host.motions.empty());
+        QCOMPARE(bench.state(), ScriptState::Executing);
+        TorqueParameters friction;
+        friction.viscousScale = {0, 1, 0.9, 0.123, 0.999, 0.57};
+        friction.coulombScale = {1, 0, 0.8, 0.456, 0.001, 0.43};
+        constexpr int kFrames = 20;
+        for (int i = 0; i < kFrames; ++i) {
+            bench.send(torque(2, JointTorques(1, -2, 3, -4, 5, -6), friction));
+            bench.frame();
+        }
+        // The first ones are not begun with before they must be here as a whole.
+        QCOMPARE(bench.count<urscript::DirectTorque>(), kFrames - 1);
+        for (const auto& motion : bench.host.motions) {
+            const auto* given = std::get_if<urscript::DirectTorque>(&motion.command);
+            QVERIFY(given != nullptr);
+            QCOMPARE(given->torque, JointTorques(1, -2, 3, -4, 5, -6));
+            for (int i = 0; i < kJointCount; ++i) {
+                const auto joint = static_cast<std::size_t>(i);
+                QVERIFY(std::abs(given->viscous.value()[i] - friction.viscousScale[joint]) < 1e-9);
+                QVERIFY(std::abs(given->coulomb.value()[i] - friction.coulombScale[joint]) < 1e-9);
+            }
+        }
+        QVERIFY(bench.running());
+    }
+
+    void theEndOfTorquesIsDamped_data() {
+        QTest::addColumn<int>("end");
+        QTest::newRow("stop") << 0;
+        QTest::newRow("silence") << 1;
+        QTest::newRow("another motion") << 2;
+        QTest::newRow("the end of the program") << 3;
+    }
+    void theEndOfTorquesIsDamped() {
+        QFETCH(int, end);
+        TorqueBench bench;
+        QCOMPARE(bench.base(), std::optional(10.0));
+        const auto goOn = [&] {
+            if (end != 1) {
+                bench.send(end == 0   ? ScriptCommand::Idle
+                           : end == 2 ? ScriptCommand::MoveJ
+                                      : ScriptCommand::End,
+                           3, {1, 2, 3, 4, 5, 6});
+            }
+            bench.frame();
+        };
+        for (int i = 0; i < 60 && bench.state() != ScriptState::Braking; ++i) {
+            QCOMPARE(bench.base(), std::optional(10.0));
+            goOn();
+        }
+        QCOMPARE(bench.state(), ScriptState::Braking);
+        // In the same period, without one that leaves the joints to position control.
+        constexpr double kDamping = 30;
+        const auto before = bench.host.motions.size();
+        for (std::size_t i = 0; i < 10; ++i) {
+            QCOMPARE(bench.host.motions.size(), before + i);
+            const auto* given = bench.last<urscript::DirectTorque>();
+            QVERIFY(given != nullptr);
+            QVERIFY(std::abs(given->torque[0] + kDamping * bench.host.inertia * bench.host.qd[0]) < 1e-9);
+            QCOMPARE(given->torque[1], 0.0);
+            QVERIFY(given->viscous->isZero());
+            QVERIFY(given->coulomb->isZero());
+            bench.host.qd[0] *= 0.9;
+            goOn();
+        }
+        // As soon as it is slow, it brakes as from everything else.
+        bench.host.qd[0] = 0.04;
+        goOn();
+        QVERIFY(bench.last<urscript::StopJ>() != nullptr);
+        QCOMPARE(bench.last<urscript::StopJ>()->deceleration, 4.0);
+        bench.host.qd[0] = 0;
+        for (int i = 0; i < 30; ++i) {
+            goOn();
+        }
+        QCOMPARE(bench.count<urscript::StopJ>(), 1);
+        QCOMPARE(bench.running(), end != 3);
+        if (end == 1) {
+            QCOMPARE(bench.state(), ScriptState::Expired);
+        } else if (end == 2) {
+            QCOMPARE(bench.state(), ScriptState::Executing);
+            QVERIFY(bench.last<urscript::Move>() != nullptr);
+        }
+    }
+
+    // Whatever pushes the arm on: after a tenth of a second position control takes over.
+    void theDampingTakesATenthOfASecondAtMost() {
+        TorqueBench bench;
+        const int before = bench.count<urscript::DirectTorque>();
+        for (int i = 0; i < 100 && bench.last<urscript::StopJ>() == nullptr; ++i) {
+            bench.hold(ScriptCommand::Idle, 3, 1);
+        }
+        QCOMPARE(bench.count<urscript::DirectTorque>() - before, 50);
+        QVERIFY(bench.last<urscript::StopJ>() != nullptr);
+    }
+
+    void theDampingAsksForNoMoreThanTheJointsCanGive() {
+        TorqueBench bench;
+        bench.host.inertia = 100;
+        bench.host.qd = JointVelocities(0.4, 0.2, 0, 0, 0, 0);
+        bench.hold(ScriptCommand::Idle, 3, 1);
+        const auto* given = bench.last<urscript::DirectTorque>();
+        QVERIFY(given != nullptr);
+        QVERIFY(std::abs(given->torque[0] + 150) < 1e-9);
+        QVERIFY(std::abs(given->torque[1] + 75) < 1e-9);
+    }
+
+    void aHarderStopWaitsForTheDampingToo() {
+        TorqueBench bench;
+        bench.hold(ScriptCommand::Idle, 3, 3);
+        bench.send(stopJ(4, 20));
+        bench.frame();
+        QVERIFY(bench.base().has_value());
+        bench.host.qd[0] = 0.01;
+        bench.send(stopJ(4, 20));
+        bench.frame();
+        QVERIFY(bench.last<urscript::StopJ>() != nullptr);
+        QCOMPARE(bench.last<urscript::StopJ>()->deceleration, 20.0);
+    }
+
+    void torquesBeforeTheFirstOnesNeedNoDamping() {
+        TorqueBench bench;
+        bench.hold(ScriptCommand::Idle, 3, 100);
+        const int before = bench.count<urscript::DirectTorque>();
+        Command none = torque(4, {});
+        none.choice = 0;
+        for (int i = 0; i < 5; ++i) {
+            bench.send(none);
+            bench.frame();
+        }
+        QCOMPARE(bench.state(), ScriptState::Executing);
+        bench.hold(ScriptCommand::Idle, 5, 1);
+        QCOMPARE(bench.state(), ScriptState::Braking);
+        QVERIFY(bench.last<urscript::StopJ>() != nullptr);
+        QCOMPARE(bench.count<urscript::DirectTorque>(), before);
+    }
+
+    // In a pause the controller has taken the joints back, and the arm has come to rest.
+    void noTorqueIsGivenBehindAPause() {
+        TorqueBench bench;
+        const int before = bench.count<urscript::DirectTorque>();
+        bench.host.timeNs += 200'000'000;
+        bench.host.qd[0] = 0;
+        bench.push(1);
+        QCOMPARE(bench.state(), ScriptState::Braking);
+        QVERIFY(bench.last<urscript::StopJ>() != nullptr);
+        QCOMPARE(bench.count<urscript::DirectTorque>(), before);
+    }
+
+    void torquesEndAboveTheCap_data() {
+        QTest::addColumn<bool>("elbow");
+        QTest::newRow("TCP") << false;
+        QTest::newRow("elbow") << true;
+    }
+    void torquesEndAboveTheCap() {
+        QFETCH(bool, elbow);
+        TorqueBench bench;
+        constexpr double kUpperArm = 0.425;
+        bench.host.tcpVelocity.linear = {0, 0.24, 0};
+        bench.host.qd = JointVelocities(0, 0.24 / kUpperArm, 0, 0, 0, 0);
+        bench.push(5);
+        QCOMPARE(bench.state(), ScriptState::Executing);
+        if (elbow) {
+            bench.host.qd[1] = 0.26 / kUpperArm;
+        } else {
+            bench.host.tcpVelocity.linear.y() = -0.26;
+        }
+        bench.push(1);
+        QCOMPARE(bench.state(), ScriptState::Braking);
+        QVERIFY(bench.base().value() <= 0.0);
+        bench.host.qd = {};
+        bench.host.tcpVelocity = {};
+        bench.push(50);
+        QCOMPARE(bench.state(), elbow ? ScriptState::ElbowTooFast : ScriptState::TcpTooFast);
+        QVERIFY(bench.last<urscript::StopJ>() != nullptr);
+    }
+
+    void halfOfTheNextPackageLeavesNoPeriodWithoutTorque() {
+        for (const bool first : {false, true}) {
+            TorqueBench bench;
+            bench.comesLate = [first](std::size_t i) {
+                return first ? i >= kCommandSize / 2 : i < kCommandSize / 2;
+            };
+            for (int i = 0; i < 5; ++i) {
+                const auto before = bench.host.motions.size();
+                bench.hold(ScriptCommand::Idle, 3, 1);
+                QCOMPARE(bench.host.motions.size(), before + 1);
+                QVERIFY(bench.base().has_value());
+                QVERIFY(bench.base().value() <= 10.0);
+            }
+            QCOMPARE(bench.state(), ScriptState::Braking);
+        }
+    }
+
+    void onlySoftwareThatHasTorquesGetsThem_data() {
+        QTest::addColumn<QList<int>>("version");
+        QTest::addColumn<bool>("has");
+        QTest::newRow("CB3") << QList<int>{3, 15, 8} << false;
+        QTest::newRow("5.25.0") << QList<int>{5, 25, 0} << false;
+        QTest::newRow("5.25.1") << QList<int>{5, 25, 1} << true;
+        QTest::newRow("10.11.0") << QList<int>{10, 11, 0} << false;
+        QTest::newRow("10.12.0") << QList<int>{10, 12, 0} << false;
+        QTest::newRow("10.12.1") << QList<int>{10, 12, 1} << true;
+    }
+    void onlySoftwareThatHasTorquesGetsThem() {
+        QFETCH(QList<int>, version);
+        QFETCH(bool, has);
+        const SoftwareVersion software{static_cast<std::uint32_t>(version[0]),
+                                       static_cast<std::uint32_t>(version[1]),
+                                       static_cast<std::uint32_t>(version[2]), 0};
+        const QString text = controlScript(software, RegisterRange::Upper, 1, {}, kArm).text;
+        QCOMPARE(text.contains(QLatin1String("direct_torque(")), has);
+        QCOMPARE(text.contains(QLatin1String("get_mass_matrix(")), has);
+        QVERIFY(!text.contains(QLatin1String("{{")));
+        Bench bench(RegisterRange::Upper, software);
+        bench.host.tcpVelocity = {};
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        for (int i = 0; i < 20; ++i) {
+            bench.send(torque(2, JointTorques(1, 0, 0, 0, 0, 0)));
+            bench.frame();
+        }
+        QCOMPARE(bench.host.motions.empty(), !has);
+        QVERIFY(bench.running());
+        // Nor does it stand in the way of what comes next.
+        bench.hold(ScriptCommand::JogJoints, 3, 60, {0.1, 0, 0, 0, 0, 0});
+        QVERIFY(bench.last<urscript::SpeedJ>() != nullptr);
     }
 
     void freedriveAndTeachModeEndWithTheirCommand() {

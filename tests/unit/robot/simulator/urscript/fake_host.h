@@ -41,6 +41,8 @@ public:
     bool reachable = true;
     JointPositions q{0.1, -1.2, 1.3, -1.4, -1.5, 0.6};
     JointVelocities qd;
+    Twist tcpVelocity{{0.5, 0, 0}, {0, 0, 0.25}};
+    double inertia = 2;  ///< of each joint, without regard to the others [kg m2]
     bool steady = true;
     std::function<JointPositions(int)> history;  ///< of so many steps ago
     Pose tcp;
@@ -115,7 +117,7 @@ public:
     }
     JointTorques externalJointTorques() const override { return JointTorques(1, 2, 3, 4, 5, 6); }
     Pose tcpPose(Source) const override { return {0.1, 0.2, 0.3, 0, 3.14, 0}; }
-    Twist tcpSpeed(Source) const override { return {{0.5, 0, 0}, {0, 0, 0.25}}; }
+    Twist tcpSpeed(Source) const override { return tcpVelocity; }
     Pose flangePose() const override { return {0.1, 0.2, 0.4, 0, 3.14, 0}; }
     Pose targetWaypoint() const override { return tcpPose(Source::Target); }
     Wrench tcpForce() const override { return {{3, 4, 0}, {0, 0, 1}}; }
@@ -134,6 +136,9 @@ public:
     }
     std::optional<JointPositions> inverseKinematics(const InverseRequest& request) const override {
         return reachable ? std::optional(JointPositions(request.pose.array())) : std::nullopt;
+    }
+    Result<Matrix6> massMatrix(const std::optional<JointPositions>&, bool) const override {
+        return Matrix6(Matrix6::Identity() * inertia);
     }
     bool isWithinSafetyLimits(const MoveTarget&) const override { return reachable; }
 
@@ -269,6 +274,8 @@ private:
             duration = speedj->duration;
         } else if (const auto* speedl = std::get_if<SpeedL>(&command)) {
             duration = speedl->duration;
+        } else if (std::holds_alternative<DirectTorque>(command)) {
+            return 1;
         }
         return duration ? static_cast<int>(std::lround(*duration * durationScale / step)) : moveFrames;
     }
