@@ -200,7 +200,7 @@ QString conveyor(ControlBox& controlBox, Words& words) {
 }
 
 QString answer(ControlBox& controlBox, Words& words) {
-    using urscript::RequestKind;
+    using urscript::RequestedType;
     ScriptHost& host = controlBox.plant.scriptHost();
     const auto asked = host.asked();
     if (!asked) {
@@ -209,17 +209,17 @@ QString answer(ControlBox& controlBox, Words& words) {
     }
     urscript::RequestAnswer value;
     switch (*asked) {
-        case RequestKind::Boolean:
+        case RequestedType::Boolean:
             value = words.choice("true", "false");
             break;
-        case RequestKind::Integer:
+        case RequestedType::Integer:
             value = std::int32_t{words.integer(std::numeric_limits<std::int32_t>::min(),
                                                std::numeric_limits<std::int32_t>::max())};
             break;
-        case RequestKind::Float:
+        case RequestedType::Float:
             value = words.number(-1e300, 1e300);
             break;
-        case RequestKind::String:
+        case RequestedType::String:
             value = words.rest().toStdString();
             break;
     }

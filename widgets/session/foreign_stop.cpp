@@ -66,7 +66,7 @@ void ForeignStop::request(StopCause cause, const receive::Receiver& receiver) {
     stopper_.requestStop();
     *wanted_ = true;
     const receive::Sample newest = receiver.latest();
-    request_ = Request{clock_.nowNs(), newest.isEmpty() ? 0 : newest.sequence};
+    request_ = StopRequest{clock_.nowNs(), newest.isEmpty() ? 0 : newest.sequence};
     askService();
     if (!newest.isEmpty() && !meter_.isMeasuring()) {
         measuredFrom_ = newest.sequence;

@@ -52,13 +52,13 @@ public:
     const control::StopMeasurement& last() const { return meter_.last(); }
 
 private:
-    struct Request {
+    struct StopRequest {
         std::int64_t ns = 0;
         std::uint64_t sequence = 0;  ///< of the newest sample then
         bool askedAgain = false;
     };
     /// Of the service; outlives this where an answer is still under way.
-    struct Answer {
+    struct ServiceAnswer {
         bool busy = false;
         Error error;
     };
@@ -72,9 +72,9 @@ private:
     const Clock& clock_;
     script::ProgramStopper stopper_;
     dashboard::ServiceWorker service_;
-    std::shared_ptr<Answer> answer_ = std::make_shared<Answer>();
+    std::shared_ptr<ServiceAnswer> answer_ = std::make_shared<ServiceAnswer>();
     std::shared_ptr<std::atomic<bool>> wanted_ = std::make_shared<std::atomic<bool>>(false);
-    std::optional<Request> request_;
+    std::optional<StopRequest> request_;
     Error error_;
 
     control::StopMeter meter_;

@@ -86,6 +86,7 @@ enum class RequestKind : std::int32_t {
     FreedriveStatus = 32,
 };
 
+/// To the control program; it travels with every package until the answer to it has come.
 struct Request {
     std::int32_t number = 0;  ///< another one for each
     RequestKind kind = RequestKind::None;

@@ -142,11 +142,11 @@ MotionStart MotionGenerator::move(Segment::Kind kind, const MoveTarget& target,
         raise(StopReason::PoseUnreachable, -1);
         return start;
     }
-    PathPlanner::Request request;
-    request.a = p.a;
-    request.v = p.v;
-    request.t = kind == Segment::Kind::Joint || kind == Segment::Kind::Linear ? p.t : 0;
-    planner_.plan(segment, fromQ, request);
+    PathPlanner::MoveTiming timing;
+    timing.a = p.a;
+    timing.v = p.v;
+    timing.t = kind == Segment::Kind::Joint || kind == Segment::Kind::Linear ? p.t : 0;
+    planner_.plan(segment, fromQ, timing);
     if (segment.profile.duration() <= 0 && segment.endFault) {
         raise(*segment.endFault, segment.endFaultJoint);
         return start;
@@ -191,10 +191,10 @@ MotionStart MotionGenerator::queueMove(Segment::Kind kind, const MoveTarget& tar
         raise(StopReason::PoseUnreachable, -1);
         return start;
     }
-    PathPlanner::Request request;
-    request.a = p.a;
-    request.v = p.v;
-    request.t = kind == Segment::Kind::Joint || kind == Segment::Kind::Linear ? p.t : 0;
+    PathPlanner::MoveTiming timing;
+    timing.a = p.a;
+    timing.v = p.v;
+    timing.t = kind == Segment::Kind::Joint || kind == Segment::Kind::Linear ? p.t : 0;
     double switchTime = std::max(before.profile.zoneTime(), before.time);
     const double zone = before.profile.length() - before.profile.sample(switchTime).s;
     Vector6 startQ = before.endQ;
@@ -205,14 +205,14 @@ MotionStart MotionGenerator::queueMove(Segment::Kind kind, const MoveTarget& tar
         segment.path = ToolPath::rounded(before.path, segment.path, tangent);
         const double entry = before.profile.length() - tangent;
         switchTime = std::max(before.time, before.profile.timeAtLength(entry));
-        request.startSpeed = before.profile.speedAtLength(entry);
+        timing.startSpeed = before.profile.speedAtLength(entry);
         startQ = before.q;
         geometry_.follow(segment.path.start().transform(), startQ, posture_);
     } else {
-        request.blendInTime = before.profile.duration() - switchTime;
-        request.blendInRadius = before.r;
+        timing.blendInTime = before.profile.duration() - switchTime;
+        timing.blendInRadius = before.r;
     }
-    planner_.plan(segment, startQ, request);
+    planner_.plan(segment, startQ, timing);
     if (segment.endFault && segment.profile.duration() <= 0) {
         activeId_ = start.id;
         raise(*segment.endFault, segment.endFaultJoint);

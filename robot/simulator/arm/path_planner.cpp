@@ -45,12 +45,12 @@ double PathPlanner::lengthWithin(const Segment& segment, double radius, bool fro
     return half;
 }
 
-ProfileRequest PathPlanner::profileRequest(const Segment& segment, const Request& request) const {
+ProfileRequest PathPlanner::profileRequest(const Segment& segment, const MoveTiming& timing) const {
     ProfileRequest profile;
-    profile.v = request.v;
-    profile.a = request.a;
-    profile.startSpeed = request.startSpeed;
-    profile.blendInTime = request.blendInTime;
+    profile.v = timing.v;
+    profile.a = timing.a;
+    profile.startSpeed = timing.startSpeed;
+    profile.blendInTime = timing.blendInTime;
     if (segment.inToolSpace) {
         profile.length = segment.path.length();
     } else {
@@ -63,8 +63,8 @@ ProfileRequest PathPlanner::profileRequest(const Segment& segment, const Request
             }
         }
     }
-    if (request.blendInTime > 0) {
-        profile.blendInLength = lengthWithin(segment, request.blendInRadius, false);
+    if (timing.blendInTime > 0) {
+        profile.blendInLength = lengthWithin(segment, timing.blendInRadius, false);
     }
     if (segment.r > 0) {
         profile.zone = lengthWithin(segment, segment.r, true);
@@ -79,7 +79,7 @@ ProfileRequest PathPlanner::profileRequest(const Segment& segment, const Request
     return profile;
 }
 
-void PathPlanner::plan(Segment& segment, const Vector6& startQ, const Request& request) {
+void PathPlanner::plan(Segment& segment, const Vector6& startQ, const MoveTiming& timing) {
     segment.q = startQ;
     int samples = 0;
     if (segment.inToolSpace) {
@@ -88,11 +88,11 @@ void PathPlanner::plan(Segment& segment, const Vector6& startQ, const Request& r
     } else {
         segment.endPoint = ToolPoint(geometry_.tcpPose(segment.endQ));
     }
-    const ProfileRequest profile = profileRequest(segment, request);
+    const ProfileRequest profile = profileRequest(segment, timing);
     segment.profile = SpeedProfile::plan(profile);
     double a = profile.a;
-    if (request.t > 0 && segment.profile.duration() > 0) {
-        double factor = request.t / segment.profile.duration();
+    if (timing.t > 0 && segment.profile.duration() > 0) {
+        double factor = timing.t / segment.profile.duration();
         if (!segment.inToolSpace) {
             // Not faster than the joints can: the profile is stretched as a whole.
             for (int j = 0; j < kJointCount; ++j) {

@@ -49,7 +49,7 @@ public:
     PathPlanner(const ArmGeometry& geometry, const JointLimits& limits)
         : geometry_(geometry), limits_(limits) {}
 
-    struct Request {
+    struct MoveTiming {
         double a = 1;
         double v = 1;
         double t = 0;
@@ -59,7 +59,7 @@ public:
     };
 
     /// `segment` has kind, r and geometry; endQ of a tool path is found here.
-    void plan(Segment& segment, const Vector6& startQ, const Request& request);
+    void plan(Segment& segment, const Vector6& startQ, const MoveTiming& timing);
 
     /// Path parameter at which the TCP is `radius` from the path's end (or its start), at most half the path.
     double lengthWithin(const Segment& segment, double radius, bool fromEnd) const;
@@ -71,7 +71,7 @@ private:
 
     int sampleToolPath(Segment& segment, const Vector6& startQ);
     void limitSpeeds(Segment& segment, int count, double a);
-    ProfileRequest profileRequest(const Segment& segment, const Request& request) const;
+    ProfileRequest profileRequest(const Segment& segment, const MoveTiming& timing) const;
 
     const ArmGeometry& geometry_;
     const JointLimits& limits_;

@@ -47,7 +47,7 @@ void GripperServer::step(double dt, bool powered) {
     }
 }
 
-LineServer::Answer GripperServer::answer(std::string_view line, std::uint64_t) {
+LineServer::LineAnswer GripperServer::answer(std::string_view line, std::uint64_t) {
     const std::string_view verb = takeWord(line);
     if (verb == "GET") {
         const std::string name(takeWord(line));
@@ -67,7 +67,7 @@ LineServer::Answer GripperServer::answer(std::string_view line, std::uint64_t) {
     return {good ? "ack" : "nack"};
 }
 
-std::optional<LineServer::Answer> GripperServer::answerUnfinished(std::string_view line) {
+std::optional<LineServer::LineAnswer> GripperServer::answerUnfinished(std::string_view line) {
     constexpr std::size_t kAddresses = 17;
     if (takeWord(line) != "GET") {
         return std::nullopt;
@@ -81,13 +81,13 @@ std::optional<LineServer::Answer> GripperServer::answerUnfinished(std::string_vi
     if (name == "SID") {
         std::string addresses = "[" + number + "]";
         addresses.resize(kAddresses, ' ');
-        return Answer{addresses};
+        return LineAnswer{addresses};
     }
     const std::size_t digits = digitsOf(name);
     if (digits == 0) {
         return std::nullopt;
     }
-    return Answer{std::string(digits - std::min(digits, number.size()), '0') + number};
+    return LineAnswer{std::string(digits - std::min(digits, number.size()), '0') + number};
 }
 
 }  // namespace tiller::simulator

@@ -26,8 +26,8 @@ public:
     void setObject(std::optional<int> position) { gripper_.setObject(position); }
 
 protected:
-    Answer answer(std::string_view line, std::uint64_t tag) override;
-    std::optional<Answer> answerUnfinished(std::string_view line) override;
+    LineAnswer answer(std::string_view line, std::uint64_t tag) override;
+    std::optional<LineAnswer> answerUnfinished(std::string_view line) override;
 
 private:
     Gripper gripper_;

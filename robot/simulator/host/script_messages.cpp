@@ -27,7 +27,7 @@ bool ScriptMessages::popupOpen(int id) const {
 
 // ---- values asked of people -----------------------------------------------------------------------------
 
-Result<int> ScriptMessages::requestValue(urscript::RequestKind kind, std::string_view text) {
+Result<int> ScriptMessages::requestValue(urscript::RequestedType kind, std::string_view text) {
     ++lastRequest_;
     requests_[lastRequest_] = {kind, std::nullopt};
     plant_.publish(primary::requestValue(plant_.timestampNs(), static_cast<std::uint32_t>(lastRequest_),
@@ -45,7 +45,7 @@ std::optional<urscript::RequestAnswer> ScriptMessages::requestedValue(int id) {
     return answer;
 }
 
-std::optional<urscript::RequestKind> ScriptMessages::asked() const {
+std::optional<urscript::RequestedType> ScriptMessages::asked() const {
     for (const auto& [id, request] : requests_) {
         if (!request.answer) {
             return request.kind;

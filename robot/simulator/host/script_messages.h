@@ -21,23 +21,23 @@ public:
     /// something of another type.
     bool answerRequest(const urscript::RequestAnswer& answer);
     /// What kind of value the oldest question asks for; nothing when none is open.
-    std::optional<urscript::RequestKind> asked() const;
+    std::optional<urscript::RequestedType> asked() const;
     void forgetRequests() { requests_.clear(); }
 
     void textMessage(std::string_view text) override;
     void programLabel(int number, std::string_view text) override;
     int showPopup(const urscript::Popup& popup) override;
     bool popupOpen(int id) const override;
-    Result<int> requestValue(urscript::RequestKind kind, std::string_view text) override;
+    Result<int> requestValue(urscript::RequestedType kind, std::string_view text) override;
     std::optional<urscript::RequestAnswer> requestedValue(int id) override;
 
 private:
-    struct Request {
-        urscript::RequestKind kind;
+    struct Question {
+        urscript::RequestedType kind;
         std::optional<urscript::RequestAnswer> answer;
     };
 
-    std::map<int, Request> requests_;  ///< by id
+    std::map<int, Question> requests_;  ///< by id
     int lastRequest_ = 0;
     Plant& plant_;
 };

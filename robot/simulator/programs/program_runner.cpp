@@ -117,13 +117,13 @@ void ProgramRunner::requestStop() {
 
 bool ProgramRunner::isStopRequested() const {
     return std::any_of(requests_.begin(), requests_.end(),
-                       [](const Request& r) { return r.program == nullptr; });
+                       [](const NextProgram& r) { return r.program == nullptr; });
 }
 
 void ProgramRunner::takeRequests() {
     while (!requests_.empty()) {
-        const Request request = std::move(requests_.front());
-        const std::shared_ptr<const Program>& program = request.program;
+        const NextProgram next = std::move(requests_.front());
+        const std::shared_ptr<const Program>& program = next.program;
         requests_.pop_front();
         if (!program) {
             beginStopping();
@@ -132,7 +132,7 @@ void ProgramRunner::takeRequests() {
             startSecondary(program);
         } else {
             startMain(program);
-            fromFile_ = request.fromFile;
+            fromFile_ = next.fromFile;
         }
     }
 }

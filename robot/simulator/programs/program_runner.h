@@ -80,7 +80,7 @@ public:
 
 private:
     using Unit = urscript::SourceSplitter::Unit;
-    struct Request {
+    struct NextProgram {
         std::shared_ptr<const urscript::Program> program;  ///< null: stop
         bool fromFile = false;
     };
@@ -108,7 +108,7 @@ private:
 
     Plant& plant_;
     ScriptHost& host_;
-    std::deque<Request> requests_;
+    std::deque<NextProgram> requests_;
     std::unique_ptr<Controlled> controlled_;  ///< waits for its script
     std::unique_ptr<urscript::Interpreter> main_;
     std::vector<std::unique_ptr<urscript::Interpreter>> secondaries_;

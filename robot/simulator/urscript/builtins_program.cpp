@@ -62,7 +62,7 @@ Status popup(Call& c) {
     return popup.blocking ? Status::Again : Status::Done;
 }
 
-template <RequestKind kind>
+template <RequestedType kind>
 Status request(Call& c) {
     if (c.first) {
         const Result<int> id = c.host.requestValue(kind, c.string(0));
@@ -124,10 +124,10 @@ constexpr BuiltinRow kRows[] = {
     {"time(mode=0)", time, kPlain, {17, 0}},
     {"textmsg(s1, s2=\"\")", textmsg},
     {"popup(s, title=\"Popup\", warning=False, error=False, blocking=False)", popup},
-    {"request_boolean_from_primary_client(text)", request<RequestKind::Boolean>},
-    {"request_integer_from_primary_client(text)", request<RequestKind::Integer>},
-    {"request_float_from_primary_client(text)", request<RequestKind::Float>},
-    {"request_string_from_primary_client(text)", request<RequestKind::String>},
+    {"request_boolean_from_primary_client(text)", request<RequestedType::Boolean>},
+    {"request_integer_from_primary_client(text)", request<RequestedType::Integer>},
+    {"request_float_from_primary_client(text)", request<RequestedType::Float>},
+    {"request_string_from_primary_client(text)", request<RequestedType::String>},
     {"protective_stop()", protectiveStop},
     {"powerdown()", powerdown},
     {"rtde_set_watchdog(variable_name, min_frequency, action=\"pause\")", setWatchdog},

@@ -129,7 +129,7 @@ Result<void> ModbusHost::sendModbusCommand(int, std::span<const std::uint8_t>) {
     return notSimulated("A Modbus device");
 }
 
-Result<int> MessageHost::requestValue(RequestKind, std::string_view) {
+Result<int> MessageHost::requestValue(RequestedType, std::string_view) {
     return notSimulated("Requesting a value from a primary client");
 }
 std::optional<RequestAnswer> MessageHost::requestedValue(int) {

@@ -355,7 +355,8 @@ struct Popup {
     bool warning = false, error = false, blocking = false;
 };
 
-enum class RequestKind { Boolean, Integer, Float, String };
+/// Of the value a program asks a primary client for.
+enum class RequestedType { Boolean, Integer, Float, String };
 using RequestAnswer = std::variant<bool, std::int32_t, double, std::string>;
 
 /// What people and primary clients see.
@@ -366,7 +367,7 @@ public:
     virtual void programLabel(int number, std::string_view text) = 0;  ///< primary type 1, `$ 1 "name"`
     virtual int showPopup(const Popup& popup) = 0;                     ///< returns an id, primary type 2
     virtual bool popupOpen(int id) const = 0;  ///< asked for blocking popups once per frame
-    virtual Result<int> requestValue(RequestKind kind, std::string_view text);  ///< primary type 9, an id
+    virtual Result<int> requestValue(RequestedType kind, std::string_view text);  ///< primary type 9, an id
     virtual std::optional<RequestAnswer> requestedValue(int id);
 };
 

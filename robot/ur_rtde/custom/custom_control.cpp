@@ -48,7 +48,7 @@ constexpr const char* kPathPlace = "# inject move path\n";
 
 constexpr milliseconds kReadyTime(3000);
 
-std::vector<double> numbered(const Command& command) {
+std::vector<double> numbered(const RecipeCommand& command) {
     std::vector<double> values{static_cast<double>(command.id)};
     values.insert(values.end(), command.values.begin(), command.values.end());
     return values;
@@ -62,7 +62,7 @@ void clearUnlessStopping(RegisterLink& link) {
 }
 
 // A connection with no room for it just now has some a moment later.
-bool sendStop(RegisterLink& link, const Command& command) {
+bool sendStop(RegisterLink& link, const RecipeCommand& command) {
     bool sent = false;
     waitUntil(
         Deadline::after(milliseconds(100)),
@@ -381,13 +381,13 @@ void CustomControl::untilSeen(RegisterLink& link, std::uint64_t sent, millisecon
               atMost);
 }
 
-std::optional<Answer> CustomControl::perform(const Command& command) {
+std::optional<CommandResult> CustomControl::perform(const RecipeCommand& command) {
     const TurnLock turn = takeTurn();
     const auto done = performInTurn(command, true);
-    return done ? std::optional(Answer{done->result, done->values}) : std::nullopt;
+    return done ? std::optional(CommandResult{done->result, done->values}) : std::nullopt;
 }
 
-std::optional<RegisterState> CustomControl::performInTurn(const Command& command, bool mayBeStopped) {
+std::optional<RegisterState> CustomControl::performInTurn(const RecipeCommand& command, bool mayBeStopped) {
     const auto current = link();
     if (!current || !current->isAlive()) {
         return std::nullopt;
@@ -449,7 +449,7 @@ std::optional<RegisterState> CustomControl::performInTurn(const Command& command
     }
 }
 
-bool CustomControl::stop(const Command& command, bool wait) {
+bool CustomControl::stop(const RecipeCommand& command, bool wait) {
     auto current = link();
     bool tried = false;
     try {
@@ -486,7 +486,7 @@ bool CustomControl::stop(const Command& command, bool wait) {
     }
 }
 
-bool CustomControl::stream(const Command& command) {
+bool CustomControl::stream(const RecipeCommand& command) {
     const TurnLock turn = takeTurn();
     const auto current = link();
     if (!current || !current->isAlive()) {

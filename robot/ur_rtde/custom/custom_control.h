@@ -27,9 +27,9 @@ public:
     int progress() const override { return state().progress; }
     std::string lastError() const override;
 
-    std::optional<Answer> perform(const Command& command) override;
-    bool stop(const Command& command, bool wait) override;
-    bool stream(const Command& command) override;
+    std::optional<CommandResult> perform(const RecipeCommand& command) override;
+    bool stop(const RecipeCommand& command, bool wait) override;
+    bool stream(const RecipeCommand& command) override;
     bool follow(const ur_rtde::Path& path, bool asynchronous) override;
     bool kickWatchdog() override;
     bool protectiveStop() override;
@@ -45,7 +45,7 @@ private:
     void untilSeen(RegisterLink& link, std::uint64_t sent, std::chrono::milliseconds atMost);
     std::shared_ptr<RegisterLink> link() const;
     bool isReady(RegisterLink& link, const std::function<bool(const RegisterState&)>& giveUp);
-    std::optional<RegisterState> performInTurn(const Command& command, bool mayBeStopped);
+    std::optional<RegisterState> performInTurn(const RecipeCommand& command, bool mayBeStopped);
     bool endProgram(RegisterLink& link);
     bool upload(RegisterLink& link, const std::string& pathCode);
     bool sendScript(const RegisterLink& link, const std::string& text);

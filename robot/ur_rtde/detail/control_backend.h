@@ -77,13 +77,15 @@ enum class CommandId : int {
     StopScript = 255,
 };
 
-struct Command {
+/// What ur_rtde puts into a recipe's registers.
+struct RecipeCommand {
     CommandId id;
     int recipe;                  ///< 1 ... 20: the registers ur_rtde gives it
     std::vector<double> values;  ///< in their order, without the command itself
 };
 
-struct Answer {
+/// What comes back of it.
+struct CommandResult {
     int result = 0;  ///< one number; 0: it could not be done
     std::array<double, 6> values{};
 };
@@ -105,12 +107,12 @@ public:
 
     /// Has a command carried out and waits until it is.
     /// Returns  none when it was not, or another thread stopped it
-    virtual std::optional<Answer> perform(const Command& command) = 0;
+    virtual std::optional<CommandResult> perform(const RecipeCommand& command) = 0;
     /// Ends what another thread waits for instead of waiting for it.
     /// wait  false: return when it is on its way
-    virtual bool stop(const Command& command, bool wait = true) = 0;
+    virtual bool stop(const RecipeCommand& command, bool wait = true) = 0;
     /// One set point of a stream.
-    virtual bool stream(const Command& command) = 0;
+    virtual bool stream(const RecipeCommand& command) = 0;
     virtual bool follow(const ur_rtde::Path& path, bool asynchronous) = 0;
     virtual bool kickWatchdog() = 0;
     virtual bool protectiveStop() = 0;

@@ -219,7 +219,7 @@ NativeControl::Outcome NativeControl::failed(const Error& error) {
 
 NativeControl::Outcome NativeControl::outcome(const Result<void>& done) {
     if (done) {
-        return Answer{1, {}};
+        return CommandResult{1, {}};
     }
     if (isUsersDoing(done.error())) {
         throw Interrupted();
@@ -285,7 +285,7 @@ NativeControl::Outcome NativeControl::begin(const Result<control::Motion>& motio
     }
     remember(*motion);
     if (asynchronous) {
-        return Answer{1, {}};
+        return CommandResult{1, {}};
     }
     const auto ended = motion->wait(ever());
     if (!ended && isUsersDoing(ended.error())) {
@@ -309,7 +309,7 @@ bool NativeControl::follow(const ur_rtde::Path& path, bool asynchronous) {
     return move(asynchronous, [&] { return motions_.movePath(entries, within(kProgramTime)); }).has_value();
 }
 
-bool NativeControl::stop(const Command& command, bool wait) {
+bool NativeControl::stop(const RecipeCommand& command, bool wait) {
     const List& v = command.values;
     const double a = std::max(v.empty() ? kUsualBrake : v[0], kGentlestBrake);
     if (command.id == CommandId::ForceModeStop) {
@@ -381,7 +381,7 @@ bool NativeControl::send(Stream& stream, const Target& target, const Parameters&
     return outcome(stream.send(target, parameters)).has_value();
 }
 
-bool NativeControl::stream(const Command& command) {
+bool NativeControl::stream(const RecipeCommand& command) {
     const List& v = command.values;
     if (command.id == CommandId::ExternalForceTorque) {
         return outcome(tool_.setExternalWrench(wrenchAt(v))).has_value();
@@ -465,7 +465,7 @@ bool NativeControl::forceMode(const List& v) {
 
 // ---- commands -------------------------------------------------------------------------------------------
 
-std::optional<Answer> NativeControl::perform(const Command& command) {
+std::optional<CommandResult> NativeControl::perform(const RecipeCommand& command) {
     const List& v = command.values;
     switch (command.id) {
         case CommandId::MoveJ:
@@ -486,7 +486,7 @@ std::optional<Answer> NativeControl::perform(const Command& command) {
         }
         case CommandId::JogStart:
             ++starts_;
-            return stream(command) ? Outcome(Answer{1, {}}) : std::nullopt;
+            return stream(command) ? Outcome(CommandResult{1, {}}) : std::nullopt;
         case CommandId::FreedriveMode: {
             control::Freedrive free;
             for (std::size_t axis = 0; axis < 6; ++axis) {
@@ -507,7 +507,7 @@ std::optional<Answer> NativeControl::perform(const Command& command) {
                 guiding = guiding_;
             }
             guiding.cancel(StopCause::Released);
-            return controller_.status().inControl ? Outcome(Answer{1, {}}) : std::nullopt;
+            return controller_.status().inControl ? Outcome(CommandResult{1, {}}) : std::nullopt;
         }
         default:
             isReady();
@@ -522,10 +522,10 @@ NativeControl::Outcome NativeControl::guide(const Result<control::Motion>& motio
     }
     const std::lock_guard lock(state_);
     guiding_ = *motion;
-    return Answer{1, {}};
+    return CommandResult{1, {}};
 }
 
-NativeControl::Outcome NativeControl::setUp(const Command& command) {
+NativeControl::Outcome NativeControl::setUp(const RecipeCommand& command) {
     const List& v = command.values;
     const Deadline soon = within(kAnswerTime);
     switch (command.id) {
@@ -549,14 +549,14 @@ NativeControl::Outcome NativeControl::setUp(const Command& command) {
 }
 
 NativeControl::Outcome NativeControl::pose(const Result<Pose>& answer) {
-    return answer ? Outcome(Answer{1, answer->array()}) : outcome(answer.error());
+    return answer ? Outcome(CommandResult{1, answer->array()}) : outcome(answer.error());
 }
 
 NativeControl::Outcome NativeControl::whole(const Result<bool>& answer) {
-    return answer ? Outcome(Answer{*answer ? 1 : 0, {}}) : outcome(answer.error());
+    return answer ? Outcome(CommandResult{*answer ? 1 : 0, {}}) : outcome(answer.error());
 }
 
-NativeControl::Outcome NativeControl::solve(const Command& command, bool onlyWhether) {
+NativeControl::Outcome NativeControl::solve(const RecipeCommand& command, bool onlyWhether) {
     const List& v = command.values;
     control::InverseOptions options;
     if (v.size() > 6) {
@@ -572,12 +572,12 @@ NativeControl::Outcome NativeControl::solve(const Command& command, bool onlyWhe
     const auto found = arm_.inverseKinematics(poseAt(v), options, soon);
     if (!found && found.error().code == ErrorCode::NoSolution) {
         failed(found.error());
-        return Answer{0, {}};
+        return CommandResult{0, {}};
     }
-    return found ? Outcome(Answer{1, found->array()}) : outcome(found.error());
+    return found ? Outcome(CommandResult{1, found->array()}) : outcome(found.error());
 }
 
-NativeControl::Outcome NativeControl::ask(const Command& command) {
+NativeControl::Outcome NativeControl::ask(const RecipeCommand& command) {
     const List& v = command.values;
     const Deadline soon = within(kAnswerTime);
     const control::ControllerStatus status = controller_.status();
@@ -586,9 +586,9 @@ NativeControl::Outcome NativeControl::ask(const Command& command) {
     };
     const auto number = [&](const auto& answer) {
         if (isUnknown(answer)) {
-            return Outcome(Answer{0, {}});
+            return Outcome(CommandResult{0, {}});
         }
-        return answer ? Outcome(Answer{*answer, {}}) : outcome(answer.error());
+        return answer ? Outcome(CommandResult{*answer, {}}) : outcome(answer.error());
     };
     switch (command.id) {
         case CommandId::ToolContact:
@@ -597,19 +597,20 @@ NativeControl::Outcome NativeControl::ask(const Command& command) {
             return number(arm_.freedriveStatus(soon));
         case CommandId::StepTime: {
             const auto step = arm_.stepTime(soon);
-            return step ? Outcome(Answer{1, {*step}}) : outcome(step.error());
+            return step ? Outcome(CommandResult{1, {*step}}) : outcome(step.error());
         }
         case CommandId::JointPositionsHistory: {
             const auto q = arm_.jointPositionsHistory(static_cast<int>(v[0]), soon);
             // Software that keeps no history knows the present.
             if (isUnknown(q) && v[0] == 0 && status.inControl) {
-                return Answer{1, status.q};
+                return CommandResult{1, status.q};
             }
-            return q ? Outcome(Answer{1, q->array()}) : outcome(q.error());
+            return q ? Outcome(CommandResult{1, q->array()}) : outcome(q.error());
         }
         case CommandId::TargetWaypoint: {
             const auto target = arm_.targetWaypoint(soon);
-            return isUnknown(target) && status.inControl ? Outcome(Answer{1, status.tcpPose}) : pose(target);
+            return isUnknown(target) && status.inControl ? Outcome(CommandResult{1, status.tcpPose})
+                                                         : pose(target);
         }
         case CommandId::InverseKinematics:
         case CommandId::InverseKinematicsNear:
@@ -625,16 +626,16 @@ NativeControl::Outcome NativeControl::ask(const Command& command) {
             return whole(arm_.isWithinSafetyLimits(joints(v), soon));
         case CommandId::JointTorques: {
             const auto torques = arm_.jointTorques(soon);
-            return torques ? Outcome(Answer{1, torques->array()}) : outcome(torques.error());
+            return torques ? Outcome(CommandResult{1, torques->array()}) : outcome(torques.error());
         }
         case CommandId::PoseTrans:
             if (!status.inControl) {
                 return failed({ErrorCode::NotInControl, QStringLiteral("pose_trans"), {}});
             }
-            return Answer{1, composed(poseAt(v), poseAt(v, 6)).array()};
+            return CommandResult{1, composed(poseAt(v), poseAt(v, 6)).array()};
         case CommandId::TcpOffset: {
             const auto offset = arm_.tcpOffset(soon);
-            return isUnknown(offset) && status.inControl ? Outcome(Answer{1, status.tcpOffset})
+            return isUnknown(offset) && status.inControl ? Outcome(CommandResult{1, status.tcpOffset})
                                                          : pose(offset);
         }
         case CommandId::ForwardKinematics:

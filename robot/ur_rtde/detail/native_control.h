@@ -40,9 +40,9 @@ public:
     int progress() const override;
     std::string lastError() const override;
 
-    std::optional<Answer> perform(const Command& command) override;
-    bool stop(const Command& command, bool wait) override;
-    bool stream(const Command& command) override;
+    std::optional<CommandResult> perform(const RecipeCommand& command) override;
+    bool stop(const RecipeCommand& command, bool wait) override;
+    bool stream(const RecipeCommand& command) override;
     bool follow(const ur_rtde::Path& path, bool asynchronous) override;
     bool kickWatchdog() override;
     bool protectiveStop() override;
@@ -52,7 +52,7 @@ public:
 
 private:
     using TurnLock = std::unique_lock<Turn>;
-    using Outcome = std::optional<Answer>;
+    using Outcome = std::optional<CommandResult>;
     /// Waits for the turn of a motion. Not owned when a stop came first.
     TurnLock takeTurn();
     /// In control; goes on with the program where it was paused and runs again.
@@ -68,11 +68,11 @@ private:
     bool mayBegin(const control::Motion& before);
     template <class Stream, class Target, class Parameters, class Start>
     bool send(Stream& stream, const Target& target, const Parameters& parameters, Start start);
-    Outcome ask(const Command& command);
-    Outcome setUp(const Command& command);
+    Outcome ask(const RecipeCommand& command);
+    Outcome setUp(const RecipeCommand& command);
     bool forceMode(const std::vector<double>& values);
     Outcome pose(const Result<Pose>& answer);
-    Outcome solve(const Command& command, bool onlyWhether);
+    Outcome solve(const RecipeCommand& command, bool onlyWhether);
     Outcome guide(const Result<control::Motion>& motion);
     Outcome whole(const Result<bool>& answer);
     [[noreturn]] void interrupted();

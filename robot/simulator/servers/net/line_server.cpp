@@ -42,7 +42,7 @@ void LineServer::read(Client& client) {
             if (c == '\n' && client.answeredUnfinished && client.line.empty()) {
                 client.answeredUnfinished = false;
             } else if (c == '\n') {
-                const Answer given = answer(client.line, client.tag);
+                const LineAnswer given = answer(client.line, client.tag);
                 out += given.text;
                 closes = given.closes;
                 client.line.clear();
@@ -55,7 +55,7 @@ void LineServer::read(Client& client) {
             }
         }
         if (!client.line.empty() && got < buffer.size()) {
-            if (const std::optional<Answer> given = answerUnfinished(client.line)) {
+            if (const std::optional<LineAnswer> given = answerUnfinished(client.line)) {
                 out += given->text;
                 client.answeredUnfinished = true;
                 client.line.clear();

@@ -18,7 +18,7 @@ public:
     void closeClients() final { clients_.clear(); }
 
 protected:
-    struct Answer {
+    struct LineAnswer {
         std::string text;  ///< with its newline, where there is one
         bool closes = false;
     };
@@ -26,9 +26,9 @@ protected:
     virtual std::uint64_t tagOfNewClient() { return 0; }
     virtual std::string greeting() { return {}; }
     /// line  without its end
-    virtual Answer answer(std::string_view line, std::uint64_t tag) = 0;
+    virtual LineAnswer answer(std::string_view line, std::uint64_t tag) = 0;
     /// What has come so far of a line: an answer to it takes it as it stands, and no end is waited for.
-    virtual std::optional<Answer> answerUnfinished(std::string_view) { return std::nullopt; }
+    virtual std::optional<LineAnswer> answerUnfinished(std::string_view) { return std::nullopt; }
 
 private:
     struct Client {

@@ -50,7 +50,7 @@ std::string upper(std::string text) {
 }  // namespace
 
 // Longer words first where one begins like another.
-const DashboardCommands::Command DashboardCommands::kCommands[] = {
+const DashboardCommands::KnownCommand DashboardCommands::kCommands[] = {
     {"load installation", &C::loadInstallation, true, true, {3, 2, 0, 0}, {}},
     {"load", &C::load, true, true, {}, {}},
     {"play", &C::play, false, true, {}, {}},
@@ -103,14 +103,14 @@ bool DashboardCommands::mayControl(Rights rights) const {
     return !gated || options.software.isCb3() || rights == plant_.controlEpoch() + 1;
 }
 
-bool DashboardCommands::isKnown(const Command& command) const {
+bool DashboardCommands::isKnown(const KnownCommand& command) const {
     const SoftwareVersion& software = plant_.options().software;
     return software >= (software.isCb3() ? command.cb3 : command.eSeries);
 }
 
-const DashboardCommands::Command* DashboardCommands::find(std::string_view line,
-                                                          std::string& argument) const {
-    for (const Command& command : kCommands) {
+const DashboardCommands::KnownCommand* DashboardCommands::find(std::string_view line,
+                                                               std::string& argument) const {
+    for (const KnownCommand& command : kCommands) {
         if (!startsWithIgnoringCase(line, command.words) || !isKnown(command)) {
             continue;
         }
@@ -126,7 +126,7 @@ const DashboardCommands::Command* DashboardCommands::find(std::string_view line,
 DashboardCommands::Reply DashboardCommands::run(std::string_view line, Rights rights) {
     line = trimmed(line);
     std::string argument;
-    const Command* command = find(line, argument);
+    const KnownCommand* command = find(line, argument);
     if (command == nullptr) {
         return {"could not understand: '" + std::string(line) + "'"};
     }

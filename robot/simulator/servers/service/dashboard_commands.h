@@ -32,7 +32,7 @@ public:
 
 private:
     using Handler = std::string (DashboardCommands::*)(const std::string& argument);
-    struct Command {
+    struct KnownCommand {
         std::string_view words;
         Handler handler;
         bool takesArgument = false;
@@ -40,9 +40,9 @@ private:
         SoftwareVersion cb3{};
         SoftwareVersion eSeries{};
     };
-    static const Command kCommands[];
-    const Command* find(std::string_view line, std::string& argument) const;
-    bool isKnown(const Command& command) const;
+    static const KnownCommand kCommands[];
+    const KnownCommand* find(std::string_view line, std::string& argument) const;
+    bool isKnown(const KnownCommand& command) const;
 
     // program
     std::string load(const std::string& name);

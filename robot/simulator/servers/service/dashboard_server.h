@@ -15,7 +15,7 @@ public:
 protected:
     std::uint64_t tagOfNewClient() override { return commands_.rightsOfNewClient(); }
     std::string greeting() override { return "Connected: Universal Robots Dashboard Server\n"; }
-    Answer answer(std::string_view line, std::uint64_t rights) override {
+    LineAnswer answer(std::string_view line, std::uint64_t rights) override {
         DashboardCommands::Reply reply = commands_.run(line, rights);
         return {std::move(reply.line) + '\n', reply.closes};
     }

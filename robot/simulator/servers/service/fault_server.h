@@ -16,7 +16,7 @@ public:
     explicit FaultServer(Handler handler) : handler_(std::move(handler)) {}
 
 protected:
-    Answer answer(std::string_view line, std::uint64_t) override { return {handler_(line)}; }
+    LineAnswer answer(std::string_view line, std::uint64_t) override { return {handler_(line)}; }
 
 private:
     Handler handler_;

@@ -50,8 +50,8 @@ void RobotApiServer::answer(Client& client) {
         if (!request) {
             break;
         }
-        client.next.emplace(Client::Answer{api_.run(*request), request->keepAlive, request->method != "HEAD",
-                                           plant_.elapsed()});
+        client.next.emplace(Client::HttpAnswer{api_.run(*request), request->keepAlive,
+                                               request->method != "HEAD", plant_.elapsed()});
     }
     if (client.done || client.next) {
         return;
@@ -74,7 +74,7 @@ bool RobotApiServer::sendNext(Client& client) {
     if (!client.next) {
         return true;
     }
-    Client::Answer& answer = *client.next;
+    Client::HttpAnswer& answer = *client.next;
     // In virtual time nobody could wait: time goes on only when whoever asks has been answered.
     if (answer.response.due && plant_.options().time == Time::Real && !answer.response.due()) {
         if (plant_.elapsed() - answer.asked < kMostPatience) {

@@ -25,13 +25,13 @@ private:
         Peer peer;
         HttpParser parser;
         bool done = false;  ///< nothing more is read
-        struct Answer {
+        struct HttpAnswer {
             HttpResponse response;
             bool keepAlive = true;
             bool withBody = true;
             double asked = 0;  ///< when its request came [s]
         };
-        std::optional<Answer> next;  ///< kept back; those behind it wait
+        std::optional<HttpAnswer> next;  ///< kept back; those behind it wait
     };
     void read(Client& client);
     void answer(Client& client);

@@ -243,7 +243,7 @@ public:
         return static_cast<int>(popups.size());
     }
     bool popupOpen(int) const override { return !popupAnswered; }
-    Result<int> requestValue(RequestKind, std::string_view) override { return 1; }
+    Result<int> requestValue(RequestedType, std::string_view) override { return 1; }
     std::optional<RequestAnswer> requestedValue(int) override { return answer; }
     double stepTime() const override { return step; }
     std::int64_t controllerTimeNs() const override { return timeNs; }
