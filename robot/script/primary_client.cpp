@@ -3,16 +3,12 @@
 
 #include <QTcpSocket>
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
-#include <string_view>
-#include <thread>
 
-#include "robot/core/native_socket.h"
-#include "robot/script/detail/primary_parser.h"
+#include "robot/script/detail/primary_listener.h"
 #include "robot/script/tcp_socket.h"
 
 namespace tiller::script {
@@ -22,12 +18,11 @@ using std::chrono::milliseconds;
 struct PrimaryClient::Private {
     PrimaryClientOptions options;
 
-    std::thread thread;
-    CancelToken cancel;
     std::atomic<bool> stopWanted{false};
 
     mutable std::mutex mutex;
     mutable std::condition_variable changed;
+    ListenerThread thread{mutex, changed};
     // All below under the mutex.
     std::deque<ControllerMessage> messages;
     PrimaryState state;
@@ -45,10 +40,8 @@ struct PrimaryClient::Private {
 };
 
 void PrimaryClient::Private::run() {
-    constexpr std::array<milliseconds, 4> kDelays{milliseconds(500), milliseconds(1000), milliseconds(2000),
-                                                  milliseconds(5000)};
     std::size_t attempt = 0;
-    while (!cancel.isCancelled()) {
+    while (!thread.cancel.isCancelled()) {
         const Error ended = listen();
         {
             const std::lock_guard lock(mutex);
@@ -59,7 +52,8 @@ void PrimaryClient::Private::run() {
             error = ended;
         }
         changed.notify_all();
-        if (!options.reconnect || !pauseFor(kDelays[std::min(attempt++, kDelays.size() - 1)])) {
+        if (!options.reconnect ||
+            !pauseFor(kReconnectDelays[std::min(attempt++, kReconnectDelays.size() - 1)])) {
             break;
         }
     }
@@ -71,7 +65,7 @@ void PrimaryClient::Private::run() {
 // Returns why the connection could not be made, or ended.
 Error PrimaryClient::Private::listen() {
     constexpr milliseconds kConnectTime(3000);
-    auto socket = openTcpSocket(options.host, options.port, Deadline::after(kConnectTime, cancel));
+    auto socket = openTcpSocket(options.host, options.port, Deadline::after(kConnectTime, thread.cancel));
     if (!socket) {
         return socket.error();
     }
@@ -83,42 +77,35 @@ Error PrimaryClient::Private::listen() {
     }
     const QString context = QStringLiteral("listen to %1:%2").arg(options.host).arg(options.port);
     const auto descriptor = static_cast<native_socket::Descriptor>((*socket)->socketDescriptor());
-    std::array<std::uint8_t, 8192> bytes;
-    PrimaryParser parser;
+    PrimaryReader reader;
     std::uint64_t malformedBefore = 0;
     // Short enough that the end of the thread is not felt in the 20 ms in which a cancel takes effect.
     constexpr milliseconds kPoll(5);
-    while (!cancel.isCancelled()) {
+    while (!thread.cancel.isCancelled()) {
         if (stopWanted.exchange(false, std::memory_order_acq_rel)) {
-            static constexpr std::string_view kStop = "stop program\n";
             // What is so short fits whenever anything does; a connection that takes nothing is told of
             // elsewhere.
-            (void)native_socket::send(descriptor,
-                                      {reinterpret_cast<const std::uint8_t*>(kStop.data()), kStop.size()});
+            (void)sendStopProgram(descriptor);
         }
-        if (!native_socket::waitReadable(descriptor, kPoll)) {
+        const native_socket::Status status = reader.read(descriptor, kPoll, *options.clock);
+        if (status == native_socket::Status::WouldBlock) {
             continue;
         }
-        const auto got = native_socket::receive(descriptor, bytes);
-        if (got.status == native_socket::Status::WouldBlock) {
-            continue;
+        if (status != native_socket::Status::Ok) {
+            return {
+                status == native_socket::Status::Closed ? ErrorCode::ConnectionClosed : ErrorCode::LinkLost,
+                context,
+                {}};
         }
-        if (got.status != native_socket::Status::Ok) {
-            return {got.status == native_socket::Status::Closed ? ErrorCode::ConnectionClosed
-                                                                : ErrorCode::LinkLost,
-                    context,
-                    {}};
-        }
-        const bool understood = parser.feed(std::span(bytes).first(got.bytes), options.clock->nowNs());
+        PrimaryParser& parser = reader.parser();
         {
             const std::lock_guard lock(mutex);
             malformed += parser.malformed() - malformedBefore;
             malformedBefore = parser.malformed();
         }
         publish(parser);
-        if (!understood) {
-            return {ErrorCode::ProtocolError, context,
-                    QStringLiteral("a package length that makes no sense")};
+        if (!reader.understands()) {
+            return PrimaryReader::notUnderstood(context);
         }
     }
     return {ErrorCode::Cancelled, context, {}};
@@ -143,7 +130,7 @@ void PrimaryClient::Private::publish(PrimaryParser& parser) {
 // False when it was cut short by stop().
 bool PrimaryClient::Private::pauseFor(milliseconds time) {
     std::unique_lock lock(mutex);
-    return !changed.wait_for(lock, time, [this] { return cancel.isCancelled(); });
+    return !changed.wait_for(lock, time, [this] { return thread.cancel.isCancelled(); });
 }
 
 PrimaryClient::PrimaryClient(const PrimaryClientOptions& options) : d_(std::make_unique<Private>()) {
@@ -155,28 +142,16 @@ PrimaryClient::~PrimaryClient() {
 }
 
 void PrimaryClient::start() {
-    if (d_->thread.joinable()) {
-        return;
-    }
-    {
-        const std::lock_guard lock(d_->mutex);
-        d_->running = true;
-        d_->error = {};
-    }
-    d_->cancel = CancelToken();
-    d_->thread = std::thread([this] { d_->run(); });
+    d_->thread.begin(
+        [this] {
+            d_->running = true;
+            d_->error = {};
+        },
+        [d = d_.get()] { d->run(); });
 }
 
 void PrimaryClient::stop() {
-    if (!d_->thread.joinable()) {
-        return;
-    }
-    {
-        const std::lock_guard lock(d_->mutex);
-        d_->cancel.cancel();
-    }
-    d_->changed.notify_all();
-    d_->thread.join();
+    d_->thread.end();
 }
 
 Result<void> PrimaryClient::waitForState(const Deadline& deadline) const {

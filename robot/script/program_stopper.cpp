@@ -2,16 +2,12 @@
 #include "robot/script/program_stopper.h"
 
 #include <algorithm>
-#include <array>
 #include <condition_variable>
 #include <mutex>
-#include <string_view>
-#include <thread>
 #include <utility>
 
-#include "robot/core/native_socket.h"
 #include "robot/core/tcp_connect.h"
-#include "robot/script/detail/primary_parser.h"
+#include "robot/script/detail/primary_listener.h"
 
 namespace tiller::script {
 
@@ -21,7 +17,6 @@ using std::chrono::milliseconds;
 
 namespace {
 
-constexpr std::string_view kStop = "stop program\n";
 constexpr int kReadOnlySocket = 210;
 constexpr std::int64_t kAskForNs = 2 * kNsPerSecond;
 /// A controller that was told tells within two of its states, 100 ms apart, that it stopped.
@@ -33,11 +28,9 @@ constexpr milliseconds kConnectTime(1000);
 struct ProgramStopper::Private {
     ProgramStopperOptions options;
 
-    std::thread thread;
-    CancelToken cancel;
-
     mutable std::mutex mutex;
     mutable std::condition_variable changed;
+    ListenerThread thread{mutex, changed};
     // All below under the mutex.
     bool running = false;
     Descriptor socket = -1;  ///< closed by the thread alone
@@ -71,9 +64,8 @@ void ProgramStopper::Private::send() {
     if (socket < 0 || anew) {
         return;
     }
-    const auto* bytes = reinterpret_cast<const std::uint8_t*>(kStop.data());
-    const native_socket::Transfer out = native_socket::send(socket, {bytes, kStop.size()});
-    if (out.status != Status::Ok || out.bytes != kStop.size()) {
+    const native_socket::Transfer out = sendStopProgram(socket);
+    if (out.status != Status::Ok || out.bytes != kStopProgram.size()) {
         anew = true;  // broken, or full because nobody reads
         return;
     }
@@ -127,13 +119,12 @@ void ProgramStopper::Private::hear(PrimaryParser& parser, std::uint64_t& package
 // The thread's own.
 
 void ProgramStopper::Private::run() {
-    constexpr std::array<milliseconds, 4> kDelays{milliseconds(500), milliseconds(1000), milliseconds(2000),
-                                                  milliseconds(5000)};
     // Who is hung up on at once is not to be asked a thousand times a second.
     constexpr milliseconds kBrief(50);
     std::size_t attempt = 0;
-    while (!cancel.isCancelled()) {
-        const auto opened = connectTcp(options.host, options.port, Deadline::after(kConnectTime, cancel));
+    while (!thread.cancel.isCancelled()) {
+        const auto opened =
+            connectTcp(options.host, options.port, Deadline::after(kConnectTime, thread.cancel));
         const auto since = std::chrono::steady_clock::now();
         Error ended;
         if (opened) {
@@ -153,7 +144,7 @@ void ProgramStopper::Private::run() {
         }
         changed.notify_all();
         if (!atOnce) {
-            pauseFor(kDelays[std::min(attempt++, kDelays.size() - 1)]);
+            pauseFor(kReconnectDelays[std::min(attempt++, kReconnectDelays.size() - 1)]);
         }
     }
     const std::lock_guard lock(mutex);
@@ -176,25 +167,20 @@ Error ProgramStopper::Private::listen(Descriptor descriptor) {
         }
         changed.notify_all();
     }
-    std::array<std::uint8_t, 8192> bytes;
-    PrimaryParser parser;
+    PrimaryReader reader;
     std::uint64_t packages = 0;
     constexpr milliseconds kPoll(10);
     Error ended{ErrorCode::ConnectionClosed, context(), {}};
     bool goesOn = true;
-    while (goesOn && !cancel.isCancelled()) {
-        const bool readable = native_socket::waitReadable(descriptor, kPoll);
-        if (readable) {
-            const auto got = native_socket::receive(descriptor, bytes);
-            if (got.status == Status::Ok && !parser.feed(std::span(bytes).first(got.bytes), now())) {
-                ended = {ErrorCode::ProtocolError, context(),
-                         QStringLiteral("a package length that makes no sense")};
-                goesOn = false;
-            }
-            goesOn = goesOn && (got.status == Status::Ok || got.status == Status::WouldBlock);
+    while (goesOn && !thread.cancel.isCancelled()) {
+        const Status status = reader.read(descriptor, kPoll, *options.clock);
+        goesOn = status == Status::Ok || status == Status::WouldBlock;
+        if (!reader.understands()) {
+            ended = PrimaryReader::notUnderstood(context());
+            goesOn = false;
         }
         const std::lock_guard lock(mutex);
-        hear(parser, packages);
+        hear(reader.parser(), packages);
         look();
         goesOn = goesOn && !anew;
     }
@@ -207,7 +193,7 @@ bool ProgramStopper::Private::pauseFor(milliseconds time) {
     // Shorter while a stop waits: the robot may be back any moment.
     constexpr milliseconds kWhileAsked(50);
     std::unique_lock lock(mutex);
-    const auto wanted = [this] { return cancel.isCancelled() || anew; };
+    const auto wanted = [this] { return thread.cancel.isCancelled() || anew; };
     const auto end = std::chrono::steady_clock::now() + time;
     while (!wanted() && std::chrono::steady_clock::now() < end) {
         if (asked) {
@@ -217,7 +203,7 @@ bool ProgramStopper::Private::pauseFor(milliseconds time) {
         changed.wait_until(lock, end, [&] { return wanted() || asked; });
     }
     anew = false;
-    return !cancel.isCancelled();
+    return !thread.cancel.isCancelled();
 }
 
 ProgramStopper::ProgramStopper(const ProgramStopperOptions& options) : d_(std::make_unique<Private>()) {
@@ -229,27 +215,11 @@ ProgramStopper::~ProgramStopper() {
 }
 
 void ProgramStopper::start() {
-    if (d_->thread.joinable()) {
-        return;
-    }
-    {
-        const std::lock_guard lock(d_->mutex);
-        d_->running = true;
-    }
-    d_->cancel = CancelToken();
-    d_->thread = std::thread([d = d_.get()] { d->run(); });
+    d_->thread.begin([this] { d_->running = true; }, [d = d_.get()] { d->run(); });
 }
 
 void ProgramStopper::end() {
-    if (!d_->thread.joinable()) {
-        return;
-    }
-    {
-        const std::lock_guard lock(d_->mutex);
-        d_->cancel.cancel();
-    }
-    d_->changed.notify_all();
-    d_->thread.join();
+    d_->thread.end();
 }
 
 void ProgramStopper::requestStop() {

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "robot/script/detail/primary_listener.h"
+
+#include <span>
+
+namespace tiller::script {
+
+using native_socket::Status;
+
+native_socket::Transfer sendStopProgram(native_socket::Descriptor descriptor) {
+    return native_socket::send(
+        descriptor, {reinterpret_cast<const std::uint8_t*>(kStopProgram.data()), kStopProgram.size()});
+}
+
+void ListenerThread::end() {
+    if (!thread_.joinable()) {
+        return;
+    }
+    {
+        const std::lock_guard lock(mutex_);
+        cancel.cancel();
+    }
+    changed_.notify_all();
+    thread_.join();
+}
+
+Status PrimaryReader::read(native_socket::Descriptor descriptor, std::chrono::milliseconds patience,
+                           const Clock& clock) {
+    if (!native_socket::waitReadable(descriptor, patience)) {
+        return Status::WouldBlock;
+    }
+    const auto got = native_socket::receive(descriptor, bytes_);
+    if (got.status == Status::Ok) {
+        understands_ = parser_.feed(std::span(bytes_).first(got.bytes), clock.nowNs());
+    }
+    return got.status;
+}
+
+Error PrimaryReader::notUnderstood(const QString& context) {
+    return {ErrorCode::ProtocolError, context, QStringLiteral("a package length that makes no sense")};
+}
+
+}  // namespace tiller::script
