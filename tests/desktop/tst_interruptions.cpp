@@ -7,26 +7,18 @@
 
 #include <QStandardPaths>
 
-#include "tests/desktop/desktop_test.h"
+#include "tests/desktop/interrupted_hold.h"
 
 namespace tiller::test {
 
-class TestInterruptions : public DesktopTest {
+class TestInterruptions : public InterruptedHold {
     Q_OBJECT
 
-    /// Holds "right" until the arm is under way.
-    void hold() {
-        holdBy([&] { hand().press(kRight); }, [&] { hand().release(kRight); });
+    /// By the key "right".
+    void hold() override {
+        holdBy([&] { hand().press(kRight); }, [&] { letGo(); });
     }
-    /// The arm stands although the key is still down, and goes on standing when the window is back and the
-    /// key is let go: a stopped jog needs a new press.
-    void verifyEndedForGood() {
-        verifyStands();
-        QVERIFY(cell().toTheFront());
-        QVERIFY2(arm().stays(0.3), "it moved again when the window came back");
-        hand().release(kRight);
-        QVERIFY2(arm().stays(0.3), "it moved again when the key was let go");
-    }
+    void letGo() override { hand().release(kRight); }
 
 private Q_SLOTS:
     void theKeyIsLetGo() {
@@ -61,21 +53,6 @@ private Q_SLOTS:
         QVERIFY(cell().armKeyboard());
         hold();
         hand().setFocus(other);
-        verifyEndedForGood();
-    }
-
-    void theDesktopIsSwitched() {
-        hold();
-        hand().switchDesktop(1);
-        verifyStands();
-        QCOMPARE(hand().desktop(), 1);
-        hand().switchDesktop(0);
-        verifyEndedForGood();
-    }
-
-    void theWindowIsMinimised() {
-        hold();
-        hand().iconify(cell().place("mainWindow").window);
         verifyEndedForGood();
     }
 
@@ -115,40 +92,6 @@ private Q_SLOTS:
         hand().release(kRight);
         cell().program().signal(SIGCONT);
         QVERIFY2(arm().stays(1), "it moved again when the program went on");
-    }
-
-    void theProgramIsFrozenAndTheKeyStillDownWhenItGoesOn() {
-        hold();
-        cell().program().signal(SIGSTOP);
-        verifyStands();
-        cell().program().signal(SIGCONT);
-        QVERIFY2(arm().stays(1), "it moved again when the program went on");
-    }
-
-    void theProgramIsKilled() {
-        hold();
-        useUp();
-        cell().program().signal(SIGKILL);
-        verifyStands();
-    }
-
-    // A remote desktop whose connection hangs looks like this too: no release can arrive any more.
-    void theDisplayServerIsFrozen() {
-        hold();
-        cell().display().signal(SIGSTOP);
-        verifyStands();
-        cell().display().signal(SIGCONT);
-        QVERIFY2(arm().stays(1), "it moved again when the display came back");
-    }
-
-    // Some programs do this for as long as a menu of theirs is open: the server answers nobody else.
-    void anotherProgramTakesTheServerForItself() {
-        XHand other(cell().displayName());
-        hold();
-        other.grabServer();
-        verifyStands();
-        other.ungrabServer();
-        QVERIFY2(arm().stays(0.5), "it moved again when the server answered again");
     }
 
     // A program tells the window of a press that no hand made: of its release it would never be told.

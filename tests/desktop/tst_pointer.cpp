@@ -3,32 +3,24 @@
 // A key of the pad held with a real mouse button: everything but plain holding ends the motion, and nothing
 // but a new press begins another.
 
-#include <signal.h>
-
-#include "tests/desktop/desktop_test.h"
+#include "tests/desktop/interrupted_hold.h"
 
 namespace tiller::test {
 
-class TestPointer : public DesktopTest {
+class TestPointer : public InterruptedHold {
     Q_OBJECT
 
+    void hold() override { hold("jog.X+"); }
     /// Holds this key with the left button until the arm is under way.
-    void hold(const QString& name = "jog.X+") {
+    void hold(const QString& name) {
         QVERIFY2(cell().until([&] { return cell().place(name).enabled; }),
                  qPrintable(cell().place(name).toolTip));
         area_ = cell().place(name).area;
         hand().moveTo(area_.center());
-        holdBy([&] { hand().button(1, true); }, [&] { hand().button(1, false); });
+        holdBy([&] { hand().button(1, true); }, [&] { letGo(); });
     }
-    /// The arm stands with the button still down, and nothing but a new press moves it again.
-    void verifyEndedForGood() {
-        verifyStands();
-        QVERIFY(cell().toTheFront());
-        hand().moveTo(area_.center() + QPoint(3, 3));
-        QVERIFY2(arm().stays(0.3), "it moved again while the button was still down");
-        hand().button(1, false);
-        QVERIFY2(arm().stays(0.3), "it moved again when the button was let go");
-    }
+    void letGo() override { hand().button(1, false); }
+    void comeBack() override { hand().moveTo(area_.center() + QPoint(3, 3)); }
 
 private Q_SLOTS:
     // On a screen smaller than the window would like to be.
@@ -107,14 +99,16 @@ private Q_SLOTS:
         verifyEndedForGood();
     }
 
-    // Two hands at once: the mouse on the pad, the other on the armed keyboard.
-    void aKeyOfTheKeyboardJoinsIn_data() {
+    // Two hands at once, the mouse on the pad and the other on the armed keyboard; or it presses a key that stops.
+    void aKeyOfTheKeyboardIsPressed_data() {
         QTest::addColumn<int>("code");
         QTest::newRow("arrow") << int(kUp);
         QTest::newRow("Home") << int(kHome);
         QTest::newRow("F") << int(kLetterF);
+        QTest::newRow("Esc") << int(kEscape);
+        QTest::newRow("Space") << int(kSpace);
     }
-    void aKeyOfTheKeyboardJoinsIn() {
+    void aKeyOfTheKeyboardIsPressed() {
         QFETCH(int, code);
         hold();
         hand().press(code);
@@ -156,20 +150,6 @@ private Q_SLOTS:
         }
     }
 
-    void aStopKeyIsPressed_data() {
-        QTest::addColumn<int>("code");
-        QTest::newRow("Esc") << int(kEscape);
-        QTest::newRow("Space") << int(kSpace);
-    }
-    void aStopKeyIsPressed() {
-        QFETCH(int, code);
-        hold();
-        hand().press(code);
-        verifyStands();
-        hand().release(code);
-        verifyEndedForGood();
-    }
-
     void aDialogOpensByItsKey() {
         hold();
         hand().press(kControl);
@@ -189,52 +169,6 @@ private Q_SLOTS:
         hold();
         hand().openWindow({500, 300});
         verifyEndedForGood();
-    }
-
-    void theDesktopIsSwitched() {
-        hold();
-        hand().switchDesktop(1);
-        verifyStands();
-        hand().switchDesktop(0);
-        verifyEndedForGood();
-    }
-
-    void theWindowIsMinimised() {
-        hold();
-        hand().iconify(cell().place("mainWindow").window);
-        verifyEndedForGood();
-    }
-
-    void theDisplayServerIsFrozen() {
-        hold();
-        cell().display().signal(SIGSTOP);
-        verifyStands();
-        cell().display().signal(SIGCONT);
-        verifyEndedForGood();
-    }
-
-    void anotherProgramTakesTheServerForItself() {
-        XHand other(cell().displayName());
-        hold();
-        other.grabServer();
-        verifyStands();
-        other.ungrabServer();
-        verifyEndedForGood();
-    }
-
-    void theProgramIsFrozen() {
-        hold();
-        cell().program().signal(SIGSTOP);
-        verifyStands();
-        cell().program().signal(SIGCONT);
-        verifyEndedForGood();
-    }
-
-    void theProgramIsKilled() {
-        hold();
-        useUp();
-        cell().program().signal(SIGKILL);
-        verifyStands();
     }
 
 private:
