@@ -27,7 +27,7 @@ namespace tiller::test {
 
 /// A robot under control that has just hung, and servers that take clients and say nothing.
 struct MuteWorld {
-    Cell cell;
+    Cell cell{[](simulator::SimulatorOptions& options) { options.software = {5, 25, 1, 0}; }};  // has it all
     RawPeer mute{[](RawPeer::Link& link) { link.beMute(); }};
     RawPeer greets{[](RawPeer::Link& link) {
         link.send("Connected: Universal Robots Dashboard Server\n");
@@ -152,6 +152,10 @@ inline std::vector<BlockingCall> blockingCalls() {
     add("packet loop speedL", [](MuteWorld& w, D d) {
         const auto hold = [](const CycleState&) { return std::optional(Twist()); };
         return PacketLoop(w.controller()).speedL(hold, {}, d).error();
+    });
+    add("packet loop torque", [](MuteWorld& w, D d) {
+        const auto none = [](const CycleState&) { return std::optional(JointTorques()); };
+        return PacketLoop(w.controller()).torque(none, {}, d).error();
     });
     add("Motion::wait", [](MuteWorld& w, D d) {
         const auto motion = Motions(w.controller()).startSpeedJ({}, Holding::Free);

@@ -45,6 +45,13 @@ JointPositions turned(const ContractCell& cell, double by) {
     return q;
 }
 
+/// What leads the base to about kTurn, and holds it there [Nm].
+double turningTorque(const ContractCell& cell) {
+    constexpr double kGain = 40;            // [Nm s/rad]
+    constexpr double kAimed = 1.2 * kTurn;  // friction takes the rest
+    return kGain * (kAimed - cell.robot.truth().qd[0]);
+}
+
 Error beginJog(ContractCell& cell, const JogTarget& target) {
     const auto jog = Motions(*cell.controller).startJog(target);
     cell.jog = jog ? *jog : Jog();
@@ -186,6 +193,12 @@ const std::vector<ContractMotion>& contractMotions() {
              return stream(c, Motions(*c.controller).startSpeedL(), [] { return up().twist; });
          },
          feed},
+        {"torque", "direct_torque", false, false, 0.07,
+         [](ContractCell& c) {
+             return stream(c, Motions(*c.controller).startTorque(),
+                           [&c] { return JointTorques(turningTorque(c), 0, 0, 0, 0, 0); });
+         },
+         feed, false, SoftwareVersion{5, 25, 1, 0}},
         {"freedrive", nullptr, true, false, 0.03,
          [](ContractCell& c) { return take(c, Compliance(*c.controller).startFreedrive({}, Holding::Held)); },
          holdMove, true},

@@ -75,6 +75,8 @@ struct ContractMotion {
     std::function<Error(ContractCell&)> begin;
     std::function<void(ContractCell&)> hold;
     bool yields = false;  ///< force mode or freedrive is on
+    SoftwareVersion
+        since{};  ///< the first software that has it, where that is newer than the simulator's own
 };
 
 const std::vector<ContractMotion>& contractMotions();

@@ -170,6 +170,16 @@ std::map<QString, Way> everyWay(Controller& c) {
                                   Deadline::never()));
     };
 
+    ways["torque"] = [&c] {
+        well(PacketLoop(c).torque(
+            [](const CycleState& now) -> std::optional<JointTorques> {
+                constexpr double kGain = 60;             // [Nm s/rad]
+                constexpr double kAimed = 1.15 * kTurn;  // friction takes the rest
+                return JointTorques(kGain * (kAimed - now.qd[0]), 0, 0, 0, 0, 0);
+            },
+            {}, Deadline::never()));
+    };
+
     ways["freedrive"] = held(c, [&c] { return Compliance(c).startFreedrive({}, Holding::Held); });
     ways["teach mode"] = held(c, [&c] { return Compliance(c).startTeachMode(Holding::Held); });
     ways["force mode"] = [&c, on = false]() mutable { on = on || pushUpwards(c); };

@@ -59,6 +59,7 @@ private Q_SLOTS:
         row("servoC", kFast);
         row("speedJ", kFast);
         row("speedL", kFast);
+        row("torque", kFast);
         // The hand goes on pushing: an arm that stands has left freedrive.
         row("freedrive", 0.05, true);
         row("teach mode", 0.05, true);
@@ -78,6 +79,9 @@ private Q_SLOTS:
         QFETCH(bool, hand);
         QFETCH(ScriptState, end);
         simulator::SimulatorOptions options;
+        if (way == QLatin1String("torque")) {
+            options.software = {5, 25, 1, 0};
+        }
         options.anyFreePorts = true;
         options.poweredOn = true;
         options.startJoints = JointPositions(-1.57, -1.2, -2.3, -1.2, 1.57, 0);

@@ -11,6 +11,19 @@ using namespace tiller;
 using namespace tiller::control;
 using namespace tiller::test;
 
+namespace {
+
+void hasTorque(simulator::SimulatorOptions& options) {
+    options.software = {5, 25, 1, 0};
+}
+
+/// Turns the base, a little against friction [Nm].
+JointTorques turning(double torque) {
+    return JointTorques(torque, 0, 0, 0, 0, 0);
+}
+
+}  // namespace
+
 class TestSetpoints : public QObject {
     Q_OBJECT
 
@@ -266,6 +279,198 @@ private Q_SLOTS:
         QVERIFY(cell.stepMs(1500));
         QVERIFY((cell.tcp().position - target.position).norm() < 2e-3);
         QVERIFY2(fastest < 0.105, qPrintable(QString::number(fastest)));
+    }
+
+    void torquesMoveTheArmAndTheirEndIsDamped() {
+        Cell cell(hasTorque);
+        QVERIFY(cell.takeControl().ok());
+        Motions motions(*cell.controller);
+        const JointPositions start = cell.robot.truth().q;
+        auto stream = motions.startTorque({}, Holding::Free);
+        QVERIFY2(stream.ok(), why(stream));
+        // Without any the arm holds its place.
+        QVERIFY(cell.stepMs(300));
+        QVERIFY((cell.robot.truth().q.values - start.values).norm() < 1e-3);
+        // With none too: gravity is the controller's affair.
+        for (int i = 0; i < 100; ++i) {
+            QVERIFY(stream->send(JointTorques()).ok());
+            QVERIFY(cell.step());
+        }
+        QVERIFY((cell.robot.truth().q.values - start.values).norm() < 1e-3);
+        for (int i = 0; i < 500 && cell.robot.truth().qd[0] < 0.2; ++i) {
+            QVERIFY(stream->send(turning(8)).ok());
+            QVERIFY(cell.step());
+        }
+        QVERIFY(cell.robot.truth().qd[0] >= 0.2);
+        QVERIFY(stream->isActive());
+
+        cell.controller->stop();
+        QCOMPARE(stream->send(turning(8)).error().code, ErrorCode::Stopped);
+        // As fast as damping makes it, at first: position control would take the arm at its speed and brake
+        // evenly.
+        double last = cell.robot.truth().qd[0];
+        for (int i = 0; i < 100 && !cell.isStanding(); ++i) {
+            QVERIFY(cell.step());
+            const double now = cell.robot.truth().qd[0];
+            QVERIFY2(now < last + 0.02, qPrintable(QString::number(now)));
+            last = now;
+        }
+        QVERIFY(cell.isStanding());
+        const JointPositions rest = cell.robot.truth().q;
+        QVERIFY(cell.stepMs(300));
+        QVERIFY((cell.robot.truth().q.values - rest.values).norm() < 1e-3);
+
+        // And whatever comes next begins from there.
+        const auto back = motions.moveJ(start, {0.5, 1.4, Holding::Free});
+        QVERIFY2(back.ok(), why(back));
+        QVERIFY(cell.during([&] { return back->wait(patience()); }).ok());
+        QVERIFY((cell.robot.truth().q.values - start.values).norm() < 1e-3);
+    }
+
+    void heldTorquesThatAreNotRenewedEnd() {
+        Cell cell(hasTorque);
+        QVERIFY(cell.takeControl().ok());
+        auto stream = Motions(*cell.controller).startTorque();
+        QVERIFY2(stream.ok(), why(stream));
+        for (int i = 0; i < 20; ++i) {
+            QVERIFY(stream->send(turning(5)).ok());
+            QVERIFY(cell.step());
+        }
+        QVERIFY(stream->isActive());
+        QVERIFY(cell.stepMs(104));
+        QCOMPARE(stream->motion().state().cause, StopCause::EventLoopStalled);
+        QVERIFY(cell.standsWithinMs(150));
+    }
+
+    void torquesEndAboveTheCap() {
+        Cell cell(hasTorque);
+        QVERIFY(cell.takeControl().ok());
+        Motions motions(*cell.controller);
+        auto stream = motions.startTorque({}, Holding::Free);
+        QVERIFY2(stream.ok(), why(stream));
+        double fastest = 0;
+        cell.everyTick = [&] { fastest = std::max(fastest, cell.robot.truth().tcpSpeed.linear.norm()); };
+        for (int i = 0; i < 1000 && stream->isActive(); ++i) {
+            (void)stream->send(turning(20));
+            QVERIFY(cell.step());
+        }
+        QCOMPARE(stream->motion().state().cause, StopCause::LimitReached);
+        QCOMPARE(cell.controller->status().limiter.kind, LimiterKind::TcpSpeed);
+        const auto ended = stream->motion().wait(patience());
+        QCOMPARE(ended.error().code, ErrorCode::LimitExceeded);
+        QVERIFY2(ended.error().controllerMessage.contains(QStringLiteral("setSpeedCap")), why(ended));
+        QVERIFY(cell.standsWithinMs(150));
+        QVERIFY2(fastest > 0.24 && fastest < 0.35, qPrintable(QString::number(fastest)));
+        QVERIFY(cell.controller->status().inControl);
+
+        // Under another cap it ends elsewhere.
+        QVERIFY(cell.controller->setSpeedCap(0.1).ok());
+        stream = motions.startTorque({}, Holding::Free);
+        QVERIFY2(stream.ok(), why(stream));
+        fastest = 0;
+        for (int i = 0; i < 1000 && stream->isActive(); ++i) {
+            (void)stream->send(turning(-20));
+            QVERIFY(cell.step());
+        }
+        QCOMPARE(stream->motion().state().cause, StopCause::LimitReached);
+        QVERIFY(cell.standsWithinMs(150));
+        QVERIFY2(fastest < 0.2, qPrintable(QString::number(fastest)));
+    }
+
+    void torquesTheJointsCannotGiveAreRefused() {
+        Cell cell(hasTorque);
+        QVERIFY(cell.takeControl().ok());
+        Motions motions(*cell.controller);
+        const JointPositions start = cell.robot.truth().q;
+        auto stream = motions.startTorque({}, Holding::Free);
+        QVERIFY2(stream.ok(), why(stream));
+        const auto tooMuch = stream->send(turning(151));
+        QCOMPARE(tooMuch.error().code, ErrorCode::LimitExceeded);
+        QVERIFY2(tooMuch.error().controllerMessage.contains(QStringLiteral("Base")), why(tooMuch));
+        const auto wrist = stream->send(JointTorques(0, 0, 0, 0, 0, -29));
+        QCOMPARE(wrist.error().code, ErrorCode::LimitExceeded);
+        QVERIFY2(wrist.error().controllerMessage.contains(QStringLiteral("Wrist 3")), why(wrist));
+        QCOMPARE(stream->send(JointTorques(0, std::nan(""), 0, 0, 0, 0)).error().code,
+                 ErrorCode::InvalidArgument);
+        TorqueParameters friction;
+        friction.coulombScale[2] = 1.1;
+        const auto scaled = stream->send(JointTorques(), friction);
+        QCOMPARE(scaled.error().code, ErrorCode::LimitExceeded);
+        QVERIFY2(scaled.error().controllerMessage.contains(QStringLiteral("coulombScale")), why(scaled));
+        friction.coulombScale[2] = std::nan("");
+        QCOMPARE(motions.startTorque(friction).error().code, ErrorCode::InvalidArgument);
+        QVERIFY(stream->isActive());
+        QVERIFY(cell.stepMs(100));
+        QVERIFY((cell.robot.truth().q.values - start.values).norm() < 1e-3);
+    }
+
+    // What the joints can give is a matter of the arm, whatever model was named.
+    void theTorquesOfTheConnectedArmCount() {
+        Cell cell([](simulator::SimulatorOptions& options) {
+            hasTorque(options);
+            options.model = RobotModelId::UR3e;
+        });
+        QVERIFY(cell.takeControl().ok());
+        auto stream = Motions(*cell.controller).startTorque({}, Holding::Free);
+        QVERIFY2(stream.ok(), why(stream));
+        QCOMPARE(stream->send(turning(55)).error().code, ErrorCode::LimitExceeded);
+        QVERIFY(stream->send(turning(1)).ok());
+    }
+
+    void softwareWithoutTorquesIsNamed_data() {
+        QTest::addColumn<int>("major");
+        QTest::addColumn<int>("minor");
+        QTest::addColumn<int>("bugfix");
+        QTest::addColumn<QString>("said");
+        QTest::newRow("e-Series") << 5 << 25 << 0
+                                  << "software 5.25.0: it needs 5.25.1 or newer, on PolyScope X 10.12.1";
+        QTest::newRow("older e-Series") << 5 << 22 << 1 << "software 5.22.1: it needs 5.25.1";
+        QTest::newRow("PolyScope X") << 10 << 12 << 0 << "software 10.12.0: it needs";
+        QTest::newRow("CB3") << 3 << 15 << 8 << "software 3.15.8: this series does not have it";
+    }
+    void softwareWithoutTorquesIsNamed() {
+        QFETCH(int, major);
+        QFETCH(int, minor);
+        QFETCH(int, bugfix);
+        QFETCH(QString, said);
+        Cell cell([&](simulator::SimulatorOptions& options) {
+            options.software = {static_cast<std::uint32_t>(major), static_cast<std::uint32_t>(minor),
+                                static_cast<std::uint32_t>(bugfix), 0};
+            options.model = major == 3 ? RobotModelId::UR5 : RobotModelId::UR5e;
+        });
+        QCOMPARE(cell.motions().startTorque().error().code, ErrorCode::NotInControl);
+        const auto taken = cell.takeControl();
+        QVERIFY2(taken.ok(), why(taken));
+        const auto refused = cell.motions().startTorque();
+        QCOMPARE(refused.error().code, ErrorCode::VersionUnsupported);
+        QVERIFY2(refused.error().controllerMessage.contains(said), why(refused));
+        QCOMPARE(cell.controller->status().motion, kNoMotion);
+        QVERIFY(cell.step(5));
+        QVERIFY(cell.isStanding());
+    }
+
+    void thePacketLoopGivesTorques() {
+        Cell cell(hasTorque);
+        QVERIFY(cell.takeControl().ok());
+        const JointPositions start = cell.robot.truth().q;
+        // Holds a speed; the arm goes on with it for about 0.08 rad.
+        const auto steady = [&](const CycleState& state) -> std::optional<JointTorques> {
+            constexpr double kGain = 40;  // [Nm s/rad]
+            return state.time < 0.5 ? std::optional(turning(kGain * (0.2 - state.qd[0]))) : std::nullopt;
+        };
+        CycleReport report;
+        const auto ended =
+            cell.during([&] { return PacketLoop(*cell.controller).torque(steady, {}, patience(), &report); });
+        QVERIFY2(ended.ok(), why(ended));
+        QCOMPARE(report.motion.kind(), MotionKind::Torque);
+        QVERIFY(cell.standsWithinMs(200));
+        const double turned = cell.robot.truth().q[0] - start[0];
+        QVERIFY2(turned > 0.04 && turned < 0.12, qPrintable(QString::number(turned)));
+        const auto jump = [](const CycleState&) { return std::optional(turning(200)); };
+        QCOMPARE(cell.during([&] { return PacketLoop(*cell.controller).torque(jump, {}, patience()); })
+                     .error()
+                     .code,
+                 ErrorCode::LimitExceeded);
     }
 
     void thePacketLoopAnswersEveryPacket() {

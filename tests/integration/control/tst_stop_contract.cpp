@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "tests/integration/control/contract_cell.h"
@@ -84,9 +85,12 @@ Q_DECLARE_METATYPE(tiller::SoftwareVersion)
 class TestStopContract : public QObject {
     Q_OBJECT
 
+    /// software  none: one that has this motion
     static void check(const ContractMotion& motion, const ContractEvent& event, const QString& words,
                       double slider, QStringList& problems,
-                      const SoftwareVersion& software = simulator::SimulatorOptions().software) {
+                      const std::optional<SoftwareVersion>& given = std::nullopt) {
+        const SoftwareVersion software =
+            given.value_or(std::max(simulator::SimulatorOptions().software, motion.since));
         // Where forces go on in a pause, and the process dies in it, nobody is left who could end them: the
         // program stands still and the PC is gone.
         if (motion.yields && event.losesBoth && words.contains(QLatin1String("pause=frees"))) {
@@ -153,12 +157,12 @@ private Q_SLOTS:
                 check(i % motions, i / motions, words, slider, problems);
             }
         } else {
-            // Of two numbers without a common divisor every pair comes round, and so do all motions and
-            // events.
+            // Each one is another motion and another event than the one before, and every pair comes round.
             QRandomGenerator random(kSeed + static_cast<quint32>(qHash(words + QString::number(slider), 0)));
             std::size_t at = random.bounded(static_cast<quint32>(motions * events));
             for (int i = 0; i < cells; ++i, ++at) {
-                check(at % motions, at % events, words, slider, problems);
+                const std::size_t motion = at % motions;
+                check(motion, (at / motions + motion) % events, words, slider, problems);
             }
         }
         report(problems);
