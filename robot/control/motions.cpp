@@ -6,6 +6,7 @@
 
 #include "robot/control/detail/argument_check.h"
 #include "robot/control/detail/controller_private.h"
+#include "robot/control/detail/setpoint_command.h"
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/kinematics/speed_bounds.h"
 
@@ -235,6 +236,24 @@ Result<MotionPath> fitted(const MotionPath& path, const ArmLimits& arm, const Co
     return out;
 }
 
+template <class Parameters>
+Result<Motion> startStream(Controller& controller, ScriptCommand what, MotionKind kind,
+                           const Parameters& parameters, Holding holding) {
+    auto& d = ControllerAccess::of(controller);
+    const std::uint64_t stops = d.mailbox.epoch().stops();
+    const QString context = QStringLiteral("start a stream");
+    if (const Error error = rulesOf(controller).check(parameters); error.code != ErrorCode::None) {
+        return error;
+    }
+    if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
+        return error;
+    }
+    MotionCommand command = program(what, holding);
+    fill(command, parameters, d.program.version().controlPeriod());
+    const auto id = d.start(command, stops, context);
+    return id ? MotionAccess::make(controller, *id, kind) : Result<Motion>(id.error());
+}
+
 }  // namespace
 
 Result<Motion> Motions::moveJ(const JointPositions& target, const MoveParameters& parameters) {
@@ -374,6 +393,61 @@ Result<Jog> Motions::startJog(const JogTarget& target, Holding holding) {
     const bool turnsJoints = target.kind == JogTarget::Kind::Joint;
     return Jog(MotionAccess::make(*controller_, *id,
                                   turnsJoints ? MotionKind::JogJoints : MotionKind::JogCartesian));
+}
+
+Result<JointServo> Motions::startServoJ(const ServoParameters& parameters, Holding holding) {
+    const auto motion =
+        startStream(*controller_, ScriptCommand::ServoJ, MotionKind::ServoJ, parameters, holding);
+    return motion ? Result<JointServo>(JointServo(*motion, parameters)) : motion.error();
+}
+
+Result<PoseServo> Motions::startServoL(const ServoParameters& parameters, Holding holding) {
+    const auto motion =
+        startStream(*controller_, ScriptCommand::ServoL, MotionKind::ServoL, parameters, holding);
+    return motion ? Result<PoseServo>(PoseServo(*motion, parameters)) : motion.error();
+}
+
+Result<CircularServo> Motions::startServoC(const CircularServoParameters& parameters, Holding holding) {
+    auto& d = ControllerAccess::of(*controller_);
+    if (const auto known = d.program.knows("servoc", QStringLiteral("start a stream")); !known) {
+        return known.error();
+    }
+    const auto motion =
+        startStream(*controller_, ScriptCommand::ServoC, MotionKind::ServoC, parameters, holding);
+    return motion ? Result<CircularServo>(CircularServo(*motion, parameters)) : motion.error();
+}
+
+Result<JointSpeed> Motions::startSpeedJ(const SpeedParameters& parameters, Holding holding) {
+    const auto motion =
+        startStream(*controller_, ScriptCommand::SpeedJ, MotionKind::SpeedJ, parameters, holding);
+    return motion ? Result<JointSpeed>(JointSpeed(*motion, parameters)) : motion.error();
+}
+
+Result<ToolSpeed> Motions::startSpeedL(const SpeedParameters& parameters, Holding holding) {
+    const auto motion =
+        startStream(*controller_, ScriptCommand::SpeedL, MotionKind::SpeedL, parameters, holding);
+    return motion ? Result<ToolSpeed>(ToolSpeed(*motion, parameters)) : motion.error();
+}
+
+Result<JointTorque> Motions::startTorque(const TorqueParameters& parameters, Holding holding) {
+    constexpr SoftwareVersion kESeries{5, 25, 1, 0};
+    constexpr SoftwareVersion kPolyScopeX{10, 12, 1, 0};
+    const QString context = QStringLiteral("start a stream");
+    auto& d = ControllerAccess::of(*controller_);
+    if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
+        return error;  // without control the version is not known
+    }
+    if (const auto known = d.program.needs(kESeries, {}, context, kPolyScopeX); !known) {
+        return known.error();
+    }
+    for (const char* name : {"direct_torque", "get_mass_matrix"}) {
+        if (const auto known = d.program.knows(name, context); !known) {
+            return known.error();
+        }
+    }
+    const auto motion =
+        startStream(*controller_, ScriptCommand::Torque, MotionKind::Torque, parameters, holding);
+    return motion ? Result<JointTorque>(JointTorque(*motion, parameters)) : motion.error();
 }
 
 Result<Motion> Motions::stopJ(double deceleration, StopCause cause) {
