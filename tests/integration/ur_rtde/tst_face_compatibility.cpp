@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What programs written for ur_rtde 1.5.8 count on beyond names and types: what it throws, what it answers
 // when nothing runs, what it does during a stop.
+#include <ur_rtde/dashboard_client.h>
 #include <ur_rtde/rtde_control_interface.h>
 
 #include <QTest>
@@ -82,6 +83,41 @@ private Q_SLOTS:
         cell_->robot.emergencyStop(true);
         QVERIFY(until([&] { return cell_->robot.truth().safetyMode != SafetyMode::Normal; }));
         QVERIFY_EXCEPTION_THROWN(RTDEControlInterface{cell_->host()}, std::logic_error);
+    }
+
+    void theConstructorSaysWhatStandsInTheWay_data() {
+        QTest::addColumn<QByteArray>("word");
+        QTest::newRow("local") << QByteArray("local control");
+        QTest::newRow("powered off") << QByteArray("POWER_OFF");
+        QTest::newRow("protective stop") << QByteArray("PROTECTIVE_STOP");
+        QTest::newRow("emergency stop") << QByteArray("EMERGENCY_STOP");
+    }
+    void theConstructorSaysWhatStandsInTheWay() {
+        QFETCH(QByteArray, word);
+        const QByteArray trouble = QTest::currentDataTag();
+        control_->stopScript();
+        control_.reset();
+        if (trouble == "local") {
+            cell_->robot.setRemoteControl(false);
+        } else if (trouble == "powered off") {
+            ur_rtde::DashboardClient pendant(cell_->host());
+            pendant.connect();
+            pendant.powerOff();
+            QVERIFY(until([&] { return cell_->robot.truth().robotMode == RobotMode::PowerOff; }));
+        } else if (trouble == "protective stop") {
+            QVERIFY(cell_->robot.inject("protective-stop").ok());
+            QVERIFY(until([&] { return cell_->robot.truth().safetyMode != SafetyMode::Normal; }));
+        } else {
+            cell_->robot.emergencyStop(true);
+            QVERIFY(until([&] { return cell_->robot.truth().safetyMode != SafetyMode::Normal; }));
+        }
+        QByteArray told;
+        try {
+            const RTDEControlInterface never{cell_->host()};
+        } catch (const std::logic_error& error) {
+            told = error.what();
+        }
+        QVERIFY2(told.contains(word), told.constData());
     }
 
     void duringAProtectiveStopTheProgramIsHandedOver() {
