@@ -107,6 +107,7 @@ using NativeJointServo = NativeStream<JointServo, JointPositions>;
 using NativePoseServo = NativeStream<PoseServo, Pose>;
 using NativeJointSpeed = NativeStream<JointSpeed, JointVelocities>;
 using NativeToolSpeed = NativeStream<ToolSpeed, Twist>;
+using NativeJointTorque = NativeStream<JointTorque, JointTorques>;
 
 template <class Stream>
 void defineStream(py::module_& module, const char* name) {
@@ -210,6 +211,8 @@ py::dict packetLoop(const SharedController& controller, const std::string& kind,
             result = loop.servoL(as([](const Six& v) { return Pose::fromArray(v); }), {}, deadline, &report);
         } else if (kind == "speed_j") {
             result = loop.speedJ(as([](const Six& v) { return JointVelocities(v); }), {}, deadline, &report);
+        } else if (kind == "torque") {
+            result = loop.torque(as([](const Six& v) { return JointTorques(v); }), {}, deadline, &report);
         } else {
             result = loop.speedL(as([](const Six& v) { return twistOf(v); }), {}, deadline, &report);
         }
@@ -345,6 +348,14 @@ void defineMotions(ControllerClass& cls) {
         return std::make_unique<NativeToolSpeed>(
             self, taken(Motions(self->controller).startSpeedL({.acceleration = acceleration})));
     });
+    cls.def("torque", [](const SharedController& self, const std::optional<Six>& viscousScale,
+                         const std::optional<Six>& coulombScale) {
+        TorqueParameters friction;
+        friction.viscousScale = viscousScale.value_or(friction.viscousScale);
+        friction.coulombScale = coulombScale.value_or(friction.coulombScale);
+        return std::make_unique<NativeJointTorque>(self,
+                                                   taken(Motions(self->controller).startTorque(friction)));
+    });
     cls.def("jog", [](const SharedController& self, const std::string& frame, const Six& velocity,
                       const Six& customFrame, double contactForce) {
         return std::make_unique<NativeJog>(self, jogTarget(frame, velocity, customFrame, contactForce));
@@ -451,6 +462,7 @@ void defineControl(py::module_& module) {
     defineStream<NativePoseServo>(module, "PoseServo");
     defineStream<NativeJointSpeed>(module, "JointSpeed");
     defineStream<NativeToolSpeed>(module, "ToolSpeed");
+    defineStream<NativeJointTorque>(module, "JointTorque");
 
     ControllerClass cls(module, "Controller");
     cls.def(py::init([](const std::string& host, int portOffset, bool upperRegisters, int priority,

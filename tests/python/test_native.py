@@ -36,8 +36,10 @@ def until(condition):
 
 
 class VirtualCase(unittest.TestCase):
+    software = ""  # the simulator's own
+
     def setUp(self):
-        self.simulator = tiller.Simulator(virtual=True).start()
+        self.simulator = tiller.Simulator(virtual=True, software=self.software).start()
         self.addCleanup(self.simulator.stop)
         self.robot = self.simulator.robot(timeout=PATIENCE)
         self.addCleanup(self.robot.close)
@@ -330,6 +332,64 @@ class TestMotion(VirtualCase):
         self.assertTrue(self.simulator.truth["digital_outputs"] & 4)
         with self.assertRaises(errors.ScriptError):
             self.robot.run_function("b = = 2", timeout=PATIENCE)
+
+
+class TestTorque(VirtualCase):
+    software = "5.25.1"
+
+    def setUp(self):
+        super().setUp()
+        self.take_control()
+
+    def test_torques_move_the_arm_and_end_with_their_block(self):
+        q = self.robot.state.q
+        with self.robot.torque(coulomb_scale=[0.8] * 6) as stream:
+            for _ in range(30):
+                stream.send([8, 0, 0, 0, 0, 0])
+                self.simulator.step(0.004)
+            self.assertGreater(self.simulator.truth["qd"][0], 0.05)
+            self.assertTrue(stream.active)
+        self.assert_brakes()
+        self.assertGreater(self.simulator.truth["q"][0], q[0])
+        self.assertEqual(stream.cause, "ApiCall")
+
+    def test_torques_end_at_the_speed_cap(self):
+        stream = self.robot.torque()
+        with self.assertRaises(errors.Stopped):
+            for _ in range(500):
+                stream.send([25, 0, 0, 0, 0, 0])
+                self.simulator.step(0.002)
+        self.assertEqual(stream.cause, "LimitReached")
+        self.assert_brakes()
+
+    def test_wrong_torques_are_refused(self):
+        stream = self.robot.torque()
+        with self.assertRaisesRegex(errors.LimitExceeded, "Wrist 1"):
+            stream.send([0, 0, 0, 30, 0, 0])
+        with self.assertRaises(errors.InvalidArgument):
+            stream.send([0, math.nan, 0, 0, 0, 0])
+        with self.assertRaisesRegex(errors.LimitExceeded, "viscousScale"):
+            self.robot.torque([2, 0, 0, 0, 0, 0])
+        stream.stop()
+
+    def test_packet_loops_give_torques(self):
+        def steady(cycle):
+            return None if cycle["time"] > 0.3 else [40 * (0.2 - cycle["qd"][0]), 0, 0, 0, 0, 0]
+
+        q = self.robot.state.q
+        self.robot.packet_loop("torque", steady, timeout=PATIENCE)
+        self.assert_brakes()
+        self.assertGreater(self.simulator.truth["q"][0] - q[0], 0.01)
+
+
+class TestNoTorque(VirtualCase):
+    software = "5.24.0"
+
+    def test_older_software_is_named(self):
+        self.take_control()
+        with self.assertRaisesRegex(errors.VersionUnsupported, r"5\.24\.0.*5\.25\.1.*10\.12\.1"):
+            self.robot.torque()
+        self.assertTrue(stands(self.simulator))
 
 
 class TestServices(VirtualCase):

@@ -118,7 +118,8 @@ class Move:
         return f"<tiller.Move {self._native.kind()}, {state}>"
 
 
-NativeStream = Union[_native.JointServo, _native.PoseServo, _native.JointSpeed, _native.ToolSpeed]
+NativeStream = Union[_native.JointServo, _native.PoseServo, _native.JointSpeed, _native.ToolSpeed,
+                     _native.JointTorque]
 
 
 class Stream:

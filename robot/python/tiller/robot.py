@@ -274,6 +274,19 @@ class Robot:
         """A stream of tool speeds in the base frame [m/s, rad/s]; acceleration [m/s2]."""
         return Stream(self._controller.speed_l(acceleration), self._waiting)
 
+    def torque(self, viscous_scale: Floats | None = None, coulomb_scale: Floats | None = None) -> Stream:
+        """A stream of joint torques [Nm], sent one a cycle; gravity is not part of them, the controller holds the arm.
+
+        viscous_scale, coulomb_scale: how much of each joint's friction the controller makes up for, 0 ... 1; None: as it
+        has it. Until the first torques are sent the arm holds its place. The stream ends with the cause "LimitReached"
+        when TCP or elbow get faster than the cap on their speed: a torque cannot be slowed down. However it ends, torques
+        against the motion slow the arm down first, for 0.1 s at most. Raises VersionUnsupported before PolyScope 5.25.1
+        and 10.12.1, and send() LimitExceeded above what a joint can give.
+        """
+        viscous = None if viscous_scale is None else floats(viscous_scale, "viscous_scale")
+        coulomb = None if coulomb_scale is None else floats(coulomb_scale, "coulomb_scale")
+        return Stream(self._controller.torque(viscous, coulomb), self._waiting)
+
     def jog(self, velocity: Floats, frame: str = "base", *, custom_frame: Floats = ZEROS,
             contact_force: float = 0.0) -> Jog:
         """Jogs with a tool velocity [m/s, rad/s], in frame "joints" with joint velocities [rad/s].
@@ -304,14 +317,14 @@ class Robot:
         """Calls back once for each packet, in step with the robot; what the callback returns goes out with the answer to
         that very packet. None ends the loop, and the arm brakes.
 
-        kind: "servo_j" (joint positions [rad]), "servo_l" (TCP poses [m, rad]), "speed_j" [rad/s] or "speed_l" [m/s,
-        rad/s]. The callback gets a dict: cycle, time [s], period [s], fresh, missed, q, qd, tcp_pose, tcp_speed.
+        kind: "servo_j" (joint positions [rad]), "servo_l" (TCP poses [m, rad]), "speed_j" [rad/s], "speed_l" [m/s, rad/s]
+        or "torque" [Nm]. The callback gets a dict: cycle, time [s], period [s], fresh, missed, q, qd, tcp_pose, tcp_speed.
         Each call takes some 30 us besides the callback's own time, and waits for the interpreter: other Python threads
         hold it for up to 5 ms at a time (sys.setswitchinterval). While it runs no heartbeat leaves: one that hangs stops
         the arm within 100 ms. An exception in it brakes the arm and is raised here; so does Ctrl-C.
         """
-        if kind not in ("servo_j", "servo_l", "speed_j", "speed_l"):
-            raise ValueError(f'kind: "servo_j", "servo_l", "speed_j" or "speed_l", not "{kind}"')
+        if kind not in ("servo_j", "servo_l", "speed_j", "speed_l", "torque"):
+            raise ValueError(f'kind: "servo_j", "servo_l", "speed_j", "speed_l" or "torque", not "{kind}"')
 
         def checked(cycle: Mapping[str, Any]) -> list[float] | None:
             target = callback(cycle)
