@@ -39,7 +39,8 @@ enum class LimiterKind : std::uint8_t {
     Singularity,    ///< the arm is near a singularity and would go deeper
 };
 
-/// Of a jog: at this moment, and as the arm moves on. Of a move: for all of its way.
+/// Of a jog: at this moment, and as the arm moves on. Of a move: for all of its way. Of torques: what they were
+/// ended by.
 struct Limiter {
     LimiterKind kind = LimiterKind::None;
     int joint = -1;       ///< 0..5 where a joint is to blame, else -1

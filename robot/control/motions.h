@@ -121,9 +121,9 @@ public:
     /// As startServoJ, with twists of the TCP.
     Result<ToolSpeed> startSpeedL(const SpeedParameters& parameters = {}, Holding holding = Holding::Held);
 
-    /// As startServoJ, with the torques of the joints, from where the arm comes to rest; until the first ones are
-    /// sent it holds its place. Gravity is not part of them: the controller holds the arm and its payload, which
-    /// has to be set. Nothing keeps the arm where it is; how the stream ends, and what ends it: see setpoints.h.
+    /// As startServoJ, with joint torques. Until the first ones are sent the controller holds the arm in its
+    /// place, from then on only the torques do. Gravity is not part of them: the controller carries the arm and
+    /// the payload it was told of. The cap on speed ends the stream, and its end is damped: see setpoints.h.
     /// Source   URScript direct_torque
     /// Errors   also VersionUnsupported (software before 5.25.1, PolyScope X before 10.12.1, CB3)
     Result<JointTorque> startTorque(const TorqueParameters& parameters = {}, Holding holding = Holding::Held);
