@@ -31,6 +31,18 @@ Result<bool> yesOf(const Result<Answer>& answer) {
     return answer ? Result<bool>(answer->whole != 0) : answer.error();
 }
 
+constexpr char kCheckLimits[] = "check the safety limits";
+
+Result<bool> isSafe(Controller& controller, RequestKind kind, const std::array<double, 6>& numbers,
+                    const Deadline& deadline) {
+    auto& d = ControllerAccess::of(controller);
+    const QString context = QString::fromLatin1(kCheckLimits);
+    if (const auto known = d.program.knows("is_within_safety_limits", context); !known) {
+        return known.error();
+    }
+    return yesOf(d.requests.request(kind, 0, numbers, context, deadline));
+}
+
 Result<Answer> solve(Controller& controller, const Pose& pose, const InverseOptions& options,
                      const Deadline& deadline) {
     constexpr auto kContext = "inverse kinematics";
@@ -110,30 +122,15 @@ Result<Pose> ArmQueries::forwardKinematics(const std::optional<JointPositions>& 
 }
 
 Result<bool> ArmQueries::isWithinSafetyLimits(const Pose& tcpPose, const Deadline& deadline) {
-    const ArgumentCheck check = ArgumentCheck("check the safety limits").pose("tcpPose", tcpPose);
-    if (!check.ok()) {
-        return check.error();
-    }
-    auto& d = ControllerAccess::of(*controller_);
-    const QString context = QStringLiteral("check the safety limits");
-    if (const auto known = d.program.knows("is_within_safety_limits", context); !known) {
-        return known.error();
-    }
-    return yesOf(d.requests.request(RequestKind::PoseIsSafe, 0, tcpPose.array(), context, deadline));
+    const ArgumentCheck check = ArgumentCheck(kCheckLimits).pose("tcpPose", tcpPose);
+    return check.ok() ? isSafe(*controller_, RequestKind::PoseIsSafe, tcpPose.array(), deadline)
+                      : check.error();
 }
 
 Result<bool> ArmQueries::isWithinSafetyLimits(const JointPositions& q, const Deadline& deadline) {
     // Joint positions outside their range are a question too, and the answer is no.
-    const ArgumentCheck check = ArgumentCheck("check the safety limits").finite("q", q.values.data(), 6);
-    if (!check.ok()) {
-        return check.error();
-    }
-    auto& d = ControllerAccess::of(*controller_);
-    const QString context = QStringLiteral("check the safety limits");
-    if (const auto known = d.program.knows("is_within_safety_limits", context); !known) {
-        return known.error();
-    }
-    return yesOf(d.requests.request(RequestKind::JointsAreSafe, 0, q.array(), context, deadline));
+    const ArgumentCheck check = ArgumentCheck(kCheckLimits).finite("q", q.values.data(), 6);
+    return check.ok() ? isSafe(*controller_, RequestKind::JointsAreSafe, q.array(), deadline) : check.error();
 }
 
 Result<JointTorques> ArmQueries::jointTorques(const Deadline& deadline) {

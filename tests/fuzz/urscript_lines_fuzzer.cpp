@@ -8,9 +8,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "robot/simulator/urscript/interpreter.h"
 #include "robot/simulator/urscript/interpreter_mode.h"
-#include "tests/unit/robot/simulator/urscript/fake_host.h"
+#include "tests/fuzz/urscript_bounds.h"
 
 using namespace tiller::simulator::urscript;
 
@@ -32,15 +31,8 @@ void require(bool condition) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const CompileOutcome program = compile(kProgram);
     FakeHost host;
-    host.moveFrames = 2;
-    host.popupAnswered = true;
-    Limits limits;
-    limits.threadOperationsPerFrame = 5000;
-    limits.frameOperations = 20000;
-    limits.callDepth = 50;
-    limits.threads = 8;
-    limits.listLength = 500;
-    Interpreter interpreter(program.program, host, limits);
+    hurry(host);
+    Interpreter interpreter(program.program, host, lowLimits());
     interpreter.runFrame();
     InterpreterMode& mode = interpreter.mode();
 
@@ -75,10 +67,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const InterpreterMode::Counts& counts = mode.counts();
         require(counts.lastExecuted <= counts.lastInterpreted && counts.lastInterpreted == acknowledged &&
                 counts.lastCleared <= counts.lastInterpreted && counts.unexecuted <= acknowledged);
-        host.messages.clear();
-        host.motions.clear();
-        host.calls.clear();
-        host.popups.clear();
+        forget(host);
     }
     for (int frame = 0; frame < 5; ++frame) {
         interpreter.runFrame();

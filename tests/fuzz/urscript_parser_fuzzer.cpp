@@ -7,10 +7,9 @@
 #include <cstdint>
 #include <string_view>
 
-#include "robot/simulator/urscript/interpreter.h"
 #include "robot/simulator/urscript/source_splitter.h"
 #include "robot/simulator/urscript/xml_rpc.h"
-#include "tests/unit/robot/simulator/urscript/fake_host.h"
+#include "tests/fuzz/urscript_bounds.h"
 
 using namespace tiller::simulator::urscript;
 
@@ -30,22 +29,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     }
     FakeHost host;
-    host.moveFrames = 2;
-    host.popupAnswered = true;
-    Limits limits;
-    limits.threadOperationsPerFrame = 5000;
-    limits.frameOperations = 20000;
-    limits.callDepth = 50;
-    limits.threads = 8;
-    limits.listLength = 500;
-    Interpreter interpreter(outcome.program, host, limits);
+    hurry(host);
+    Interpreter interpreter(outcome.program, host, lowLimits());
     for (int frame = 0; frame < 20 && !interpreter.ended(); ++frame) {
         interpreter.runFrame();
         interpreter.resume();
-        host.messages.clear();
-        host.motions.clear();
-        host.calls.clear();
-        host.popups.clear();
+        forget(host);
         for (auto& socket : host.sockets) {
             socket.second.out.clear();
             socket.second.in = "(1, 2) 0123456789\n";

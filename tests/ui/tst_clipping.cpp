@@ -14,6 +14,7 @@
 #include "app/action_table.h"
 #include "app/connect_dialog.h"
 #include "resources/resources.h"
+#include "tests/support/test_pad.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/clipping.h"
 #include "tests/ui/jog_fixture.h"
@@ -55,38 +56,15 @@ struct Bench : WindowBench {
     }
 };
 
-/// A gamepad with a long name.
-class LongPad : public DeviceSource {
-public:
-    std::vector<std::unique_ptr<InputDevice>> appeared() override {
-        class Pad : public InputDevice {
-        public:
-            QString name() const override { return QStringLiteral("8BitDo Ultimate Wireless Controller"); }
-            DeviceShape shape() const override {
-                DeviceShape shape;
-                static_cast<DeviceTuning&>(shape) = kGamepadTuning;
-                shape.kind = kGamepadKind;
-                shape.deadManName = QStringLiteral("left shoulder");
-                shape.directions = QStringLiteral(
-                    "Left stick X and Y, right stick Z and turn. Right shoulder: the sticks turn.");
-                return shape;
-            }
-            std::optional<DeviceReading> read() override {
-                DeviceReading now;
-                now.axes << 0.7, -0.7, 0.7, 0.7, -0.7, 0.7;
-                return now;
-            }
-        };
-        std::vector<std::unique_ptr<InputDevice>> found;
-        if (!std::exchange(given_, true)) {
-            found.push_back(std::make_unique<Pad>());
-        }
-        return found;
-    }
-
-private:
-    bool given_ = false;
-};
+/// A gamepad with a long name, all of whose sticks are pushed.
+std::unique_ptr<TestPad> longPad() {
+    DeviceReading pushed;
+    pushed.axes << 0.7, -0.7, 0.7, 0.7, -0.7, 0.7;
+    return std::make_unique<TestPad>(
+        QStringLiteral("8BitDo Ultimate Wireless Controller"),
+        QStringLiteral("Left stick X and Y, right stick Z and turn. Right shoulder: the sticks turn."),
+        pushed);
+}
 
 void keepPicture(QWidget& widget, const QString& name) {
     const QString to = qEnvironmentVariable("TILLER_SCREENSHOTS");
@@ -180,7 +158,7 @@ private Q_SLOTS:
             dialog->close();
             QTRY_VERIFY(QApplication::activeModalWidget() == nullptr);
         }
-        bench.window.devices().addSource(std::make_unique<LongPad>());
+        bench.window.devices().addSource(longPad());
         QDialog* trainer = bench.open("jog.devices");
         bench.window.devices().poll();
         QTest::qWait(100);
@@ -191,7 +169,7 @@ private Q_SLOTS:
     void noSettingIsCutOff_data() { densities(); }
     void noSettingIsCutOff() {
         Bench bench;
-        bench.window.devices().addSource(std::make_unique<LongPad>());
+        bench.window.devices().addSource(longPad());
         QDialog* page = bench.open("app.settings");
         QVERIFY(page != nullptr);
         auto* pages = page->findChild<QTabWidget*>("settingsPages");

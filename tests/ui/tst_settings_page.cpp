@@ -24,6 +24,7 @@
 #include "app/settings_page.h"
 #include "resources/resources.h"
 #include "tests/support/pictures.h"
+#include "tests/support/test_pad.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/theme.h"
@@ -43,33 +44,6 @@ struct Bench : WindowBench {
         QTest::keyClick(&window, Qt::Key_Comma, Qt::ControlModifier);
         return window.findChild<app::SettingsPage*>();
     }
-};
-
-/// A gamepad that lies still.
-class OnePad : public DeviceSource {
-public:
-    std::vector<std::unique_ptr<InputDevice>> appeared() override {
-        class Pad : public InputDevice {
-        public:
-            QString name() const override { return QStringLiteral("Test pad"); }
-            DeviceShape shape() const override {
-                DeviceShape shape;
-                static_cast<DeviceTuning&>(shape) = kGamepadTuning;
-                shape.kind = kGamepadKind;
-                shape.deadManName = QStringLiteral("left shoulder");
-                return shape;
-            }
-            std::optional<DeviceReading> read() override { return DeviceReading(); }
-        };
-        std::vector<std::unique_ptr<InputDevice>> found;
-        if (!std::exchange(given_, true)) {
-            found.push_back(std::make_unique<Pad>());
-        }
-        return found;
-    }
-
-private:
-    bool given_ = false;
 };
 
 /// As a hand does: focus, arrow.
@@ -299,7 +273,7 @@ private Q_SLOTS:
 
     void aDeviceIsTunedSwitchedOnAndTriedOutFromThePage() {
         Bench bench;
-        bench.window.devices().addSource(std::make_unique<OnePad>());
+        bench.window.devices().addSource(std::make_unique<TestPad>());
         app::SettingsPage* page = bench.open();
         page->findChild<QTabBar*>()->setCurrentIndex(1);
         keepPicture(*page, "settings-devices");
@@ -337,7 +311,7 @@ private Q_SLOTS:
 
         VirtualClock clock;
         app::MainWindow next(app::Settings(bench.file), clock);
-        next.devices().addSource(std::make_unique<OnePad>());
+        next.devices().addSource(std::make_unique<TestPad>());
         QCOMPARE(next.devices().shape(*next.devices().devices().front()).deadZone, 0.2);
         QVERIFY2(next.devices().used() == nullptr, "never after a start");
     }

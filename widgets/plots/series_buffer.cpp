@@ -170,21 +170,25 @@ void SeriesBuffer::cut(double start, double width, int columns, ColumnGrid& grid
     grid.end = end_;
 }
 
+int SeriesBuffer::widestLevel(std::int64_t at, std::int64_t stop) const {
+    int level = 0;
+    while (level < levelCount_) {
+        const std::int64_t size = std::int64_t{1} << (kFanoutBits * (level + 1));
+        if ((at & (size - 1)) != 0 || at + size > stop) {
+            break;
+        }
+        ++level;
+    }
+    return level;
+}
+
 MinMax SeriesBuffer::minMax(int signal, std::int64_t begin, std::int64_t end) const {
     const Signal& s = signals_[static_cast<std::size_t>(signal)];
     MinMax sum;
     std::int64_t at = std::max(begin, first());
     const std::int64_t stop = std::min(end, end_);
     while (at < stop) {
-        // The widest entry that begins here and ends inside.
-        int level = 0;
-        while (level < levelCount_) {
-            const std::int64_t size = std::int64_t{1} << (kFanoutBits * (level + 1));
-            if ((at & (size - 1)) != 0 || at + size > stop) {
-                break;
-            }
-            ++level;
-        }
+        const int level = widestLevel(at, stop);
         if (level == 0) {
             sum.add(s.values[slot(at)]);
             ++at;
@@ -201,14 +205,7 @@ bool SeriesBuffer::hasGap(std::int64_t begin, std::int64_t end) const {
     std::int64_t at = std::max(begin, first());
     const std::int64_t stop = std::min(end, end_);
     while (at < stop) {
-        int level = 0;
-        while (level < levelCount_) {
-            const std::int64_t size = std::int64_t{1} << (kFanoutBits * (level + 1));
-            if ((at & (size - 1)) != 0 || at + size > stop) {
-                break;
-            }
-            ++level;
-        }
+        const int level = widestLevel(at, stop);
         const bool gap = level == 0 ? gaps_[slot(at)] != 0
                                     : gapLevels_[static_cast<std::size_t>(level - 1)]
                                                 [levelSlot(level - 1, at >> (kFanoutBits * level))] != 0;

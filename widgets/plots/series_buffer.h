@@ -132,6 +132,8 @@ private:
         return static_cast<std::size_t>(entry & (mask_ >> (kFanoutBits * (level + 1))));
     }
     void completeLevels();
+    /// The level of the widest entry that begins at `at` and ends before `stop`; 0: the sample itself.
+    int widestLevel(std::int64_t at, std::int64_t stop) const;
     /// First sample >= time, looking outwards from a guess.
     std::int64_t lowerBoundNear(double time, std::int64_t guess) const;
 

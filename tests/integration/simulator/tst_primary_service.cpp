@@ -113,22 +113,18 @@ private Q_SLOTS:
         QCOMPARE(robot.controller.truth().safetyMode, SafetyMode::Normal);
     }
 
-    void aNewProgramReplacesTheOneThatRuns() {
-        VirtualRobot robot;
-        RawPrimary primary = robot.primary();
-        const QByteArray endless = ":\n  while True:\n    sync()\n  end\nend\n";
-        run(robot, primary, "def a()" + endless, 0.1);
-        const Heard heard = run(robot, primary, "def b()" + endless, 0.1);
-        QCOMPARE(heard.keys, (QByteArrayList{"STOPPED a", "STARTED b"}));
-        QCOMPARE(robot.programState(), RuntimeState::Playing);
+    void aNewProgramReplacesTheOneThatRuns_data() {
+        QTest::addColumn<QByteArray>("before");
+        QTest::newRow("by itself") << QByteArray();
+        QTest::newRow("with a stop in the same write") << QByteArray("stop program\n");
     }
-
-    void stopProgramAndANewProgramMayComeInOneWrite() {
+    void aNewProgramReplacesTheOneThatRuns() {
+        QFETCH(QByteArray, before);
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
         const QByteArray endless = ":\n  while True:\n    sync()\n  end\nend\n";
         run(robot, primary, "def a()" + endless, 0.1);
-        const Heard heard = run(robot, primary, "stop program\ndef b()" + endless, 0.1);
+        const Heard heard = run(robot, primary, before + "def b()" + endless, 0.1);
         QCOMPARE(heard.keys, (QByteArrayList{"STOPPED a", "STARTED b"}));
         QCOMPARE(robot.programState(), RuntimeState::Playing);
     }

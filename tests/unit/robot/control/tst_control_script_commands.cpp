@@ -406,16 +406,11 @@ private Q_SLOTS:
     void anUnguardedServoGoesWhereItIsTold() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
-        Command servo;
-        servo.kind = ScriptCommand::ServoJ;
-        servo.epoch = 2;
-        servo.choice = 2;
-        servo.values = {2, 0, 0, 0, 0, 0};
-        servo.speed = 0.002;
-        servo.acceleration = 0.1;
-        servo.rotationAcceleration = 300;
+        Command unguarded = servo(ScriptCommand::ServoJ, 2, true);
+        unguarded.choice = 2;
+        unguarded.values = {2, 0, 0, 0, 0, 0};
         for (int i = 0; i < 5; ++i) {
-            bench.send(servo);
+            bench.send(unguarded);
             bench.frame();
         }
         QCOMPARE(bench.state(), ScriptState::Executing);

@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 
+#include "tests/support/written_port.h"
 #include "widgets/jog/device_jog.h"
 #include "widgets/jog/device_trainer.h"
 
@@ -19,6 +20,7 @@
 #endif
 
 using namespace tiller;
+using namespace tiller::test;
 using control::StopCause;
 
 namespace {
@@ -64,12 +66,7 @@ private:
 };
 
 /// Device, rules and a port that only writes down.
-struct Bench {
-    std::uint64_t running = 0;
-    std::uint64_t next = 0;
-    QList<control::JogTarget> targets;
-    QList<StopCause> ends;
-    MotionPort port;
+struct Bench : WrittenPort {
     JogSelection selection;
     VirtualClock clock;
     QWidget window;
@@ -78,20 +75,6 @@ struct Bench {
     DeviceJog devices{jog};
 
     Bench() {
-        port.beginJog = [this](const control::JogTarget& t) -> Result<RobotSession::MotionId> {
-            targets << t;
-            return running = ++next;
-        };
-        port.hold = [this](RobotSession::MotionId id) { return id == running; };
-        port.holdWith = [this](RobotSession::MotionId id, const control::JogTarget& t) {
-            targets << t;
-            return id == running;
-        };
-        port.endMotion = [this](RobotSession::MotionId, StopCause cause) {
-            running = 0;
-            ends << cause;
-        };
-        port.limits = [] { return control::MotionLimits(); };
         jog.setClock(clock);
         devices.setClock(clock);
         window.show();

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "tests/support/key_events.h"
+#include "tests/support/written_port.h"
 #include "widgets/common/hold_button.h"
 #include "widgets/jog/keyboard_jog.h"
 
@@ -18,12 +19,7 @@ using control::StopCause;
 namespace {
 
 /// The armed keyboard in front of a port that only writes down.
-struct Bench {
-    std::uint64_t running = 0;
-    std::uint64_t next = 0;
-    QList<control::JogTarget> targets;
-    QList<StopCause> ends;
-    MotionPort port;
+struct Bench : WrittenPort {
     JogSelection selection;
     VirtualClock clock;
     QWidget window;
@@ -34,20 +30,6 @@ struct Bench {
     KeyboardJog keyboard{jog, window};
 
     Bench() {
-        port.beginJog = [this](const control::JogTarget& t) -> Result<RobotSession::MotionId> {
-            targets << t;
-            return running = ++next;
-        };
-        port.hold = [this](RobotSession::MotionId id) { return id == running; };
-        port.holdWith = [this](RobotSession::MotionId id, const control::JogTarget& t) {
-            targets << t;
-            return id == running;
-        };
-        port.endMotion = [this](RobotSession::MotionId id, StopCause cause) {
-            running = id == running ? 0 : running;
-            ends << cause;
-        };
-        port.limits = [] { return control::MotionLimits(); };
         auto* layout = new QVBoxLayout(&window);
         for (HoldButton* key : {&home, &freedrive}) {
             key->setMotion({.begin = [this]() -> Result<HoldMotion::Id> { return running = ++next; },
