@@ -3486,10 +3486,6 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the folder does not exist</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Exported the shown range to %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3503,6 +3499,34 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Values (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tiller · TCP force and joint currents</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · TCP force and joint currents</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>controller time %1 … %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing (*.svg)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Page (*.pdf)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name the file .png, .svg or .pdf for a picture, .csv for values</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

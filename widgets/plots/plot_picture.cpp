@@ -24,10 +24,6 @@ constexpr double kFineness = 2;  // pixels of a .png for one of the page
 constexpr double kPointsPerPixel = 0.75;
 constexpr QSize kPage(kPlots.width() + 2 * kMargin, kPlots.height() + kTitleHeight + kMargin);
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("tiller::PlotDock", text);
-}
-
 /// What is on the page, in its pixels.
 class Page {
 public:
@@ -110,11 +106,13 @@ QByteArray pdf(Page& page, const QString& title) {
 
 Result<void> exportPicture(const PlotView& view, const SeriesBuffer& history, const StateLane& lane,
                            const PictureText& text, const QString& path) {
-    const QString context = tr("export to %1").arg(path);
+    const QString context = QCoreApplication::translate("tiller::PlotDock", "export to %1").arg(path);
     const QString ending = QFileInfo(path).suffix().toLower();
     if (ending != QLatin1String("png") && ending != QLatin1String("svg") && ending != QLatin1String("pdf")) {
-        return Error{ErrorCode::InvalidArgument, context,
-                     tr("name the file .png, .svg or .pdf for a picture, .csv for values")};
+        return Error{
+            ErrorCode::InvalidArgument, context,
+            QCoreApplication::translate("tiller::PlotDock",
+                                        "name the file .png, .svg or .pdf for a picture, .csv for values")};
     }
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly)) {
