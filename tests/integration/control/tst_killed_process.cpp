@@ -130,7 +130,10 @@ private Q_SLOTS:
         QVERIFY(watcher.stands);
         // Nor is it certain then that it had not ended its motion itself.
         if (watcher.heardIn == ScriptState::Executing) {
-            QCOMPARE(watcher.state, end);
+            // The last torque goes on until it expires: if it was a high one, the cap may come first.
+            const bool atCap = way == QLatin1String("torque") && watcher.state == ScriptState::TcpTooFast;
+            QVERIFY2(watcher.state == end || atCap,
+                     qPrintable(QString::number(static_cast<int>(watcher.state))));
         }
         QCOMPARE(robot.truth().safetyMode, SafetyMode::Normal);
     }
