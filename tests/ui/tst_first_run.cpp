@@ -200,6 +200,7 @@ private Q_SLOTS:
         auto* dialog = window.findChild<ConnectDialog*>();
         auto* list = dialog->findChild<QListWidget*>("rememberedRobots");
         QCOMPARE(list->count(), 2);
+        QVERIFY(QTest::qWaitForWindowActive(dialog));
         list->setFocus();
         list->setCurrentRow(0);
         QTest::keyClick(list, Qt::Key_Delete);

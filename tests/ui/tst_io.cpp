@@ -142,7 +142,7 @@ private Q_SLOTS:
         client.flush();
         QVERIFY(until([this] { return cell().truth().runtimeState == RuntimeState::Playing; }));
         find<QComboBox>("io.register.kind").setCurrentIndex(0);
-        find<QSpinBox>("io.register.number").setValue(36);
+        find<QDoubleSpinBox>("io.register.number").setValue(36);
         find<QDoubleSpinBox>("io.register.value").setValue(4711);
         find<QPushButton>("io.register.write").click();
         QVERIFY(until([this] { return tab().registers()->valueText("Int 40") == "4711"; }));

@@ -9,6 +9,7 @@
 #include <QDirIterator>
 #include <QFile>
 #include <QLabel>
+#include <QPointer>
 #include <QPushButton>
 #include <QTest>
 
@@ -329,8 +330,10 @@ private Q_SLOTS:
         // Whatever opens is closed again, other than by its own keys.
         QTimer closer;
         connect(&closer, &QTimer::timeout, &bench.window, [&bench] {
-            for (QWidget* top : QApplication::topLevelWidgets()) {
-                if (top != &bench.window && top->isVisible()) {
+            // One that is closed may take others along.
+            const QWidgetList all = QApplication::topLevelWidgets();
+            for (const QPointer<QWidget>& top : QList<QPointer<QWidget>>(all.begin(), all.end())) {
+                if (top != nullptr && top != &bench.window && top->isVisible()) {
                     top->close();
                 }
             }

@@ -59,7 +59,7 @@ PoseEditor::PoseEditor(const QString& name, const QString& spoken, const QString
         grid->setColumnStretch(i % 3 * 2 + 1, 1);
         connect(boxes_[at], &FigureBox::editingFinished, this, [this, i] { take(i); });
     }
-    show();
+    showFigures();
 }
 
 void PoseEditor::setPose(const Pose& pose) {
@@ -67,7 +67,7 @@ void PoseEditor::setPose(const Pose& pose) {
         return;  // what is being typed stays
     }
     pose_ = pose;
-    show();
+    showFigures();
 }
 
 void PoseEditor::editFirst() {
@@ -75,7 +75,7 @@ void PoseEditor::editFirst() {
     boxes_[0]->selectAll();
 }
 
-void PoseEditor::show() {
+void PoseEditor::showFigures() {
     shown_ = figuresOf(pose_);
     const double farthest = kFarthest / format::metresPerUnit();
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
@@ -117,7 +117,7 @@ void PoseEditor::take(int figure) {
 
 void PoseEditor::changeEvent(QEvent* event) {
     if (event->type() == QEvent::StyleChange && boxes_[5] != nullptr) {
-        show();
+        showFigures();
     }
     QWidget::changeEvent(event);
 }

@@ -33,7 +33,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void show();
+    void showFigures();
     void take(int figure);
 
     Pose pose_;

@@ -2,6 +2,7 @@
 #include "widgets/common/style_sheet.h"
 
 #include <QHash>
+#include <algorithm>
 
 #include "widgets/common/density.h"
 #include "widgets/common/theme.h"
@@ -47,7 +48,7 @@ QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox, QPlainTextEdit, QTextEdit { back
 QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox { min-height: @fieldHeight; }
 QLineEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus, QComboBox:focus { border-color: @moving; }
 QAbstractSpinBox QLineEdit { border: none; padding: 0; min-height: 0; background: transparent; }
-QDoubleSpinBox[dense="true"] { padding: 2px 4px; font-size: 13px; }
+QDoubleSpinBox[dense="true"] { padding: 2px 4px; font-size: 13px; min-height: @denseHeight; }
 QComboBox::drop-down { border: none; width: 22px; }
 QComboBox::down-arrow { image: url(:/tiller/icons/drop-arrow-@scheme.svg); width: 12px; height: 12px; }
 QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { border: none; width: 0; }
@@ -122,6 +123,8 @@ QString styleSheet(const Theme& t) {
         {QStringLiteral("scheme"), t.isDark() ? QStringLiteral("dark") : QStringLiteral("light")},
         {QStringLiteral("keyHeight"), pixels(key)},
         {QStringLiteral("fieldHeight"), pixels(key - 10)},
+        // Six of them have to find room beside a table in the smallest window.
+        {QStringLiteral("denseHeight"), pixels(std::min(key - 10, 28))},
         {QStringLiteral("menuPadding"), pixels((key - 24) / 2)},
     };
     QString out;
