@@ -383,7 +383,7 @@ private Q_SLOTS:
         const QMap<QString, QStringList> allowed = {
             {"UnlockConsent()", {"widgets/session/robot_command.h", "widgets/status/recovery_page.cpp"}},
             {"unlockProtectiveStop(",
-             {"widgets/session/robot_session.h", "widgets/session/robot_session_commands.cpp",
+             {"widgets/session/robot_services.h", "widgets/session/robot_services.cpp",
               "widgets/status/recovery_page.cpp"}},
             {"unlock protective stop", {}},
             {"UNLOCK_PROTECTIVE_STOP", {}},

@@ -73,7 +73,7 @@ void FramesTab::buildLayout() {
     more_ = new QToolButton;
     more_->setObjectName(QStringLiteral("frame.more"));
     more_->setAccessibleName(tr("More about frames"));
-    more_->setText(QStringLiteral("⋯"));
+    more_->setText(QStringLiteral("···"));
     more_->setPopupMode(QToolButton::InstantPopup);
     keys_ = new QWidget;
     auto* row = new QHBoxLayout(keys_);

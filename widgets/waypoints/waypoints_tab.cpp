@@ -83,7 +83,7 @@ void WaypointsTab::buildLayout(MotionPort port) {
     more_ = new QToolButton;
     more_->setObjectName(QStringLiteral("waypoint.more"));
     more_->setAccessibleName(tr("More"));
-    more_->setText(QStringLiteral("⋯"));
+    more_->setText(QStringLiteral("···"));
     more_->setPopupMode(QToolButton::InstantPopup);
 
     auto* keys = new QHBoxLayout;
