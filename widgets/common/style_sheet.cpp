@@ -40,7 +40,7 @@ QToolButton[quiet="true"], QPushButton[quiet="true"] { background: transparent; 
     border-radius: 4px; padding: 0 5px; min-height: 22px; font-size: 14px; }
 QToolButton[quiet="true"]:focus, QPushButton[quiet="true"]:focus { border-color: @moving; }
 QToolButton[quiet="true"]:hover, QPushButton[quiet="true"]:hover { background: @hover; border-radius: 4px; }
-QToolButton::menu-indicator { image: none; width: 0; }
+QToolButton::menu-indicator, QPushButton::menu-indicator { image: none; width: 0; }
 
 QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox, QPlainTextEdit, QTextEdit { background: @raised; color: @text;
     border: 1px solid @border; border-radius: 5px; padding: 2px 8px; selection-background-color: @moving;

@@ -9,7 +9,6 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QStackedWidget>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -70,11 +69,10 @@ void FramesTab::buildLayout() {
     threePoints_->setAccessibleName(tr("Teach a frame from three points"));
     touchUp_ = key(tr("Touch up"), "frame.touchUp");
     touchUp_->setAccessibleName(tr("Touch up the frame"));
-    more_ = new QToolButton;
+    more_ = new QPushButton;
     more_->setObjectName(QStringLiteral("frame.more"));
     more_->setAccessibleName(tr("More about frames"));
     more_->setText(QStringLiteral("···"));
-    more_->setPopupMode(QToolButton::InstantPopup);
     keys_ = new QWidget;
     auto* row = new QHBoxLayout(keys_);
     row->setContentsMargins(12, 12, 12, 8);

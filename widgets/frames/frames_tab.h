@@ -18,7 +18,6 @@
 class QAction;
 class QPushButton;
 class QStackedWidget;
-class QToolButton;
 
 namespace tiller {
 
@@ -102,7 +101,7 @@ private:
     QPushButton* fromTcp_ = nullptr;
     QPushButton* threePoints_ = nullptr;
     QPushButton* touchUp_ = nullptr;
-    QToolButton* more_ = nullptr;
+    QPushButton* more_ = nullptr;
     QWidget* keys_ = nullptr;
     NoticeBar* notice_ = nullptr;
     QStackedWidget* pages_ = nullptr;

@@ -8,7 +8,6 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QStackedWidget>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "robot/kinematics/arm_kinematics.h"
@@ -80,11 +79,10 @@ void WaypointsTab::buildLayout(MotionPort port) {
     touchUp_->setAccessibleName(tr("Touch up"));
     goTo_ = new GoToButton(std::move(port), [this] { return goToRequest(); });
     goTo_->setState(state_);
-    more_ = new QToolButton;
+    more_ = new QPushButton;
     more_->setObjectName(QStringLiteral("waypoint.more"));
     more_->setAccessibleName(tr("More"));
     more_->setText(QStringLiteral("···"));
-    more_->setPopupMode(QToolButton::InstantPopup);
 
     auto* keys = new QHBoxLayout;
     keys->setContentsMargins(12, 12, 12, 8);

@@ -19,7 +19,6 @@
 class QAction;
 class QPushButton;
 class QStackedWidget;
-class QToolButton;
 
 namespace tiller {
 
@@ -104,7 +103,7 @@ private:
     QPushButton* teach_ = nullptr;
     QPushButton* touchUp_ = nullptr;
     GoToButton* goTo_ = nullptr;
-    QToolButton* more_ = nullptr;
+    QPushButton* more_ = nullptr;
     NoticeBar* notice_ = nullptr;
     QStackedWidget* pages_ = nullptr;
     WaypointTable* table_ = nullptr;
