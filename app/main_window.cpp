@@ -71,17 +71,25 @@ QWidget* withMargins(QWidget* panel, const QMargins& margins) {
 
 /// A dock without a title bar of its own: the panel inside has one. It floats and comes back through the View
 /// menu.
+/// A title bar without height. A plain widget has none to tell, which a dock takes for -1 and is a pixel too low.
+QWidget* noTitleBar(QDockWidget* dock) {
+    auto* bar = new QWidget(dock);
+    auto* layout = new QHBoxLayout(bar);
+    layout->setContentsMargins(0, 0, 0, 0);
+    return bar;
+}
+
 QDockWidget* dockFor(QWidget* content, const QString& name, const QString& title, QMainWindow* window) {
     auto* dock = new QDockWidget(title, window);
     dock->setObjectName(name);
     dock->setFeatures(QDockWidget::DockWidgetFloatable | QDockWidget::DockWidgetMovable |
                       QDockWidget::DockWidgetClosable);
-    dock->setTitleBarWidget(new QWidget(dock));
+    dock->setTitleBarWidget(noTitleBar(dock));
     dock->setWidget(content);
     QObject::connect(dock, &QDockWidget::topLevelChanged, dock, [dock](bool floating) {
         // Floating, it needs the system's frame to be moved by; docked, the panel's own bar is enough.
         QWidget* old = dock->titleBarWidget();
-        dock->setTitleBarWidget(floating ? nullptr : new QWidget(dock));
+        dock->setTitleBarWidget(floating ? nullptr : noTitleBar(dock));
         delete old;
     });
     return dock;

@@ -106,6 +106,8 @@ void WaypointsTab::buildLayout(MotionPort port) {
     pages_ = new QStackedWidget;
     pages_->addWidget(empty);
     pages_->addWidget(table_);
+    constexpr int kLeastTable = 88;  // [px] the header and one whole row, in the largest density
+    pages_->setMinimumHeight(kLeastTable);
     details_ = new WaypointDetails(document_, *model_);
 
     auto* layout = new QVBoxLayout(this);
