@@ -28,7 +28,7 @@ class TestControl(unittest.TestCase):
     def setUp(self):
         self.control = RTDEControlInterface(self.robot.host)
         self.assertTrue(self.control.moveJ(START))
-        self.assertTrue(until(lambda: near(self.joints(), START)))
+        self.assertTrue(until(lambda: near(self.joints(), START, 1e-5)))
 
     def tearDown(self):
         self.control.stopScript()
@@ -115,7 +115,7 @@ class TestControl(unittest.TestCase):
         self.assertTrue(control.movePath(path))
         path.clear()
         self.assertEqual(path.size(), 0)
-        self.assertTrue(until(lambda: near(self.joints(), START)))
+        self.assertTrue(until(lambda: near(self.joints(), START, 1e-5)))
 
     def test_asynchronous(self):
         control = self.control
