@@ -134,7 +134,7 @@ void defineSimulator(py::module_& module) {
     py::class_<NativeSimulator, std::shared_ptr<NativeSimulator>>(module, "Simulator")
         .def(py::init([](const std::string& model, const std::string& software, const std::string& address,
                          bool inVirtualTime, bool poweredOn, const std::optional<Six>& start,
-                         bool remoteControl, const std::string& programs) {
+                         bool remoteControl, const std::string& programs, int priority) {
                  makeApplication();
                  simulator::SimulatorOptions options;
                  const auto id = robotModelByName(model);
@@ -153,13 +153,17 @@ void defineSimulator(py::module_& module) {
                  if (start) {
                      options.startJoints = JointPositions(*start);
                  }
+                 if (priority > 0) {
+                     options.priority = priority;
+                 }
                  options.remoteControl = remoteControl;
                  options.gateLocalControl = !remoteControl;
                  options.programsFolder = programs;
                  return std::make_shared<NativeSimulator>(options);
              }),
              py::arg("model"), py::arg("software"), py::arg("address"), py::arg("virtual"),
-             py::arg("powered_on"), py::arg("start"), py::arg("remote_control"), py::arg("programs"))
+             py::arg("powered_on"), py::arg("start"), py::arg("remote_control"), py::arg("programs"),
+             py::arg("priority"))
         .def("start",
              [](NativeSimulator& self) {
                  const auto started = [&] {

@@ -10,6 +10,6 @@ with tiller.Simulator("UR10e", virtual=True) as simulator, simulator.robot() as 
     try:
         move.wait()
     except tiller.Error as error:
-        print(error.code, "-", error)
+        print(error)
     simulator.step(0.2)
     print(robot.state.safety_mode, simulator.truth["qd"].round(3))

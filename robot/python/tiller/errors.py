@@ -8,7 +8,7 @@ from __future__ import annotations
 
 
 class Error(Exception):
-    """Base of everything this package raises about a robot.
+    """Base of everything this package raises about a robot; tiller.errors has a class for each code.
 
     code: stable name for programs ("ConnectionRefused"). context: what was being done, to what. controller_message: the
     controller's or the system's own words, possibly empty.

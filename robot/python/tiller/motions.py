@@ -20,7 +20,13 @@ Waiting = Callable[[], AbstractContextManager[Any]]
 
 @dataclass(frozen=True)
 class Progress:
-    """How far a motion is."""
+    """How far a motion is.
+
+    active: accepted and not ended. cause: why it ended, as Move.cause. fraction: 0 ... 1 of the way, by the arm's actual
+    place; 0 for motions without a known end, and again once it has ended before its target. waypoint, waypoints: of a
+    path, the one headed for, from 1, and how many there are. executing: the robot confirmed that it executes this motion.
+    speed_fraction: the speed slider, 0 ... 1. speed_scaling: what the controller's own limits leave of the speed, 0 ... 1.
+    """
 
     active: bool  #: accepted and not ended
     cause: str  #: why it ended: "Completed", "ApiCall", "LinkLost"; "None" while it is active
@@ -34,7 +40,12 @@ class Progress:
 
 @dataclass(frozen=True)
 class Plan:
-    """What was decided when a move began; the speed slider and the robot's own limits may slow it down further."""
+    """What was decided when a move began; the speed slider and the robot's own limits may slow it down further.
+
+    duration: from standstill to standstill, at a slider of 100 % [s]. speed: move_j: of the leading joint [rad/s]; move_l:
+    of the TCP [m/s]. limiter: what keeps it below the speed asked for: "TcpSpeed" or "ElbowSpeed" (the speed cap),
+    "RotationSpeed"; "None": nothing. scale: how much of the speed asked for that leaves, 0 ... 1.
+    """
 
     duration: float  #: from standstill to standstill, at a slider of 100 % [s]
     speed: float  #: move_j: of the leading joint [rad/s]; move_l: of the TCP [m/s]
@@ -92,7 +103,13 @@ class Move:
 
     @property
     def cause(self) -> str:
-        """Why it ended: "Completed", "ApiCall" (cancelled), "LinkLost" ...; "None" while it is active."""
+        """Why it ended, in a word; "None" while it is active.
+
+        "Completed"; "ApiCall" (cancelled, or its `with` block ended); "Superseded" (by a newer command); "EventLoopStalled"
+        (nobody refreshed it in time); "LimitReached"; "Contact"; "Unreachable" or "TargetTooFar" (a target of a stream);
+        "UnsafeMode" (a protective stop and the like); "ControlLost" (the control program ended or was paused);
+        "LinkLost"; "DataStale" (the robot's data came too late).
+        """
         return self._native.cause()
 
     @property
@@ -125,6 +142,8 @@ NativeStream = Union[_native.JointServo, _native.PoseServo, _native.JointSpeed, 
 class Stream:
     """A stream of targets: send() a new one at least every 100 ms, or the arm brakes and the stream ends.
 
+    It does not keep time for you: send one target, wait for the next control period (`for sample in robot.samples():`
+    gives you one each), send the next. Robot.packet_loop() does that by itself, in step with the robot.
     Use it in a `with` block: at its end, whatever happened in it, the arm brakes.
     """
 
@@ -133,7 +152,8 @@ class Stream:
         self._waiting = waiting
 
     def send(self, target: Floats) -> None:
-        """The next target. Raises Stopped when the stream has ended, LimitExceeded for a target too far from the one
+        """The next target. Returns at once and keeps only the newest: targets sent faster than one a period are never
+        seen. Raises Stopped when the stream has ended, LimitExceeded for a target too far from the one
         before; a target that is refused has not been sent."""
         self._native.send(floats(target, "target"))
 
@@ -181,7 +201,7 @@ class Jog:
         return self._native.change(self._frame, floats(velocity, "velocity"), ZEROS, 0.0)
 
     def stop(self) -> None:
-        """Brakes the arm."""
+        """Brakes the arm and returns at once; it stands some 0.1 s later (robot.status["moving"])."""
         self._native.end()
 
     @property
@@ -191,7 +211,7 @@ class Jog:
 
     @property
     def cause(self) -> str:
-        """Why it ended; "None" while it is active."""
+        """Why it ended, as Move.cause; "None" while it is active. "EventLoopStalled": it was not refreshed in time."""
         return self._native.cause()
 
     def __enter__(self) -> Jog:

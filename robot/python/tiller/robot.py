@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import atexit
 import contextlib
+import os
 import time
 import weakref
 from collections.abc import Callable, Mapping, Sequence
@@ -31,7 +32,13 @@ def _close_all() -> None:
 
 @dataclass(frozen=True)
 class LoopReport:
-    """How a packet loop went."""
+    """How a packet loop went.
+
+    cycles: calls of the callback. missed: control periods without one. stale: cycles that ran in time but whose packet did
+    not come; the callback saw the values before. late: cycles that began more than half a period late. overruns: calls
+    that took longer than a period. longest_call [s]. A few stale or late ones are a busy machine's; many missed ones make
+    the motion rough.
+    """
 
     cycles: int
     missed: int  #: control periods without a cycle
@@ -137,10 +144,12 @@ class Robot:
         sample = self.state
         return tuple(sample[field] for field in fields)
 
-    def record(self, path: str, fields: Sequence[str] = ()) -> Recording:
-        """Writes one CSV row for each packet from now on; see Recording. Raises FieldUnknown naming each field that is
+    def record(self, path: str | os.PathLike[str], fields: Sequence[str] = ()) -> Recording:
+        """Writes one CSV row for each packet from now on; see Recording. A file of that name is replaced. fields: which of
+        those that are followed; none named: all. Raises FieldUnknown naming each field that is
         not followed, FileNotWritable, DiskFull."""
-        return Recording(_native.Recorder(self._receiver, path, list(fields)), path)
+        name = os.fspath(path)
+        return Recording(_native.Recorder(self._receiver, name, list(fields)), name)
 
     @property
     def version(self) -> tuple[int, int, int, int]:
@@ -149,7 +158,7 @@ class Robot:
 
     @property
     def link(self) -> Mapping[str, Any]:
-        """Counts of packets, late and lost ones and reconnects, and the rate [Hz]."""
+        """A dict: counts of packets, late and lost ones and reconnects, and the rate [Hz]."""
         return self._receiver.counters()
 
     # ---- control
@@ -174,8 +183,9 @@ class Robot:
 
     @property
     def status(self) -> Mapping[str, Any]:
-        """What control knows: in_control, loss (why not), moving, limiter (what holds the speed down), last_cause (why the
-        last motion ended), last_stop_ms and last_stop_mm, round_trip_ms and more."""
+        """What control knows, a dict: "in_control", "loss" (why not), "moving", "executing", "limiter" (what holds the speed
+        down), "last_cause" (why the last motion ended, as Move.cause), "last_stop_ms" and "last_stop_mm", "round_trip_ms",
+        "robot_mode", "safety_mode", "speed_fraction", "speed_scaling" and more."""
         return self._controller.status()
 
     @property
@@ -192,9 +202,12 @@ class Robot:
         self._controller.stop()
 
     # ---- moves: handles that end the motion when they are dropped
+    # All raise at once: InvalidArgument, LimitExceeded, NoSolution (out of reach), NotInControl, UnsafeState, LinkLost,
+    # Stopped; what goes wrong on the way is raised by Move.wait().
 
     def move_j(self, q: Floats, speed: float = 1.05, acceleration: float = 1.4, silence: float = 0.1) -> Move:
-        """Linear in joint space to joint positions [rad]; speed [rad/s], acceleration [rad/s2] of the leading joint.
+        """Linear in joint space to joint positions [rad]; speed [rad/s], acceleration [rad/s2] of the leading joint. The
+        speed cap binds it too: Move.plan says what speed is left and how long the move takes.
 
         silence: 0.1 ... 4 [s]; the move goes on when this computer falls silent for no longer than that (a busy machine, a
         cable plugged in anew). So long the arm moves unattended; after it the robot ends the move by itself.
@@ -208,7 +221,7 @@ class Robot:
 
     def move_l(self, pose: Floats, speed: float = 0.25, acceleration: float = 1.2, silence: float = 0.1) -> Move:
         """A straight line of the TCP to a pose in the base frame [m, rad]; speed [m/s], acceleration [m/s2]; silence as
-        in move_j()."""
+        in move_j(). Raises NoSolution when the arm cannot reach it, LimitExceeded for a speed above the cap."""
         return self._move(self._controller.move_l(floats(pose, "pose"), speed, acceleration, silence))
 
     def move_path(self, path: Sequence[PathMove], timeout: float | None = 5.0, silence: float = 0.1) -> Move:
@@ -315,10 +328,14 @@ class Robot:
     def packet_loop(self, kind: str, callback: Callable[[Mapping[str, Any]], Floats | None], *,
                     timeout: float | None = None, at_once: bool = False) -> LoopReport:
         """Calls back once for each packet, in step with the robot; what the callback returns goes out with the answer to
-        that very packet. None ends the loop, and the arm brakes.
+        that very packet. None ends the loop: the arm brakes, and may still do so for some 0.1 s when this returns. The
+        choice for everything that has to be on time; servo_j() and its like are for targets that come when they come.
 
         kind: "servo_j" (joint positions [rad]), "servo_l" (TCP poses [m, rad]), "speed_j" [rad/s], "speed_l" [m/s, rad/s]
-        or "torque" [Nm]. The callback gets a dict: cycle, time [s], period [s], fresh, missed, q, qd, tcp_pose, tcp_speed.
+        or "torque" [Nm]. The callback gets a dict: cycle (from 0), time since the loop began [s], period [s], fresh
+        (False: the packet did not come, the values are the last ones), missed (periods left out just before), q, qd,
+        tcp_pose, tcp_speed, speed_fraction, speed_scaling. timeout: of the whole loop [s], raises Timeout. at_once: send
+        each target as soon as it is there rather than at even distances.
         Each call takes some 30 us besides the callback's own time, and waits for the interpreter: other Python threads
         hold it for up to 5 ms at a time (sys.setswitchinterval). While it runs no heartbeat leaves: one that hangs stops
         the arm within 100 ms. An exception in it brakes the arm and is raised here; so does Ctrl-C.

@@ -31,19 +31,22 @@ class Simulator:
         with tiller.Simulator() as simulator:
             robot = tiller.Robot(simulator.address)
 
-    model: "UR5e" ...; software: "5.22.1"; address: where it listens, None: a loopback address of its own. start: joint
-    positions [rad]. programs: folder of the programs that the dashboard loads.
+    model: "UR5e" ...; software: "5.22.1"; address: where it listens, None: a loopback address of its own, which is in
+    `simulator.address` from the beginning. start: joint positions [rad]. programs: folder of the programs that the
+    dashboard loads. priority: of its thread in real time, SCHED_FIFO where permitted, 0 for none: a controller waits for
+    nobody, so it goes before the threads that talk to it.
     virtual: time goes on only while a call of its robots waits, and in step(): as fast as the machine can, and with the
     same result on every machine. Its robots are made by simulator.robot().
     """
 
     def __init__(self, model: str = "UR5e", *, software: str = "", address: str | None = None, virtual: bool = False,
                  powered_on: bool = True, start: Floats | None = None, remote_control: bool = True,
-                 programs: str = "") -> None:
+                 programs: str = "", priority: int = 95) -> None:
         self.address = _own_address() if address is None else address
         self.virtual = virtual
         self._native = _native.Simulator(model, software, self.address, virtual, powered_on,
-                                         None if start is None else floats(start, "start"), remote_control, programs)
+                                         None if start is None else floats(start, "start"), remote_control, programs,
+                                         0 if virtual else priority)
         self._lock = threading.Lock()
         self._stepping = threading.Lock()
         self._wanted = 0
