@@ -65,8 +65,10 @@ enum class Pacing {
 template <class Target>
 using CycleCallback = std::function<std::optional<Target>(const CycleState&)>;
 
-/// Each runs until the callback ends it, the stream is stopped from elsewhere, or the deadline.
-/// Errors   as Motions::startServo..., and as Motion::wait. The report is filled in any case.
+/// Each runs until the callback ends it, the stream is stopped from elsewhere, or the deadline. Then the arm brakes,
+/// which may last some 0.1 s longer: a stopJ() can be waited for.
+/// Errors   none when the callback ended it; Timeout at the deadline; else as Motions::startServo..., and as
+///          Motion::wait. The report is filled in any case.
 /// Threads  any but the control thread; one loop at a time. Blocks: until the loop has ended
 class PacketLoop {
 public:

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Of tiller._native: the simulated controller in this very process.
-#include <QCoreApplication>
 #include <algorithm>
 #include <thread>
 
@@ -11,17 +10,6 @@
 namespace tiller::python {
 
 namespace {
-
-/// The sockets of Qt Network want an application object; whoever brought one keeps it.
-void makeApplication() {
-    if (QCoreApplication::instance() == nullptr) {
-        static int count = 1;
-        static char name[] = "tiller";
-        static char* arguments[] = {name, nullptr};
-        static QCoreApplication* const application = new QCoreApplication(count, arguments);
-        static_cast<void>(application);  // lives as long as the process
-    }
-}
 
 /// The robot and, in virtual time, the clock that it shares with its clients.
 class NativeSimulator {
@@ -135,7 +123,6 @@ void defineSimulator(py::module_& module) {
         .def(py::init([](const std::string& model, const std::string& software, const std::string& address,
                          bool inVirtualTime, bool poweredOn, const std::optional<Six>& start,
                          bool remoteControl, const std::string& programs, int priority) {
-                 makeApplication();
                  simulator::SimulatorOptions options;
                  const auto id = robotModelByName(model);
                  if (!id) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/simulator/simulator.h"
 
+#include <QCoreApplication>
 #include <QThread>
 #include <algorithm>
 #include <condition_variable>
@@ -230,6 +231,21 @@ private:
     }
 };
 
+namespace {
+
+/// Without one no notifier of a socket is ever called: the ports accept, and nobody is served.
+void makeApplication() {
+    if (QCoreApplication::instance() == nullptr) {
+        static int count = 1;
+        static char name[] = "tiller";
+        static char* arguments[] = {name, nullptr};
+        static QCoreApplication* const application = new QCoreApplication(count, arguments);
+        static_cast<void>(application);  // lives as long as the process
+    }
+}
+
+}  // namespace
+
 Simulator::Simulator(const SimulatorOptions& options) : d_(std::make_unique<Impl>(options)) {}
 
 Simulator::~Simulator() {
@@ -237,6 +253,7 @@ Simulator::~Simulator() {
 }
 
 Result<void> Simulator::start() {
+    makeApplication();
     return d_->start();
 }
 void Simulator::stop() {

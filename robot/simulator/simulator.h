@@ -72,6 +72,9 @@ public:
     /// Opens all ports and begins.
     /// Errors   AddressInvalid; Rejected when a port is in use, naming port and address and what to do
     /// Threads  any, not at once with stop(). Blocks: until all ports accept
+    ///
+    /// Qt's sockets want an application object. Where there is none, this makes one that lives as long as the
+    /// process; a program with one of its own makes it before.
     Result<void> start();
     /// Ends the thread and closes every connection. Harmless when not running.
     void stop();

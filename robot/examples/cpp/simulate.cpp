@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Needs no robot: a simulated one in this process, moved as a real one is, and something that goes wrong.
-#include <QCoreApplication>
 #include <iostream>
 #include <thread>
 
@@ -10,8 +9,7 @@
 using namespace tiller;
 using namespace std::chrono_literals;
 
-int main(int argc, char** argv) {
-    QCoreApplication application(argc, argv);  // for the sockets of the robot
+int main() {
     simulator::Simulator robot({.listenAddress = "127.0.0.9", .poweredOn = true, .fastTransitions = true});
     robot.start().value();
     control::Controller controller({.host = "127.0.0.9"});
