@@ -12,6 +12,24 @@ import zipfile
 
 MODULES = {"rtde_control": "RTDEControlInterface", "rtde_receive": "RTDEReceiveInterface", "rtde_io": "RTDEIOInterface",
            "dashboard_client": "DashboardClient", "script_client": "ScriptClient", "robotiq_gripper": "RobotiqGripper"}
+MINE = """
+import pytest
+import tiller
+
+
+def test_it_moves(tiller_robot):
+    q = tiller_robot.state.q + [0.2, 0, 0, 0, 0, 0]
+    tiller_robot.move_j(q).wait()
+    assert abs(tiller_robot.state.q - q).max() < 1e-3
+
+
+def test_it_stops(tiller_robot, tiller_simulator):
+    move = tiller_robot.move_j(tiller_robot.state.q + [1.0, 0, 0, 0, 0, 0])
+    tiller_simulator.step(0.3)
+    tiller_simulator.fault("protective-stop")
+    with pytest.raises(tiller.Error):
+        move.wait()
+"""
 
 
 class TestWheel(unittest.TestCase):
@@ -52,6 +70,18 @@ class TestWheel(unittest.TestCase):
             subprocess.run([sys.executable, "-B", "-c", code], check=True, env=environment)
             self.assertTrue(os.path.exists(os.path.join(folder, "tiller", "py.typed")))
             self.assertTrue(os.path.exists(os.path.join(folder, "rtde_control-stubs", "__init__.pyi")))
+
+    def test_pytest_finds_the_fixtures(self):
+        """By the entry point alone, as after an installation: a program of somebody else's that is tested with them."""
+        with tempfile.TemporaryDirectory() as folder:
+            self.wheel.extractall(folder)
+            tests = os.path.join(folder, "test_mine.py")
+            with open(tests, "w", encoding="utf-8") as file:
+                file.write(MINE)
+            result = subprocess.run([sys.executable, "-B", "-m", "pytest", "-q", "-p", "no:cacheprovider", tests], text=True,
+                                    env=dict(os.environ, PYTHONPATH=folder), capture_output=True, check=False)
+            self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+            self.assertIn("2 passed", result.stdout)
 
 
 if __name__ == "__main__":
