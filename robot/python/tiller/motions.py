@@ -56,8 +56,9 @@ class Plan:
 class Move:
     """A motion with an end. `move.wait()` or `await move` returns when it is done and raises when it was stopped.
 
-    The arm brakes when the handle is dropped, on Ctrl-C in wait(), when the task that awaits it is cancelled, and when
-    the process dies.
+    Keep it: `robot.move_j(q)` alone starts and brakes at once. The arm brakes when the handle of the motion under way is
+    dropped (one whose motion has ended, or gave way to a newer one, ends nothing), on Ctrl-C in wait(), when the task that
+    awaits it is cancelled, and when the process dies.
     """
 
     def __init__(self, native: _native.Motion, waiting: Waiting) -> None:
