@@ -4,6 +4,7 @@
 // The same again at 150 and 200 %: see CMakeLists.txt.
 
 #include <QDialog>
+#include <QDockWidget>
 #include <QInputDialog>
 #include <QLineEdit>
 #include <QPushButton>
@@ -31,6 +32,7 @@ using namespace tiller::test;
 namespace {
 
 constexpr QSize kSmallest{1280, 720};
+constexpr QSize kSmallestWindow{1264, 672};  // title bar and borders come on top
 
 struct Bench : WindowBench {
     /// With the size of keys the data row names: "mouse" or "touch".
@@ -97,6 +99,14 @@ private:
         bench.cell.advanceMs(50);
         QTest::qWait(50);
         keepPicture(bench.window, QStringLiteral("window-%1-%2").arg(what, densityName()));
+        bench.window.resize(kSmallestWindow);
+        QTest::qWait(50);
+        const QRect tabs = bench.window.findChild<QDockWidget*>("tabsDock")->geometry();
+        const QRect plots = bench.window.findChild<QDockWidget*>("plotsDock")->geometry();
+        QVERIFY2(!tabs.intersects(plots) && plots.bottom() < bench.window.height(),
+                 qPrintable(QStringLiteral("%1: there is no room for all").arg(QLatin1String(what))));
+        bench.window.resize(kSmallest);
+        QTest::qWait(50);
         QTRY_VERIFY2(clipped(bench.window).isEmpty(),
                      qPrintable(QLatin1String(what) + ":\n" + clipped(bench.window).join('\n')));
     }

@@ -60,7 +60,7 @@ public:
     double xAt(double time) const;
 
     QSize sizeHint() const override { return {1490, 340}; }
-    QSize minimumSizeHint() const override { return {320, 170}; }
+    QSize minimumSizeHint() const override { return {320, 130}; }
 
 Q_SIGNALS:
     /// Span, pause or place in history changed.

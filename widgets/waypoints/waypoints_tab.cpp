@@ -106,7 +106,7 @@ void WaypointsTab::buildLayout(MotionPort port) {
     pages_ = new QStackedWidget;
     pages_->addWidget(empty);
     pages_->addWidget(table_);
-    constexpr int kLeastTable = 88;  // [px] the header and one whole row, in the largest density
+    constexpr int kLeastTable = 76;  // [px] the header and one row
     pages_->setMinimumHeight(kLeastTable);
     details_ = new WaypointDetails(document_, *model_);
 
