@@ -3,6 +3,7 @@
 
 #include <QBuffer>
 #include <QCoreApplication>
+#include <QEvent>
 #include <QFileInfo>
 #include <QImage>
 #include <QPainter>
@@ -34,6 +35,8 @@ public:
         plots_.resize(kPlots);
         plots_.setVisible(true);
         plots_.showLike(view);
+        // The charts place their labels when they are laid out, which otherwise waits for the event loop.
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     }
 
     void paint(QPainter& painter) {

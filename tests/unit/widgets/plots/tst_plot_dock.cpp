@@ -311,6 +311,11 @@ private Q_SLOTS:
         QVERIFY(svg.contains("TCP force and joint currents"));
         QVERIFY(svg.contains("controller time"));
         QVERIFY(svg.contains("Fz"));
+        for (const char* unit : {" N", " A", " s"}) {
+            QVERIFY2(
+                svg.contains(QByteArray(unit) + "\n</text>") || svg.contains(QByteArray(unit) + "</text>"),
+                unit);
+        }
         QVERIFY(svg.contains("<path") || svg.contains("<polyline"));
         QVERIFY2(!svg.contains("<image"), "curves are drawn as pixels");
         QVERIFY(!svg.contains("Record"));
