@@ -121,6 +121,20 @@ void LogTab::append(Severity severity, const QString& text, Origin origin, const
     }
 }
 
+void LogTab::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    if (follows_) {
+        // Once the page has its size.
+        QMetaObject::invokeMethod(table_, &QTableView::scrollToBottom, Qt::QueuedConnection);
+    }
+}
+
+void LogTab::hideEvent(QHideEvent* event) {
+    const QScrollBar* bar = table_->verticalScrollBar();
+    follows_ = bar->value() == bar->maximum();
+    QWidget::hideEvent(event);
+}
+
 void LogTab::showDetails() {
     const QModelIndex current = table_->currentIndex();
     details_->setVisible(current.isValid());

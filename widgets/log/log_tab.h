@@ -44,6 +44,10 @@ public Q_SLOTS:
     /// Copies the selected rows, or all that are shown when none is selected.
     void copy();
 
+protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
 private:
     void exportToFile();
     void showDetails();
@@ -56,6 +60,7 @@ private:
     QLineEdit* search_;
     QTableView* table_;
     QLabel* details_;
+    bool follows_ = true;  ///< the newest line was in sight when the page was left
 };
 
 }  // namespace tiller

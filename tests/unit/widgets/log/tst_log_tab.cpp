@@ -176,6 +176,26 @@ private Q_SLOTS:
         QCOMPARE(table()->rowAt(2), 0);
     }
 
+    // What came while another page was shown is what one comes back for.
+    void thePageOpensAtTheNewestLine() {
+        const auto newestIsInSight = [&] {
+            const QRect last = table()->visualRect(table()->model()->index(rows() - 1, 0));
+            return last.isValid() && last.bottom() <= table()->viewport()->height();
+        };
+        tab_->hide();
+        for (int n = 0; n < 100; ++n) {
+            tab_->append(Severity::Info, QString::number(n));
+        }
+        tab_->show();
+        QTRY_VERIFY(newestIsInSight());
+        table()->scrollToTop();
+        tab_->hide();
+        tab_->append(Severity::Info, "new");
+        tab_->show();
+        QTest::qWait(50);
+        QCOMPARE(table()->rowAt(2), 0);
+    }
+
 private:
     QTableView* table() { return tab_->findChild<QTableView*>("log.table"); }
     int rows() { return table()->model()->rowCount(); }
