@@ -182,11 +182,13 @@ private Q_SLOTS:
             const QRect last = table()->visualRect(table()->model()->index(rows() - 1, 0));
             return last.isValid() && last.bottom() <= table()->viewport()->height();
         };
-        tab_->hide();
+        tab_ = std::make_unique<LogTab>(*session_);  // one that was never shown
         for (int n = 0; n < 100; ++n) {
             tab_->append(Severity::Info, QString::number(n));
         }
+        tab_->resize(560, 400);
         tab_->show();
+        QTest::qWait(50);
         QTRY_VERIFY(newestIsInSight());
         table()->scrollToTop();
         tab_->hide();
