@@ -241,7 +241,7 @@ private Q_SLOTS:
         QVERIFY(line(doctor::Condition::RemoteControl).contains("Remote"));
         keepPicture(*page, "polyscope-x");
 
-        cell.robot->setRemoteControl(false);
+        QVERIFY(cell.robot->inject("remote off").ok());
         QTest::mouseClick(page->findChild<QPushButton*>("preflightAgain"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(page->isFinished(), 30'000);
         QCOMPARE(causesOf(page->report()), QSet<QString>{"control.local"});
@@ -250,12 +250,12 @@ private Q_SLOTS:
     void lookingAgainFindsWhatWasPutRight() {
         Cell cell;
         QVERIFY(cell.begin());
-        cell.robot->setRemoteControl(false);
+        QVERIFY(cell.robot->inject("remote off").ok());
         const auto page = open(cell.patient);
         QTRY_VERIFY_WITH_TIMEOUT(page->isFinished(), 30'000);
         QCOMPARE(causesOf(page->report()), QSet<QString>{"control.local"});
         QCOMPARE(page->findChild<QPushButton*>("preflightConnect")->text(), QStringLiteral("Connect anyway"));
-        cell.robot->setRemoteControl(true);
+        QVERIFY(cell.robot->inject("remote on").ok());
         QTest::mouseClick(page->findChild<QPushButton*>("preflightAgain"), Qt::LeftButton);
         QVERIFY(!page->isFinished());
         QTRY_VERIFY_WITH_TIMEOUT(page->isFinished(), 30'000);
@@ -314,7 +314,7 @@ private Q_SLOTS:
         cell.options.listenAddress =
             QStringLiteral("127.78.%1.1").arg(QCoreApplication::applicationPid() % 250);
         QVERIFY(cell.begin());
-        cell.robot->setRemoteControl(false);
+        QVERIFY(cell.robot->inject("remote off").ok());
         cell.robot->protectiveStop();
         const auto page = open(doctor::patientAt(cell.options.listenAddress));
         QTRY_VERIFY_WITH_TIMEOUT(page->isFinished(), 30'000);

@@ -218,7 +218,7 @@ private Q_SLOTS:
         expectOnly("rtde.not-rtde");
     }
     void theRobotIsInLocalControl() {
-        robot_->setRemoteControl(false);
+        QVERIFY(robot_->inject("remote off").ok());
         expectOnly("control.local");
     }
     void theRobotIsInAProtectiveStop() {
@@ -308,7 +308,7 @@ private Q_SLOTS:
         const auto [healthy, text] = run({});
         QVERIFY2(healthy == 0, text.constData());
         QVERIFY(text.contains("RTDE port"));
-        robot_->setRemoteControl(false);
+        QVERIFY(robot_->inject("remote off").ok());
         const auto [sick, json] = run({"--json"});
         QCOMPARE(sick, 1);
         const QJsonObject report = QJsonDocument::fromJson(json).object();

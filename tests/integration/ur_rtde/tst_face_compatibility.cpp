@@ -98,7 +98,7 @@ private Q_SLOTS:
         control_->stopScript();
         control_.reset();
         if (trouble == "local") {
-            cell_->robot.setRemoteControl(false);
+            QVERIFY(cell_->robot.inject("remote off").ok());
         } else if (trouble == "powered off") {
             ur_rtde::DashboardClient pendant(cell_->host());
             pendant.connect();
