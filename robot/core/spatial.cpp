@@ -29,6 +29,10 @@ Pose Pose::inverse() const {
     return Pose(transform().inverse());
 }
 
+bool Pose::allFinite() const {
+    return position.allFinite() && rotation.allFinite();
+}
+
 Pose operator*(const Pose& T_a_b, const Pose& T_b_c) {
     return Pose(T_a_b.transform() * T_b_c.transform());
 }
@@ -41,9 +45,53 @@ std::ostream& operator<<(std::ostream& out, const Pose& pose) {
     return writeNumbers(out << 'p', pose.array());
 }
 
+Vector6 Twist::vector() const {
+    return (Vector6() << linear, angular).finished();
+}
+
+Twist Twist::fromVector(const Vector6& v) {
+    return {v.head<3>(), v.tail<3>()};
+}
+
+bool Twist::isZero() const {
+    return linear.isZero(0) && angular.isZero(0);
+}
+
+Twist operator+(const Twist& a, const Twist& b) {
+    return {a.linear + b.linear, a.angular + b.angular};
+}
+
+Twist operator-(const Twist& a, const Twist& b) {
+    return {a.linear - b.linear, a.angular - b.angular};
+}
+
+Twist operator*(const Twist& a, double f) {
+    return {a.linear * f, a.angular * f};
+}
+
 std::ostream& operator<<(std::ostream& out, const Twist& twist) {
     const Vector6 v = twist.vector();
     return writeNumbers(out, {v.data(), 6});
+}
+
+Vector6 Wrench::vector() const {
+    return (Vector6() << force, torque).finished();
+}
+
+Wrench Wrench::fromVector(const Vector6& v) {
+    return {v.head<3>(), v.tail<3>()};
+}
+
+Wrench operator+(const Wrench& a, const Wrench& b) {
+    return {a.force + b.force, a.torque + b.torque};
+}
+
+Wrench operator-(const Wrench& a, const Wrench& b) {
+    return {a.force - b.force, a.torque - b.torque};
+}
+
+Wrench operator*(const Wrench& a, double f) {
+    return {a.force * f, a.torque * f};
 }
 
 std::ostream& operator<<(std::ostream& out, const Wrench& wrench) {

@@ -40,7 +40,7 @@ struct Pose {
     Eigen::Isometry3d transform() const;  ///< Of points in it to its reference frame.
     /// T_b_a of T_a_b.
     Pose inverse() const;
-    bool allFinite() const { return position.allFinite() && rotation.allFinite(); }  ///< No NaN, no infinity.
+    bool allFinite() const;  ///< No NaN, no infinity.
     friend bool operator==(const Pose&, const Pose&) = default;
     /// T_a_c of T_a_b and T_b_c. Source: URScript pose_trans
     friend Pose operator*(const Pose& T_a_b, const Pose& T_b_c);
@@ -55,16 +55,12 @@ struct Twist {
     Eigen::Vector3d linear = Eigen::Vector3d::Zero();
     Eigen::Vector3d angular = Eigen::Vector3d::Zero();
 
-    Vector6 vector() const { return (Vector6() << linear, angular).finished(); }      ///< vx vy vz wx wy wz
-    static Twist fromVector(const Vector6& v) { return {v.head<3>(), v.tail<3>()}; }  ///< vx vy vz wx wy wz
-    bool isZero() const { return linear.isZero(0) && angular.isZero(0); }             ///< Exactly.
-    friend Twist operator+(const Twist& a, const Twist& b) {
-        return {a.linear + b.linear, a.angular + b.angular};
-    }
-    friend Twist operator-(const Twist& a, const Twist& b) {
-        return {a.linear - b.linear, a.angular - b.angular};
-    }
-    friend Twist operator*(const Twist& a, double f) { return {a.linear * f, a.angular * f}; }
+    Vector6 vector() const;                     ///< vx vy vz wx wy wz
+    static Twist fromVector(const Vector6& v);  ///< vx vy vz wx wy wz
+    bool isZero() const;                        ///< Exactly.
+    friend Twist operator+(const Twist& a, const Twist& b);
+    friend Twist operator-(const Twist& a, const Twist& b);
+    friend Twist operator*(const Twist& a, double f);
     friend Twist operator*(double f, const Twist& a) { return a * f; }
     friend std::ostream& operator<<(std::ostream& out, const Twist& twist);
     friend bool operator==(const Twist&, const Twist&) = default;
@@ -75,15 +71,11 @@ struct Wrench {
     Eigen::Vector3d force = Eigen::Vector3d::Zero();
     Eigen::Vector3d torque = Eigen::Vector3d::Zero();
 
-    Vector6 vector() const { return (Vector6() << force, torque).finished(); }         ///< Fx Fy Fz Tx Ty Tz
-    static Wrench fromVector(const Vector6& v) { return {v.head<3>(), v.tail<3>()}; }  ///< Fx Fy Fz Tx Ty Tz
-    friend Wrench operator+(const Wrench& a, const Wrench& b) {
-        return {a.force + b.force, a.torque + b.torque};
-    }
-    friend Wrench operator-(const Wrench& a, const Wrench& b) {
-        return {a.force - b.force, a.torque - b.torque};
-    }
-    friend Wrench operator*(const Wrench& a, double f) { return {a.force * f, a.torque * f}; }
+    Vector6 vector() const;                      ///< Fx Fy Fz Tx Ty Tz
+    static Wrench fromVector(const Vector6& v);  ///< Fx Fy Fz Tx Ty Tz
+    friend Wrench operator+(const Wrench& a, const Wrench& b);
+    friend Wrench operator-(const Wrench& a, const Wrench& b);
+    friend Wrench operator*(const Wrench& a, double f);
     friend Wrench operator*(double f, const Wrench& a) { return a * f; }
     friend bool operator==(const Wrench&, const Wrench&) = default;
     friend std::ostream& operator<<(std::ostream& out, const Wrench& wrench);
