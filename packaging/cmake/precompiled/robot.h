@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parsed once for all of robot/.
+// Parsed once for all of robot/: what is not ours, and the few headers of ours that nearly every file reads.
 // A convenience of the build only: every file still names what it includes (TILLER_PRECOMPILE=OFF shows it).
 #pragma once
 
@@ -40,3 +40,11 @@
 #include <QStringList>
 #include <QTimer>
 #include <QtCore>
+
+#include "robot/core/deadline.h"
+#include "robot/core/joints.h"
+#include "robot/core/modes.h"
+#include "robot/core/result.h"
+#include "robot/core/robot_model.h"
+#include "robot/core/spatial.h"
+#include "robot/core/version.h"
