@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "robot/core/tcp_connect.h"
+#include "robot/io/robotiq_client.h"
 #include "robot/ur_rtde/detail/arguments.h"
 #include "robot/ur_rtde/detail/waiting.h"
 
@@ -18,9 +18,7 @@ namespace {
 
 using std::chrono::milliseconds;
 using tiller::ErrorCode;
-using tiller::native_socket::Status;
 namespace check = tiller::urrtde::check;
-namespace socket = tiller::native_socket;
 
 constexpr milliseconds kReplyTime(2000);
 constexpr milliseconds kActivationTime(15000);
@@ -32,11 +30,9 @@ constexpr float kDeviceMaxReal = 255.0F;
 }  // namespace
 
 struct RobotiqGripper::Private {
-    QString host;
-    int port = 0;
-    bool verbose = false;
-    socket::Descriptor descriptor = -1;
-    std::string received;
+    Private(const std::string& host, int port) : client(host, port) {}
+
+    tiller::io::RobotiqClient client;
 
     int minPosition = 0;           ///< open, device units
     int maxPosition = kDeviceMax;  ///< closed
@@ -46,87 +42,27 @@ struct RobotiqGripper::Private {
     int force = 0;           // as gentle as can be
     int requested = 0;       ///< the last position commanded, device units
 
-    void close() {
-        if (descriptor >= 0) {
-            socket::close(descriptor);
-            descriptor = -1;
-        }
-        received.clear();
-    }
-
-    [[noreturn]] void fail(ErrorCode code, const std::string& line) {
-        close();  // a late reply would be taken for the answer to the next line
-        tiller::urrtde::raise(
-            {code,
-             QStringLiteral("gripper at %1:%2, \"%3\"").arg(host).arg(port).arg(QString::fromStdString(line)),
-             {}});
-    }
-
-    std::string ask(const std::string& line) {
-        if (descriptor < 0) {
-            fail(ErrorCode::NotConnected, line);
-        }
-        const std::string text = line + "\n";
-        const auto deadline = tiller::urrtde::within(kReplyTime);
-        for (std::size_t at = 0; at < text.size();) {
-            const auto sent = socket::send(
-                descriptor,
-                std::span(reinterpret_cast<const std::uint8_t*>(text.data()) + at, text.size() - at));
-            at += sent.bytes;
-            if (sent.status == Status::Failed || sent.status == Status::Closed) {
-                fail(ErrorCode::ConnectionClosed, line);
-            }
-            if (deadline.hasExpired()) {
-                fail(deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, line);
-            }
-        }
-        return readReply(line, deadline);
-    }
-
-    // "ack" comes without a line end from the real URCap, other replies with one.
-    std::string readReply(const std::string& line, const tiller::Deadline& deadline) {
-        for (;;) {
-            const std::size_t end = received.find('\n');
-            if (end != std::string::npos || received == "ack") {
-                std::string reply = received.substr(0, std::min(end, received.size()));
-                received.erase(0, end == std::string::npos ? received.size() : end + 1);
-                if (!reply.empty() && reply.back() == '\r') {
-                    reply.pop_back();
-                }
-                if (reply.empty()) {
-                    continue;
-                }
-                return reply;
-            }
-            std::uint8_t bytes[256];
-            const auto got = socket::receive(descriptor, bytes);
-            if (got.status == Status::Ok) {
-                received.append(reinterpret_cast<const char*>(bytes), got.bytes);
-            } else if (got.status != Status::WouldBlock) {
-                fail(ErrorCode::ConnectionClosed, line);
-            } else if (deadline.hasExpired()) {
-                fail(deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, line);
-            } else {
-                socket::waitReadable(descriptor, deadline.nextPoll());
-            }
-        }
-    }
-
     int get(const std::string& name) {
-        const std::string reply = ask("GET " + name);
-        const std::string prefix = name + " ";
-        if (reply.compare(0, prefix.size(), prefix) != 0) {
-            throw std::runtime_error("gripper: unexpected answer \"" + reply + "\" to GET " + name);
+        const auto value = client.get(name, tiller::urrtde::within(kReplyTime));
+        if (!value && value.error().code == ErrorCode::ProtocolError) {
+            throw std::runtime_error("gripper: unexpected answer \"" +
+                                     value.error().controllerMessage.toStdString() + "\" to GET " + name);
         }
-        return std::stoi(reply.substr(prefix.size()));
+        if (!value) {
+            tiller::urrtde::raise(value.error());
+        }
+        if (!value->has_value()) {
+            throw std::invalid_argument("gripper: no value for " + name);
+        }
+        return **value;
     }
 
     bool set(const std::vector<std::pair<std::string, int>>& values) {
-        std::string line = "SET";
-        for (const auto& [name, value] : values) {
-            line += " " + name + " " + std::to_string(value);
+        const auto done = client.set(values, tiller::urrtde::within(kReplyTime));
+        if (!done && done.error().code != ErrorCode::Rejected) {
+            tiller::urrtde::raise(done.error());
         }
-        return ask(line) == "ack";
+        return done.ok();
     }
 
     template <class Done>
@@ -202,37 +138,29 @@ struct RobotiqGripper::Private {
     }
 };
 
-RobotiqGripper::RobotiqGripper(const std::string& Hostname, int Port, bool verbose) {
+RobotiqGripper::RobotiqGripper(const std::string& Hostname, int Port, bool /*verbose*/) {
     if (Hostname.empty()) {
         throw std::invalid_argument("Hostname is empty");
     }
     check::port("Port", Port);
-    d_ = std::make_unique<Private>();
-    d_->host = QString::fromStdString(Hostname);
-    d_->port = Port;
-    d_->verbose = verbose;
+    d_ = std::make_unique<Private>(Hostname, Port);
 }
 
-RobotiqGripper::~RobotiqGripper() {
-    d_->close();
-}
+RobotiqGripper::~RobotiqGripper() = default;
 
 void RobotiqGripper::connect(uint32_t timeout_ms) {
-    d_->close();
-    const auto connected =
-        tiller::connectTcp(d_->host, d_->port, tiller::urrtde::within(milliseconds(timeout_ms)));
+    const auto connected = d_->client.connect(tiller::urrtde::within(milliseconds(timeout_ms)));
     if (!connected) {
         tiller::urrtde::raise(connected.error());
     }
-    d_->descriptor = *connected;
 }
 
 void RobotiqGripper::disconnect() {
-    d_->close();
+    d_->client.close();
 }
 
 bool RobotiqGripper::isConnected() const {
-    return d_->descriptor >= 0;
+    return d_->client.isConnected();
 }
 
 // ---- activation -----------------------------------------------------------------------------------------

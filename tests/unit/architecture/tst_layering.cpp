@@ -41,7 +41,7 @@ const QList<Room>& rooms() {
         {"robot/recording", {"robot/core", "robot/realtime", "robot/receive", "robot/rtde/fields.h"}, kGui},
         {"robot/ur_rtde",
          {"robot/core", "robot/realtime", "robot/rtde", "robot/control", "robot/receive", "robot/recording",
-          "robot/script", "robot/dashboard"},
+          "robot/script", "robot/dashboard", "robot/io/robotiq_client.h"},
          kGui},
         {"robot/python",
          {"robot/ur_rtde", "robot/ur_rtde/detail/waiting.h", "robot/core", "robot/realtime", "robot/receive",
