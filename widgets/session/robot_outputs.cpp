@@ -90,6 +90,27 @@ void RobotOutputs::setDigitalOutput(int output, bool on) {
     });
 }
 
+void RobotOutputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, const QString& what) {
+    if (!d_.link) {
+        return;
+    }
+    QStringList each;
+    for (int output = 0; output < io::kDigitalOutputs; ++output) {
+        if ((mask >> output & 1U) != 0) {
+            const QString terminal = terminalText(ioTerminal(true, output));
+            each << ((values >> output & 1U) != 0 ? tr("%1: on") : tr("%1: off")).arg(terminal);
+        }
+    }
+    const QString done = tr("%1 (%2)").arg(what, each.join(QStringLiteral(", ")));
+    const std::uint64_t generation = d_.generation;
+    d_.worker.post(&session_, [this, generation, mask, values, done,
+                               outputs = d_.link->outputs](const CancelToken& token) {
+        const Result<void> result =
+            outputs->setDigitalOutputs(mask, values, Deadline::after(kConfirmTime, token));
+        return std::function<void()>([this, generation, done, result] { report(generation, done, result); });
+    });
+}
+
 void RobotOutputs::setAnalogOutput(int output, io::AnalogDomain domain, double level) {
     if (!d_.link) {
         return;

@@ -28,6 +28,9 @@ public:
     void setSpeedSlider(double fraction);
     /// output  0-7 standard, 8-15 configurable, 16-17 tool
     void setDigitalOutput(int output, bool on);
+    /// Those of the mask at once, all or none.
+    /// what  for the log, before the outputs: "Gripper: close"
+    void setDigitalOutputs(std::uint32_t mask, std::uint32_t values, const QString& what);
     /// output  0 or 1; level  0 ... 1 of 4 to 20 mA or 0 to 10 V
     void setAnalogOutput(int output, io::AnalogDomain domain, double level);
     void setRegister(const RegisterValue& value);
