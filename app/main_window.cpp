@@ -28,6 +28,8 @@
 #include "widgets/common/panel.h"
 #include "widgets/common/theme.h"
 #include "widgets/frames/frames_tab.h"
+#include "widgets/io/gripper_panel.h"
+#include "widgets/io/io_pages.h"
 #include "widgets/io/io_tab.h"
 #include "widgets/jog/axis_jog.h"
 #include "widgets/jog/device_jog.h"
@@ -125,6 +127,8 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     waypoints_ = new WaypointsTab(*session_, *document_, this);
     frames_ = new FramesTab(*session_, *document_, this);
     io_ = new IoTab(*session_, this);
+    gripper_ = new GripperPanel(*session_, this);
+    ioPages_ = new IoPages(io_, gripper_, this);
     log_ = new LogTab(*session_, this);
     status_ = new StatusLine(*session_, this);
     stopKeys_ = new StopKeys(*session_, clock, this);
@@ -226,7 +230,7 @@ void MainWindow::buildTabs() {
     for (const auto& [name, title, page] :
          {std::tuple<QString, QString, QWidget*>{"waypoints", tr("Waypoints"), waypoints_},
           {"frames", tr("Frames"), frames_},
-          {"io", tr("I/O"), io_},
+          {"io", tr("I/O"), ioPages_},
           {"log", tr("Log"), log_}}) {
         tabs_->setTabData(tabs_->addTab(title), name);
         pages_->addWidget(page);
@@ -254,12 +258,7 @@ void MainWindow::connectParts() {
     connect(waypoints_, &WaypointsTab::marksChanged, this, &MainWindow::updateScene);
     connectFrames();
     connectProject();
-    io_->setNames(settings_.ioNames());
-    session_->outputs().setNames(io_->names());
-    connect(io_, &IoTab::namesChanged, this, [this] {
-        settings_.setIoNames(io_->names());
-        session_->outputs().setNames(io_->names());
-    });
+    connectIo();
     followJog();
 
     const auto followView = [this] {
@@ -295,6 +294,24 @@ void MainWindow::connectProject() {
     connect(files_.get(), &ProjectFiles::noticeWanted, waypoints_, [this](const ProjectNotice& notice) {
         waypoints_->showNotice(notice.title, notice.text, notice.accept, notice.accepted);
     });
+}
+
+void MainWindow::connectIo() {
+    io_->setNames(settings_.ioNames());
+    const auto tellNames = [this] {
+        session_->outputs().setNames(io_->names());
+        gripper_->setNames(io_->names());
+    };
+    tellNames();
+    connect(io_, &IoTab::namesChanged, this, [this, tellNames] {
+        settings_.setIoNames(io_->names());
+        tellNames();
+    });
+    gripper_->setMemory(
+        {[this](const QString& robot) { return settings_.gripper(robot); },
+         [this](const QString& robot, const QString& choice) { settings_.setGripper(robot, choice); }});
+    connect(ioPages_, &IoPages::pageChanged, this,
+            [this] { stopMotion(control::StopCause::SelectionChanged); });
 }
 
 void MainWindow::connectFrames() {
@@ -504,8 +521,12 @@ void MainWindow::selectWaypoint(int row) {
 }
 
 void MainWindow::showTab(const QString& name) {
+    if (name == QLatin1String("gripper") || name == QLatin1String("io")) {
+        ioPages_->show(name == QLatin1String("io") ? IoPages::Page::Signals : IoPages::Page::Gripper);
+    }
+    const QString tab = name == QLatin1String("gripper") ? QStringLiteral("io") : name;
     for (int i = 0; i < tabs_->count(); ++i) {
-        if (tabs_->tabData(i).toString() == name) {
+        if (tabs_->tabData(i).toString() == tab) {
             tabs_->setCurrentIndex(i);
         }
     }
@@ -616,6 +637,11 @@ void MainWindow::addViewActions() {
         actions_->add({"view." + name, title, tr("Brings this tab to the front."),
                        QKeySequence(Qt::CTRL | Qt::Key(number++)), [this, name = name] { showTab(name); }});
     }
+    actions_->add({"view.gripper",
+                   tr("Show gripper"),
+                   tr("Brings the gripper's page of I/O to the front."),
+                   {},
+                   [this] { showTab("gripper"); }});
     const QList<QDockWidget*> docks = findChildren<QDockWidget*>();
     for (QDockWidget* dock : docks) {
         if (dock->features().testFlag(QDockWidget::DockWidgetFloatable)) {

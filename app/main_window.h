@@ -23,6 +23,8 @@ class QStackedWidget;
 namespace tiller {
 
 class HeaderBar;
+class GripperPanel;
+class IoPages;
 class IoTab;
 class DeviceJog;
 class FramesTab;
@@ -82,7 +84,7 @@ public:
 
     int waypointCount() const;
     void selectWaypoint(int row);
-    /// For the demonstration and tests: "waypoints", "frames", "io", "log".
+    /// For the demonstration and tests: "waypoints", "frames", "io", "gripper" (a page of "io"), "log".
     void showTab(const QString& name);
 
 protected:
@@ -104,6 +106,7 @@ private:
     void connectProject();
     void followJog();
     void connectFrames();
+    void connectIo();
     void connectDevices(const Clock& clock);
     /// over  the window it stands in front of
     void showTrainer(QWidget* over);
@@ -130,6 +133,8 @@ private:
     WaypointsTab* waypoints_ = nullptr;
     FramesTab* frames_ = nullptr;
     IoTab* io_ = nullptr;
+    GripperPanel* gripper_ = nullptr;
+    IoPages* ioPages_ = nullptr;  ///< of these two
     LogTab* log_ = nullptr;
     StatusLine* status_ = nullptr;
     StopKeys* stopKeys_ = nullptr;

@@ -13,6 +13,11 @@ constexpr int kProjectsRemembered = 8;
 /// Raised when the docks change so much that an old layout would not fit.
 constexpr int kLayoutVersion = 1;
 
+/// A slash would begin a group within the group.
+QString gripperKey(const QString& robot) {
+    return QStringLiteral("grippers/") + QString(robot).replace(QLatin1Char('/'), QLatin1Char('_'));
+}
+
 }  // namespace
 
 QSettings openSettings(const QString& file) {
@@ -107,6 +112,19 @@ void Settings::setIoNames(const QMap<QString, QString>& names) {
     settings.beginGroup("io");
     for (auto it = names.constBegin(); it != names.constEnd(); ++it) {
         settings.setValue(it.key(), it.value());
+    }
+}
+
+QString Settings::gripper(const QString& robot) const {
+    return openSettings(file_).value(gripperKey(robot)).toString();
+}
+
+void Settings::setGripper(const QString& robot, const QString& choice) {
+    QSettings settings = openSettings(file_);
+    if (choice.isEmpty()) {
+        settings.remove(gripperKey(robot));
+    } else {
+        settings.setValue(gripperKey(robot), choice);
     }
 }
 

@@ -35,6 +35,9 @@ public:
     /// The operator's names of inputs and outputs, by terminal: "DI 0".
     QMap<QString, QString> ioNames() const;
     void setIoNames(const QMap<QString, QString>& names);
+    /// The gripper of a robot, by its address or "simulator"; empty: none. As GripperChoice::toText() has it.
+    QString gripper(const QString& robot) const;
+    void setGripper(const QString& robot, const QString& choice);
     /// Absolute paths, the one worked in last first. The files may be gone.
     QStringList recentProjects() const;
     void rememberProject(const QString& path);

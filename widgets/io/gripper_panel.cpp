@@ -1,0 +1,609 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/io/gripper_panel.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QStyle>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "widgets/common/choice_box.h"
+#include "widgets/common/figure_box.h"
+#include "widgets/common/format.h"
+#include "widgets/common/notation.h"
+#include "widgets/common/theme.h"
+
+namespace tiller {
+namespace {
+
+using io::RobotiqActivation;
+using io::RobotiqObject;
+
+constexpr int kRefreshMs = 50;
+/// After this long without the robot's word, "pending" would be a lie.
+constexpr std::int64_t kConfirmNs = 2 * kNsPerSecond;
+/// A second click that was meant for the list of grippers shall meet no key that came in its place.
+constexpr int kSettleMs = 500;
+constexpr int kMostPort = 65535;
+/// Gentle at first; never remembered.
+constexpr double kFirstSpeed = 50;
+constexpr double kFirstForce = 20;
+constexpr int kRemedyLines = 4;
+
+/// Enter presses it, once for each press; Space stops the arm everywhere and presses nothing.
+class GripperKey : public QPushButton {
+public:
+    using QPushButton::QPushButton;
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override {
+        if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+            if (!event->isAutoRepeat()) {
+                click();
+            }
+        } else if (event->key() == Qt::Key_Space) {
+            event->ignore();
+        } else {
+            QPushButton::keyPressEvent(event);
+        }
+    }
+};
+
+QPushButton* key(const QString& text, const QString& name, const QString& accessible) {
+    auto* button = new GripperKey(text);
+    button->setObjectName(name);
+    button->setAccessibleName(accessible);
+    button->setStyleSheet(QStringLiteral("padding: 0 10px;"));
+    return button;
+}
+
+QLabel* valueLabel(const QString& name, const QString& accessible) {
+    auto* label = new QLabel(QStringLiteral("–"));
+    label->setObjectName(name);
+    label->setAccessibleName(accessible);
+    label->setFont(textFont(15));
+    // The words in it change, the rows around it keep their places.
+    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    return label;
+}
+
+/// Takes what stands in the box, or tells why not.
+bool isRefused(FigureBox* box) {
+    if (box->isRefused()) {
+        box->explainRefusal();
+        return true;
+    }
+    box->interpretText();
+    return false;
+}
+
+void setText(QLabel* label, const QString& text) {
+    if (label->text() != text) {
+        label->setText(text);
+        label->setToolTip(text);
+        label->setAccessibleDescription(text);
+    }
+}
+
+void setObstacle(QAbstractButton* button, const QString& why, const QString& tip) {
+    const QString text = why.isEmpty() ? tip : why;
+    if (button->toolTip() != text) {
+        button->setToolTip(text);
+        button->setAccessibleDescription(text);
+    }
+    if (button->isEnabled() != why.isEmpty()) {
+        button->setEnabled(why.isEmpty());
+    }
+}
+
+int byteOf(double percent) {
+    return static_cast<int>(std::lround(percent / 100.0 * io::kRobotiqMost));
+}
+
+/// The choice without its outputs, as the list of grippers has it.
+QString kindOf(const GripperChoice& choice) {
+    using Kind = GripperChoice::Kind;
+    return choice.kind == Kind::None         ? QStringLiteral("none")
+           : choice.kind == Kind::OneOutput  ? QStringLiteral("output")
+           : choice.kind == Kind::TwoOutputs ? QStringLiteral("outputs")
+                                             : choice.toText();
+}
+
+bool bit(std::uint64_t bits, int channel) {
+    return ((bits >> channel) & 1U) != 0;
+}
+
+}  // namespace
+
+GripperPanel::GripperPanel(RobotSession& session, QWidget* parent)
+    : QWidget(parent)
+    , session_(session)
+    , state_(session.state())
+    , kind_(new ChoiceBox)
+    , closeOutput_(new ChoiceBox)
+    , openOutput_(new ChoiceBox)
+    , stateText_(valueLabel(QStringLiteral("gripper.state"), tr("State of the gripper")))
+    , openingText_(valueLabel(QStringLiteral("gripper.opening"), tr("How far the gripper is open")))
+    , holdsText_(valueLabel(QStringLiteral("gripper.holds"), tr("What the gripper holds")))
+    , activate_(key(tr("Activate"), QStringLiteral("gripper.activate"), tr("Activate the gripper")))
+    , open_(key(tr("Open"), QStringLiteral("gripper.open"), tr("Open the gripper")))
+    , close_(key(tr("Close"), QStringLiteral("gripper.close"), tr("Close the gripper")))
+    , move_(key(tr("Move"), QStringLiteral("gripper.move"), tr("Move the fingers to this opening")))
+    , position_(new FigureBox)
+    , speed_(new FigureBox)
+    , force_(new FigureBox)
+    , remedy_(new QLabel)
+    , robotiq_(session) {
+    setObjectName(QStringLiteral("gripper"));
+    setAccessibleName(tr("Gripper"));
+    setOutputs_ = [this](std::uint32_t mask, std::uint32_t values, const QString& what) {
+        session_.outputs().setDigitalOutputs(mask, values, what);
+    };
+    build();
+    choose({});
+
+    connect(kind_, &QComboBox::activated, this, &GripperPanel::chosenByHand);
+    connect(closeOutput_, &QComboBox::activated, this, &GripperPanel::chosenByHand);
+    connect(openOutput_, &QComboBox::activated, this, &GripperPanel::chosenByHand);
+    connect(activate_, &QAbstractButton::clicked, this, [this] { robotiq_.activate(); });
+    connect(open_, &QAbstractButton::clicked, this,
+            [this] { choice_.usesOutputs() ? setHand(false) : move(0, tr("Gripper: open")); });
+    connect(close_, &QAbstractButton::clicked, this,
+            [this] { choice_.usesOutputs() ? setHand(true) : move(io::kRobotiqMost, tr("Gripper: close")); });
+    connect(move_, &QAbstractButton::clicked, this, [this] {
+        if (isRefused(position_)) {
+            return;
+        }
+        const double opening = position_->value() * format::metresPerUnit();
+        move(robotiq_.position(opening), tr("Gripper: to %1").arg(format::length(opening, 1)));
+    });
+    connect(&robotiq_, &RobotiqLink::changed, this, &GripperPanel::refresh);
+    connect(&session_, &RobotSession::stateChanged, this, &GripperPanel::follow);
+    // By itself too: what the gripper said grows old when nothing comes.
+    refreshTimer_.setInterval(kRefreshMs);
+    connect(&refreshTimer_, &QTimer::timeout, this, &GripperPanel::refresh);
+    refreshTimer_.start();
+    refresh();
+}
+
+// ---- layout ---------------------------------------------------------------------------------------------
+
+void GripperPanel::build() {
+    kind_->setObjectName(QStringLiteral("gripper.kind"));
+    kind_->setAccessibleName(tr("Which gripper"));
+    kind_->addItem(tr("None"), kindOf({}));
+    for (const auto model :
+         {GripperChoice::Model::TwoF85, GripperChoice::Model::TwoF140, GripperChoice::Model::HandE}) {
+        GripperChoice choice;
+        choice.kind = GripperChoice::Kind::Robotiq;
+        choice.model = model;
+        kind_->addItem(tr("Robotiq %1").arg(QLatin1String(robotiqRange(model).name)), kindOf(choice));
+    }
+    kind_->addItem(tr("One output: on closes"), QStringLiteral("output"));
+    kind_->addItem(tr("Two outputs: open, close"), QStringLiteral("outputs"));
+    closeOutput_->setObjectName(QStringLiteral("gripper.closeOutput"));
+    closeOutput_->setAccessibleName(tr("Output that closes"));
+    openOutput_->setObjectName(QStringLiteral("gripper.openOutput"));
+    openOutput_->setAccessibleName(tr("Output that opens"));
+    for (QComboBox* box : {kind_, closeOutput_, openOutput_}) {
+        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        box->setMinimumContentsLength(8);
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    }
+
+    const std::tuple<FigureBox*, const char*, QString> figures[] = {
+        {position_, "gripper.position", tr("Opening wanted")},
+        {speed_, "gripper.speed", tr("Speed of the fingers")},
+        {force_, "gripper.force", tr("Force of the fingers")}};
+    for (const auto& [box, name, accessible] : figures) {
+        box->setObjectName(QLatin1String(name));
+        box->setAccessibleName(accessible);
+        box->setFixedWidth(112);
+    }
+    for (FigureBox* box : {speed_, force_}) {
+        box->setDecimals(0);
+        box->setRange(0, 100);
+        box->setSuffix(QStringLiteral(" %"));
+    }
+    speed_->setValue(kFirstSpeed);
+    force_->setValue(kFirstForce);
+
+    remedy_->setObjectName(QStringLiteral("gripper.remedy"));
+    remedy_->setAccessibleName(tr("What to do about the gripper"));
+    remedy_->setWordWrap(true);
+    remedy_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    remedy_->setContentsMargins(0, 10, 0, 0);
+
+    auto* page = new QWidget;
+    page->setObjectName(QStringLiteral("gripper.page"));
+    auto* lines = new QVBoxLayout(page);
+    lines->setContentsMargins(12, 10, 12, 12);
+    lines->setSpacing(0);
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(6);
+    grid->setColumnStretch(1, 1);
+    QVector<QWidget*> always;
+    addRow(grid, tr("Gripper"), kind_, always);
+    addRow(grid, tr("Closes"), closeOutput_, ofOutputs_);
+    addRow(grid, tr("Opens"), openOutput_, ofTwoOutputs_);
+    addRow(grid, tr("State"), stateText_, ofAny_);
+    addRow(grid, tr("Opening"), openingText_, ofRobotiq_);
+    addRow(grid, tr("Holds"), holdsText_, ofRobotiq_);
+    QWidget* keys = buildKeys();
+    grid->addWidget(keys, grid->rowCount(), 0, 1, 3);
+    ofAny_.append(keys);
+    addRow(grid, tr("Go to"), position_, ofRobotiq_, move_);
+    addRow(grid, tr("Speed"), speed_, ofRobotiq_);
+    addRow(grid, tr("Force"), force_, ofRobotiq_);
+    lines->addLayout(grid);
+    lines->addWidget(remedy_);
+    lines->addStretch();
+
+    auto* scroll = new QScrollArea;
+    scroll->setObjectName(QStringLiteral("gripper.scroll"));
+    scroll->setAccessibleName(tr("Gripper"));
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(page);
+    // The panel below shows through.
+    scroll->viewport()->setAutoFillBackground(false);
+    page->setAutoFillBackground(false);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(scroll);
+    // Always of the same height: nothing moves when a remedy comes and goes.
+    remedy_->setMinimumHeight(kRemedyLines * QFontMetrics(textFont(15)).lineSpacing() + 10);
+    listOutputs();
+    fitFigures();
+    position_->setValue(position_->maximum());
+}
+
+QWidget* GripperPanel::buildKeys() {
+    auto* keys = new QWidget;
+    auto* row = new QHBoxLayout(keys);
+    row->setContentsMargins(0, 4, 0, 4);
+    row->setSpacing(8);
+    for (QAbstractButton* button : {activate_, open_, close_}) {
+        row->addWidget(button, 1);
+    }
+    return keys;
+}
+
+void GripperPanel::addRow(QGridLayout* grid, const QString& label, QWidget* field, QVector<QWidget*>& group,
+                          QWidget* fieldKey) {
+    const int line = grid->rowCount();
+    auto* name = new QLabel(label);
+    name->setProperty("role", "secondary");
+    name->setBuddy(field);
+    grid->addWidget(name, line, 0);
+    const bool figure = qobject_cast<FigureBox*>(field) != nullptr;
+    grid->addWidget(field, line, 1, 1, fieldKey == nullptr && !figure ? 2 : 1,
+                    figure ? Qt::AlignLeft : Qt::Alignment());
+    group.append(name);
+    group.append(field);
+    if (fieldKey != nullptr) {
+        grid->addWidget(fieldKey, line, 2);
+        group.append(fieldKey);
+    }
+}
+
+void GripperPanel::fitFigures() {
+    const RobotiqRange& range = robotiqRange(choice_.model);
+    const QSignalBlocker quiet(position_);
+    const double before = position_->value();
+    const double most = range.stroke / format::metresPerUnit();
+    const double scale = position_->maximum() > 0 ? most / position_->maximum() : 1;
+    position_->setDecimals(Notation::current().length == LengthUnit::Inches ? 3 : 1);
+    position_->setSuffix(QLatin1Char(' ') + format::lengthUnit());
+    position_->setRange(0, most);
+    position_->setValue(before * scale);
+    position_->setToolTip(tr("How far the fingers shall open, 0 to %1. “Move” sends them there.")
+                              .arg(format::length(range.stroke, 1)));
+    speed_->setToolTip(tr("Of the next motion. 0 % is about %1, 100 % about %2.")
+                           .arg(format::speed(range.leastSpeed), format::speed(range.mostSpeed)));
+    force_->setToolTip(tr("Of the next grip. 0 % is about %1, 100 % about %2.")
+                           .arg(format::newtons(range.leastForce), format::newtons(range.mostForce)));
+}
+
+void GripperPanel::listOutputs() {
+    for (QComboBox* box : {closeOutput_, openOutput_}) {
+        const QSignalBlocker quiet(box);
+        const int chosen = box == closeOutput_ ? choice_.closeOutput : choice_.openOutput;
+        box->clear();
+        for (int output = 0; output < io::kDigitalOutputs; ++output) {
+            const QString terminal = ioTerminal(true, output);
+            const QString name = names_.value(terminal);
+            box->addItem(name.isEmpty() ? terminal : tr("%1 · %2").arg(terminal, name));
+        }
+        box->setCurrentIndex(chosen);
+        box->setToolTip(box->currentText());
+    }
+}
+
+void GripperPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::StyleChange) {
+        fitFigures();
+    }
+    QWidget::changeEvent(event);
+}
+
+// ---- which gripper --------------------------------------------------------------------------------------
+
+void GripperPanel::setMemory(GripperMemory memory) {
+    memory_ = std::move(memory);
+    robot_.clear();
+    follow(session_.state());
+}
+
+void GripperPanel::setNames(const QMap<QString, QString>& names) {
+    if (names != names_) {
+        names_ = names;
+        listOutputs();
+        refresh();
+    }
+}
+
+void GripperPanel::setPort(int port) {
+    port_ = port;
+    refollow();
+}
+
+void GripperPanel::follow(const SessionState& state) {
+    state_ = state;
+    const QString robot = state.link == LinkState::Disconnected ? QString()
+                          : state.simulated                     ? QStringLiteral("simulator")
+                                                                : state.address;
+    if (robot != robot_) {
+        robot_ = robot;
+        choose(robot.isEmpty() || !memory_.load ? GripperChoice()
+                                                : GripperChoice::fromText(memory_.load(robot)));
+    }
+}
+
+void GripperPanel::chosenByHand() {
+    GripperChoice choice = choice_;
+    const QString kind = kind_->currentData().toString();
+    choice.closeOutput = closeOutput_->currentIndex();
+    choice.openOutput = openOutput_->currentIndex();
+    if (kind == QLatin1String("output")) {
+        choice.kind = GripperChoice::Kind::OneOutput;
+    } else if (kind == QLatin1String("outputs")) {
+        choice.kind = GripperChoice::Kind::TwoOutputs;
+    } else {
+        const GripperChoice robotiq = GripperChoice::fromText(kind);
+        choice.kind = robotiq.kind;
+        choice.model = robotiq.model;
+    }
+    if (choice == choice_) {
+        return;
+    }
+    choose(choice);
+    chosen_.start();
+    // Two outputs that are one are no gripper yet: nothing to remember.
+    const bool complete =
+        choice.kind != GripperChoice::Kind::TwoOutputs || choice.closeOutput != choice.openOutput;
+    if (!robot_.isEmpty() && memory_.keep && complete) {
+        memory_.keep(robot_, choice.toText());
+    }
+    Q_EMIT session_.message(Severity::Info, tr("Gripper of this robot: %1").arg(kind_->currentText()),
+                            Origin::Operator);
+}
+
+void GripperPanel::choose(const GripperChoice& choice) {
+    choice_ = choice;
+    pending_.reset();
+    unconfirmed_.clear();
+    using Kind = GripperChoice::Kind;
+    kind_->setCurrentIndex(kind_->findData(kindOf(choice)));
+    kind_->setToolTip(kind_->currentText());
+    listOutputs();
+    fitFigures();
+    const auto show = [](const QVector<QWidget*>& group, bool shown) {
+        for (QWidget* widget : group) {
+            widget->setVisible(shown);
+        }
+    };
+    show(ofAny_, choice.kind != Kind::None);
+    show(ofRobotiq_, choice.kind == Kind::Robotiq);
+    show(ofOutputs_, choice.usesOutputs());
+    show(ofTwoOutputs_, choice.kind == Kind::TwoOutputs);
+    activate_->setVisible(choice.kind == Kind::Robotiq);
+    refollow();
+    refresh();
+}
+
+void GripperPanel::refollow() {
+    const int port = port_.value_or(io::kRobotiqPort + state_.portOffset);
+    if (choice_.kind == GripperChoice::Kind::Robotiq && !robot_.isEmpty() && port <= kMostPort) {
+        robotiq_.follow(state_.address, port, choice_.model);
+    } else {
+        robotiq_.leave();
+    }
+}
+
+// ---- commands -------------------------------------------------------------------------------------------
+
+void GripperPanel::move(int position, const QString& what) {
+    if (isRefused(speed_) || isRefused(force_)) {
+        return;
+    }
+    robotiq_.move(
+        position, byteOf(speed_->value()), byteOf(force_->value()),
+        tr("%1 (speed %2, force %3)")
+            .arg(what, format::percent(speed_->value() / 100), format::percent(force_->value() / 100)));
+}
+
+void GripperPanel::setHand(bool closed) {
+    const std::uint32_t close = 1U << choice_.closeOutput;
+    const std::uint32_t open =
+        choice_.kind == GripperChoice::Kind::TwoOutputs ? 1U << choice_.openOutput : 0U;
+    pending_ = Pending{closed, clock_->nowNs()};
+    unconfirmed_.clear();
+    setOutputs_(close | open, closed ? close : open, closed ? tr("Gripper: close") : tr("Gripper: open"));
+    refresh();
+}
+
+// ---- what is shown --------------------------------------------------------------------------------------
+
+QString GripperPanel::obstacleOfLink() const {
+    if (robot_.isEmpty()) {
+        return tr("Connect to a robot first: each robot remembers its gripper.");
+    }
+    if (state_.link != LinkState::Live) {
+        return tr("No data from the robot.");
+    }
+    // The same word for all keys: they light up together.
+    return chosen_.isValid() && chosen_.elapsed() < kSettleMs ? tr("One moment…") : QString();
+}
+
+QString GripperPanel::outputsObstacle() const {
+    if (const QString link = obstacleOfLink(); !link.isEmpty()) {
+        return link;
+    }
+    const bool two = choice_.kind == GripperChoice::Kind::TwoOutputs;
+    if (two && choice_.closeOutput == choice_.openOutput) {
+        return tr("Choose two different outputs: one closes, the other opens.");
+    }
+    const OutputHolders& holders = session_.outputs().holders();
+    const QString& close = holders.digital(choice_.closeOutput);
+    return !close.isEmpty() || !two ? close : holders.digital(choice_.openOutput);
+}
+
+GripperPanel::Hand GripperPanel::hand() const {
+    if (!state_.hasData()) {
+        return Hand::Unknown;
+    }
+    const bool close = bit(state_.digitalOutputs, choice_.closeOutput);
+    if (choice_.kind == GripperChoice::Kind::OneOutput) {
+        return close ? Hand::Closed : Hand::Open;
+    }
+    const bool open = bit(state_.digitalOutputs, choice_.openOutput);
+    return close && open ? Hand::Both : close ? Hand::Closed : open ? Hand::Open : Hand::Neither;
+}
+
+QString GripperPanel::outputsText() const {
+    switch (hand()) {
+        case Hand::Unknown:
+            return tr("unknown");
+        case Hand::Open:
+            return tr("told to open");
+        case Hand::Closed:
+            return tr("told to close");
+        case Hand::Neither:
+            return tr("both outputs off");
+        case Hand::Both:
+            return tr("both outputs on");
+    }
+    return {};
+}
+
+void GripperPanel::refresh() {
+    using Kind = GripperChoice::Kind;
+    const QString noRobot = robot_.isEmpty() ? obstacleOfLink() : QString();
+    for (QComboBox* box : {kind_, closeOutput_, openOutput_}) {
+        if (box->isEnabled() != noRobot.isEmpty()) {
+            box->setEnabled(noRobot.isEmpty());
+        }
+    }
+    if (choice_.kind == Kind::None) {
+        say(!noRobot.isEmpty() ? noRobot
+                               : tr("Choose what is at the wrist. It is remembered with this robot."),
+            "secondary");
+    } else if (choice_.kind == Kind::Robotiq) {
+        refreshRobotiq();
+    } else {
+        refreshOutputs();
+    }
+}
+
+void GripperPanel::refreshRobotiq() {
+    const std::optional<io::RobotiqState> now = robotiq_.state();
+    const bool active = now && now->activation == RobotiqActivation::Active;
+    const bool activating = now && now->activation == RobotiqActivation::Activating;
+    const bool settled = active && !robotiq_.isBusy();
+    const QString opening = now ? format::length(robotiq_.opening(now->position), 1) : tr("unknown");
+    setText(stateText_, !now                                   ? tr("unknown")
+                        : activating                           ? tr("being activated…")
+                        : !active                              ? tr("not active")
+                        : robotiq_.isBusy()                    ? tr("pending…")
+                        : !now->goTo                           ? tr("active")
+                        : now->object == RobotiqObject::Moving ? tr("moving")
+                                                               : tr("active, standing"));
+    stateText_->setEnabled(true);
+    setText(openingText_, opening);
+    setText(holdsText_, !settled || !now->goTo                         ? tr("unknown")
+                        : now->object == RobotiqObject::Moving         ? tr("unknown while it moves")
+                        : now->object == RobotiqObject::StoppedClosing ? tr("an object, from outside")
+                        : now->object == RobotiqObject::StoppedOpening ? tr("an object, from inside")
+                                                                       : tr("nothing"));
+    const QString link = obstacleOfLink();
+    const QString fault = robotiq_.faultText();
+    const bool noPort = io::kRobotiqPort + state_.portOffset > kMostPort && !port_;
+    const QString unknown =
+        noPort ? tr("With this port offset no gripper can be reached.") : robotiq_.reason();
+    const QString why = !link.isEmpty() ? link : !now ? unknown : QString();
+    const QString moving = !why.isEmpty() ? why
+                           : activating   ? tr("Being activated: the fingers open and close once.")
+                           : !active      ? tr("Activate the gripper first.")
+                                          : QString();
+    const QString activation = !why.isEmpty()              ? why
+                               : activating                ? moving
+                               : active && fault.isEmpty() ? tr("The gripper is active.")
+                                                           : QString();
+    setObstacles(moving, activation);
+    if (!now) {
+        say(unknown, "warning");
+    } else if (!fault.isEmpty()) {
+        say(fault, "warning");
+    } else {
+        say(moving, "secondary");
+    }
+}
+
+void GripperPanel::refreshOutputs() {
+    const Hand now = hand();
+    const bool stale = state_.link != LinkState::Live;
+    if (pending_ && (stale || now == (pending_->closed ? Hand::Closed : Hand::Open))) {
+        pending_.reset();
+    } else if (pending_ && clock_->nowNs() - pending_->sinceNs > kConfirmNs) {
+        pending_.reset();
+        unconfirmed_ =
+            tr("The robot did not confirm the outputs. Another program or the installation may own them.");
+    }
+    setText(stateText_, pending_ ? tr("pending…") : outputsText());
+    stateText_->setEnabled(!stale);
+    const QString why = outputsObstacle();
+    setObstacles(why, why);
+    say(!why.isEmpty() ? why : unconfirmed_, !why.isEmpty() && stale ? "secondary" : "warning");
+}
+
+void GripperPanel::setObstacles(const QString& moving, const QString& activating) {
+    const QString stays = tr("A stop of the arm leaves the gripper as it is: it goes on holding.");
+    const auto tip = [&stays](const QString& what) { return what + QLatin1Char('\n') + stays; };
+    setObstacle(
+        activate_, activating,
+        tr("The fingers open and close once; what they hold falls. Keep fingers out of the gripper."));
+    setObstacle(open_, moving, tip(tr("Opens the gripper; what it holds is let go.")));
+    setObstacle(close_, moving, tip(tr("Closes the gripper. Keep fingers out of it.")));
+    setObstacle(move_, moving, tip(tr("Sends the fingers to this opening.")));
+}
+
+void GripperPanel::say(const QString& text, const char* role) {
+    if (remedy_->property("role").toString() != QLatin1String(role)) {
+        remedy_->setProperty("role", role);
+        remedy_->style()->unpolish(remedy_);
+        remedy_->style()->polish(remedy_);
+    }
+    setText(remedy_, text);
+}
+
+}  // namespace tiller
