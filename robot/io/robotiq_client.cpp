@@ -18,7 +18,7 @@ using Status = native_socket::Status;
 /// Between two questions of one wait.
 constexpr milliseconds kAskEvery(10);
 /// With less time left nothing more is asked: a question broken off ends the connection.
-constexpr milliseconds kLastAnswer(50);
+constexpr milliseconds kLastAnswer(250);
 
 std::string_view trimmed(std::string_view text) {
     constexpr std::string_view kBlank = " \t\r";

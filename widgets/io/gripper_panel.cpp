@@ -352,8 +352,8 @@ void GripperPanel::setNames(const QMap<QString, QString>& names) {
     }
 }
 
-void GripperPanel::setPort(int port) {
-    port_ = port;
+void GripperPanel::setAddress(const QString& host, int port) {
+    address_ = {host, port};
     refollow();
 }
 
@@ -422,9 +422,10 @@ void GripperPanel::choose(const GripperChoice& choice) {
 }
 
 void GripperPanel::refollow() {
-    const int port = port_.value_or(io::kRobotiqPort + state_.portOffset);
+    const auto& [host, port] =
+        address_.value_or(std::pair(state_.address, io::kRobotiqPort + state_.portOffset));
     if (choice_.kind == GripperChoice::Kind::Robotiq && !robot_.isEmpty() && port <= kMostPort) {
-        robotiq_.follow(state_.address, port, choice_.model);
+        robotiq_.follow(host, port, choice_.model);
     } else {
         robotiq_.leave();
     }
@@ -547,7 +548,7 @@ void GripperPanel::refreshRobotiq() {
                                                                        : tr("nothing"));
     const QString link = obstacleOfLink();
     const QString fault = robotiq_.faultText();
-    const bool noPort = io::kRobotiqPort + state_.portOffset > kMostPort && !port_;
+    const bool noPort = io::kRobotiqPort + state_.portOffset > kMostPort && !address_;
     const QString unknown =
         noPort ? tr("With this port offset no gripper can be reached.") : robotiq_.reason();
     const QString why = !link.isEmpty() ? link : !now ? unknown : QString();

@@ -47,11 +47,11 @@ public:
     const GripperChoice& choice() const { return choice_; }
     const RobotiqLink& robotiq() const { return robotiq_; }
 
-    /// For tests: where the outputs' commands go, what time is, and at which port the gripper answers.
+    /// For tests: where the outputs' commands go, what time is, and where the gripper answers.
     using OutputSetter = std::function<void(std::uint32_t mask, std::uint32_t values, const QString& what)>;
     void setOutputSetter(OutputSetter setter) { setOutputs_ = std::move(setter); }
     void setClock(const Clock& clock) { clock_ = &clock; }
-    void setPort(int port);
+    void setAddress(const QString& host, int port);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -89,8 +89,8 @@ private:
     SessionState state_;
     QString robot_;  ///< whose gripper it is; empty: no robot
     GripperChoice choice_;
-    std::optional<int> port_;
-    QElapsedTimer chosen_;  ///< since the keys came to where they are
+    std::optional<std::pair<QString, int>> address_;  ///< instead of the robot's
+    QElapsedTimer chosen_;                            ///< since the keys came to where they are
     QTimer refreshTimer_;
 
     struct Pending {

@@ -16,6 +16,7 @@
 #include "robot/dashboard/detail/dashboard_commands.h"
 #include "robot/io/input_registers.h"
 #include "robot/io/outputs.h"
+#include "robot/io/robotiq_client.h"
 #include "robot/receive/receiver.h"
 #include "robot/rtde/connection.h"
 #include "robot/script/primary_client.h"
@@ -179,6 +180,20 @@ inline std::vector<BlockingCall> blockingCalls() {
         options.ints = {30};
         return io::InputRegisters(options).connect(d).error();
     });
+
+    const auto gripping = [&](const char* name, auto ask) {
+        add(name, [ask](MuteWorld& w, D d) {
+            io::RobotiqClient client(w.host(), w.mute.port());
+            const auto connected = client.connect(Deadline::after(std::chrono::seconds(60)));
+            return connected ? ask(client, d).error() : connected.error();
+        });
+    };
+    using Gripper = io::RobotiqClient;
+    gripping("RobotiqClient::get", [](Gripper& c, D d) { return c.get("POS", d); });
+    gripping("RobotiqClient::set", [](Gripper& c, D d) { return c.set({{"SPE", 1}}, d); });
+    gripping("RobotiqClient::look", [](Gripper& c, D d) { return c.look(d); });
+    gripping("RobotiqClient::beginActivation", [](Gripper& c, D d) { return c.beginActivation(d); });
+    gripping("RobotiqClient::move", [](Gripper& c, D d) { return c.move(0, 0, 0, d); });
 
     const auto asking = [&](const char* name, auto ask) {
         add(name, [ask](MuteWorld& w, D d) {

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// The backend's gripper client and the simulated gripper, over real sockets.
+#include <QTest>
+
+#include "robot/io/robotiq_client.h"
+#include "tests/support/raw_client.h"
+#include "tests/support/waiting.h"
+
+using namespace tiller;
+using namespace tiller::io;
+using namespace tiller::test;
+
+namespace {
+
+constexpr int kOpen = 3;
+constexpr int kClosed = 230;
+
+struct Bench {
+    explicit Bench(const simulator::SimulatorOptions& options = VirtualRobot::options())
+        : robot(options), client(robot.host(), robot.controller.ports().gripper) {
+        robot.controller.step();  // from here on it has power, or has none
+        const Result<void> connected = client.connect(patience());
+        if (!connected) {
+            qFatal("%s", why(connected).constData());
+        }
+    }
+    /// A gripper that says nothing fails the test.
+    RobotiqState look() {
+        const auto found = client.look(patience());
+        if (!found || !found->has_value()) {
+            qFatal("no state: %s", why(found).constData());
+        }
+        return **found;
+    }
+    template <class Condition>
+    bool until(Condition condition) {
+        for (int i = 0; i < 200; ++i) {
+            if (condition(look())) {
+                return true;
+            }
+            robot.controller.step(10);
+        }
+        return false;
+    }
+    void activate() {
+        const Result<void> begun = client.beginActivation(patience());
+        if (!begun || !until([](auto& state) { return state.activation == RobotiqActivation::Active; })) {
+            qFatal("not active: %s", why(begun).constData());
+        }
+    }
+    /// To its end.
+    RobotiqState move(int position, int speed = 255, int force = 0) {
+        const Result<void> taken = client.move(position, speed, force, patience());
+        if (!taken || !until([](auto& state) { return state.object != RobotiqObject::Moving; })) {
+            qFatal("not there: %s", why(taken).constData());
+        }
+        return look();
+    }
+
+    VirtualRobot robot;
+    RobotiqClient client;
+};
+
+}  // namespace
+
+class TestRobotiq : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void itIsActivatedOpenedClosedAndSentSomewhere() {
+        Bench bench;
+        QCOMPARE(bench.look().activation, RobotiqActivation::Reset);
+        QVERIFY(bench.client.beginActivation(patience()).ok());
+        QVERIFY(bench.until([](auto& state) { return state.activation == RobotiqActivation::Activating; }));
+        QVERIFY(bench.until([](auto& state) { return state.activation == RobotiqActivation::Active; }));
+        QVERIFY2(!bench.look().goTo, "nothing was asked for yet");
+
+        RobotiqState state = bench.move(kRobotiqMost);
+        QCOMPARE(state.position, kClosed);
+        QCOMPARE(state.requested, kRobotiqMost);
+        QCOMPARE(state.object, RobotiqObject::AtDestination);
+        QVERIFY(!state.holds());
+        QCOMPARE(bench.move(0).position, kOpen);
+        QCOMPARE(bench.move(100, 10, 255).position, 100);
+    }
+
+    void beforeItsActivationItDoesNotMoveAndSaysSo() {
+        Bench bench;
+        QVERIFY(bench.client.move(200, 255, 0, patience()).ok());
+        bench.robot.controller.stepSeconds(0.5);
+        const RobotiqState state = bench.look();
+        QCOMPARE(state.fault, RobotiqFault::NotActivated);
+        QCOMPARE(state.position, kOpen);
+        QVERIFY(!state.holds());
+        bench.activate();
+        QCOMPARE(bench.look().fault, RobotiqFault::None);
+    }
+
+    void itTellsWhatItHolds() {
+        Bench bench;
+        bench.activate();
+        QVERIFY(bench.robot.controller.inject("gripper-object 120").ok());
+        const RobotiqState outside = bench.move(kRobotiqMost);
+        QCOMPARE(outside.object, RobotiqObject::StoppedClosing);
+        QCOMPARE(outside.position, 120);
+        QVERIFY(outside.holds());
+        QVERIFY(!bench.move(0).holds());
+        QVERIFY(bench.robot.controller.inject("gripper-object none").ok());
+        bench.move(kRobotiqMost);
+        QVERIFY(bench.robot.controller.inject("gripper-object 100").ok());
+        const RobotiqState inside = bench.move(0);
+        QCOMPARE(inside.object, RobotiqObject::StoppedOpening);
+        QVERIFY(inside.holds());
+    }
+
+    void aStopOfTheArmLeavesItHolding() {
+        Bench bench;
+        bench.activate();
+        QVERIFY(bench.robot.controller.inject("gripper-object 120").ok());
+        const RobotiqState before = bench.move(kRobotiqMost);
+        QVERIFY(before.holds());
+        bench.robot.controller.protectiveStop();
+        bench.robot.controller.stepSeconds(1);
+        QCOMPARE(bench.robot.controller.truth().safetyMode, SafetyMode::ProtectiveStop);
+        QVERIFY(bench.look() == before);
+    }
+
+    void withoutTheArmsPowerThereIsNothingToKnow() {
+        Bench bench(VirtualRobot::poweredOff());
+        const auto look = bench.client.look(patience());
+        QVERIFY2(look.ok(), why(look).constData());
+        QVERIFY(!look->has_value());
+        QVERIFY(bench.client.isConnected());
+    }
+
+    void aControllerThatHangsUpIsFoundAgain() {
+        Bench bench;
+        bench.robot.controller.closeClients();
+        bench.robot.controller.step();
+        QCOMPARE(bench.client.look(patience()).error().code, ErrorCode::ConnectionClosed);
+        QVERIFY(bench.client.connect(patience()).ok());
+        QCOMPARE(bench.look().activation, RobotiqActivation::Reset);
+    }
+
+    void aMuteControllerIsNotWaitedForLongerThanTheDeadline() {
+        Bench bench;
+        bench.robot.controller.silence(true);
+        bench.robot.controller.step();
+        const auto mute = bench.client.look(Deadline::after(std::chrono::milliseconds(200)));
+        QCOMPARE(mute.error().code, ErrorCode::Timeout);
+        QVERIFY(!bench.client.isConnected());
+        bench.robot.controller.silence(false);
+        bench.robot.controller.step();
+        QVERIFY(bench.client.connect(patience()).ok());
+        QCOMPARE(bench.look().activation, RobotiqActivation::Reset);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestRobotiq)
+#include "tst_robotiq.moc"
