@@ -26,8 +26,6 @@ using io::RobotiqActivation;
 using io::RobotiqObject;
 
 constexpr int kRefreshMs = 50;
-/// After this long without the robot's word, "pending" would be a lie.
-constexpr std::int64_t kConfirmNs = 2 * kNsPerSecond;
 /// A second click that was meant for the list of grippers shall meet no key that came in its place.
 constexpr int kSettleMs = 500;
 constexpr int kMostPort = 65535;
@@ -113,10 +111,6 @@ QString kindOf(const GripperChoice& choice) {
            : choice.kind == Kind::OneOutput  ? QStringLiteral("output")
            : choice.kind == Kind::TwoOutputs ? QStringLiteral("outputs")
                                              : choice.toText();
-}
-
-bool bit(std::uint64_t bits, int channel) {
-    return ((bits >> channel) & 1U) != 0;
 }
 
 }  // namespace
@@ -400,8 +394,7 @@ void GripperPanel::chosenByHand() {
 
 void GripperPanel::choose(const GripperChoice& choice) {
     choice_ = choice;
-    pending_.reset();
-    unconfirmed_.clear();
+    outputs_.choose(choice);
     using Kind = GripperChoice::Kind;
     kind_->setCurrentIndex(kind_->findData(kindOf(choice)));
     kind_->setToolTip(kind_->currentText());
@@ -443,13 +436,9 @@ void GripperPanel::move(int position, const QString& what) {
             .arg(what, format::percent(speed_->value() / 100), format::percent(force_->value() / 100)));
 }
 
-void GripperPanel::setHand(bool closed) {
-    const std::uint32_t close = 1U << choice_.closeOutput;
-    const std::uint32_t open =
-        choice_.kind == GripperChoice::Kind::TwoOutputs ? 1U << choice_.openOutput : 0U;
-    pending_ = Pending{closed, clock_->nowNs()};
-    unconfirmed_.clear();
-    setOutputs_(close | open, closed ? close : open, closed ? tr("Gripper: close") : tr("Gripper: open"));
+void GripperPanel::setHand(bool close) {
+    const OutputGripper::Command command = outputs_.command(close, clock_->nowNs());
+    setOutputs_(command.mask, command.values, command.what);
     refresh();
 }
 
@@ -464,47 +453,6 @@ QString GripperPanel::obstacleOfLink() const {
     }
     // The same word for all keys: they light up together.
     return chosen_.isValid() && chosen_.elapsed() < kSettleMs ? tr("One moment…") : QString();
-}
-
-QString GripperPanel::outputsObstacle() const {
-    if (const QString link = obstacleOfLink(); !link.isEmpty()) {
-        return link;
-    }
-    const bool two = choice_.kind == GripperChoice::Kind::TwoOutputs;
-    if (two && choice_.closeOutput == choice_.openOutput) {
-        return tr("Choose two different outputs: one closes, the other opens.");
-    }
-    const OutputHolders& holders = session_.outputs().holders();
-    const QString& close = holders.digital(choice_.closeOutput);
-    return !close.isEmpty() || !two ? close : holders.digital(choice_.openOutput);
-}
-
-GripperPanel::Hand GripperPanel::hand() const {
-    if (!state_.hasData()) {
-        return Hand::Unknown;
-    }
-    const bool close = bit(state_.digitalOutputs, choice_.closeOutput);
-    if (choice_.kind == GripperChoice::Kind::OneOutput) {
-        return close ? Hand::Closed : Hand::Open;
-    }
-    const bool open = bit(state_.digitalOutputs, choice_.openOutput);
-    return close && open ? Hand::Both : close ? Hand::Closed : open ? Hand::Open : Hand::Neither;
-}
-
-QString GripperPanel::outputsText() const {
-    switch (hand()) {
-        case Hand::Unknown:
-            return tr("unknown");
-        case Hand::Open:
-            return tr("told to open");
-        case Hand::Closed:
-            return tr("told to close");
-        case Hand::Neither:
-            return tr("both outputs off");
-        case Hand::Both:
-            return tr("both outputs on");
-    }
-    return {};
 }
 
 void GripperPanel::refresh() {
@@ -562,7 +510,7 @@ void GripperPanel::refreshRobotiq() {
                                                            : QString();
     setObstacles(moving, activation);
     if (!now) {
-        say(unknown, "warning");
+        say(unknown, robotiq_.isConnecting() ? "secondary" : "warning");
     } else if (!fault.isEmpty()) {
         say(fault, "warning");
     } else {
@@ -571,20 +519,13 @@ void GripperPanel::refreshRobotiq() {
 }
 
 void GripperPanel::refreshOutputs() {
-    const Hand now = hand();
-    const bool stale = state_.link != LinkState::Live;
-    if (pending_ && (stale || now == (pending_->closed ? Hand::Closed : Hand::Open))) {
-        pending_.reset();
-    } else if (pending_ && clock_->nowNs() - pending_->sinceNs > kConfirmNs) {
-        pending_.reset();
-        unconfirmed_ =
-            tr("The robot did not confirm the outputs. Another program or the installation may own them.");
-    }
-    setText(stateText_, pending_ ? tr("pending…") : outputsText());
-    stateText_->setEnabled(!stale);
-    const QString why = outputsObstacle();
+    outputs_.follow(state_, clock_->nowNs());
+    setText(stateText_, outputs_.text());
+    stateText_->setEnabled(state_.link == LinkState::Live);
+    const QString link = obstacleOfLink();
+    const QString why = link.isEmpty() ? outputs_.obstacle(session_.outputs().holders()) : link;
     setObstacles(why, why);
-    say(!why.isEmpty() ? why : unconfirmed_, !why.isEmpty() && stale ? "secondary" : "warning");
+    say(why.isEmpty() ? outputs_.complaint() : why, link.isEmpty() ? "warning" : "secondary");
 }
 
 void GripperPanel::setObstacles(const QString& moving, const QString& activating) {

@@ -15,6 +15,7 @@
 #include <optional>
 
 #include "robot/core/clock.h"
+#include "widgets/io/output_gripper.h"
 #include "widgets/session/gripper_choice.h"
 #include "widgets/session/robot_session.h"
 #include "widgets/session/robotiq_link.h"
@@ -57,8 +58,6 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    enum class Hand { Unknown, Open, Closed, Neither, Both };
-
     void build();
     QWidget* buildKeys();
     void addRow(QGridLayout* grid, const QString& label, QWidget* field, QVector<QWidget*>& group,
@@ -75,11 +74,8 @@ private:
     void setObstacles(const QString& opening, const QString& activating);
     void say(const QString& text, const char* role);
     void move(int position, const QString& what);
-    void setHand(bool closed);
+    void setHand(bool close);
     QString obstacleOfLink() const;
-    QString outputsObstacle() const;
-    Hand hand() const;
-    QString outputsText() const;
 
     RobotSession& session_;
     OutputSetter setOutputs_;
@@ -93,12 +89,7 @@ private:
     QElapsedTimer chosen_;                            ///< since the keys came to where they are
     QTimer refreshTimer_;
 
-    struct Pending {
-        bool closed = false;
-        std::int64_t sinceNs = 0;
-    };
-    std::optional<Pending> pending_;
-    QString unconfirmed_;  ///< the last command of outputs, when the robot did not confirm it
+    OutputGripper outputs_;
 
     QComboBox* kind_;
     QComboBox* closeOutput_;

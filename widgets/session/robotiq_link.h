@@ -34,7 +34,8 @@ public:
     /// Connects to the gripper of this controller, and again whenever it is lost. Never blocks.
     void follow(const QString& host, int port, GripperChoice::Model model);
     void leave();
-    bool isFollowing() const { return client_ != nullptr; }
+    /// For the first time: nothing is known to be wrong yet.
+    bool isConnecting() const { return client_ != nullptr && !state_ && failures_ == 0; }
 
     /// Nothing while it is not known.
     std::optional<io::RobotiqState> state() const;

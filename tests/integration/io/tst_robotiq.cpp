@@ -44,14 +44,16 @@ struct Bench {
     }
     void activate() {
         const Result<void> begun = client.beginActivation(patience());
-        if (!begun || !until([](auto& state) { return state.activation == RobotiqActivation::Active; })) {
+        if (!begun ||
+            !until([](const RobotiqState& state) { return state.activation == RobotiqActivation::Active; })) {
             qFatal("not active: %s", why(begun).constData());
         }
     }
     /// To its end.
     RobotiqState move(int position, int speed = 255, int force = 0) {
         const Result<void> taken = client.move(position, speed, force, patience());
-        if (!taken || !until([](auto& state) { return state.object != RobotiqObject::Moving; })) {
+        if (!taken ||
+            !until([](const RobotiqState& state) { return state.object != RobotiqObject::Moving; })) {
             qFatal("not there: %s", why(taken).constData());
         }
         return look();
@@ -71,8 +73,10 @@ private Q_SLOTS:
         Bench bench;
         QCOMPARE(bench.look().activation, RobotiqActivation::Reset);
         QVERIFY(bench.client.beginActivation(patience()).ok());
-        QVERIFY(bench.until([](auto& state) { return state.activation == RobotiqActivation::Activating; }));
-        QVERIFY(bench.until([](auto& state) { return state.activation == RobotiqActivation::Active; }));
+        QVERIFY(bench.until(
+            [](const RobotiqState& state) { return state.activation == RobotiqActivation::Activating; }));
+        QVERIFY(bench.until(
+            [](const RobotiqState& state) { return state.activation == RobotiqActivation::Active; }));
         QVERIFY2(!bench.look().goTo, "nothing was asked for yet");
 
         RobotiqState state = bench.move(kRobotiqMost);
