@@ -4,7 +4,9 @@
 #include <Eigen/LU>
 #include <QString>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "robot/kinematics/arm_kinematics.h"
 
@@ -36,6 +38,30 @@ Pose moved(const Pose& pose, const Vector6d& direction, double by) {
     return next;
 }
 
+/// Heights over the plane of the base of what can touch it first: elbow, wrists, flange, TCP [m].
+using Heights = std::array<double, 6>;
+
+Heights heightsOf(const DhParameters& dh, const JointPositions& q, const Pose& tcpOffset) {
+    const auto frames = kinematics::linkFrames(dh, q);
+    Heights heights{};
+    for (std::size_t i = 0; i < 5; ++i) {
+        heights.at(i) = frames.at(i + 2).translation().z() - kBasePlane;
+    }
+    heights[5] = (frames[6] * tcpOffset.position).z() - kBasePlane;
+    return heights;
+}
+
+/// How much of a step is left until the first of them comes down to the plane; 1 when none does.
+double shareAbove(const Heights& before, const Heights& after) {
+    double share = 1;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        if (before.at(i) >= 0 && after.at(i) < 0) {
+            share = std::min(share, before.at(i) / (before.at(i) - after.at(i)));
+        }
+    }
+    return share;
+}
+
 }  // namespace
 
 Travel travelLeft(const DhParameters& dh, const JointPositions& q, const Pose& tcpOffset,
@@ -45,6 +71,7 @@ Travel travelLeft(const DhParameters& dh, const JointPositions& q, const Pose& t
     const double seen = turns ? kTurnSeen : kTravelSeen;
     const Pose start = kinematics::forwardTcp(dh, q, tcpOffset);
     JointPositions at = q;
+    Heights heights = heightsOf(dh, q, tcpOffset);
     Travel travel;
     for (double gone = step; gone <= seen; gone += step) {
         // Without the range of the joints: it is looked at here, with the name of the joint.
@@ -63,6 +90,12 @@ Travel travelLeft(const DhParameters& dh, const JointPositions& q, const Pose& t
                 travel.joint = joint;
                 return travel;
             }
+        }
+        const Heights before = std::exchange(heights, heightsOf(dh, *next, tcpOffset));
+        if (const double share = shareAbove(before, heights); share < 1) {
+            travel.left += share * step;
+            travel.end = Travel::End::Floor;
+            return travel;
         }
         at = *next;
         travel.left = gone;
@@ -111,13 +144,15 @@ int wayOutOf(const DhParameters& dh, const JointPositions& q, const Pose& tcpOff
                                                    : near.shoulder;
     };
     const double here = measure(q);
+    const Heights heights = heightsOf(dh, q, tcpOffset);
     const Pose start = kinematics::forwardTcp(dh, q, tcpOffset);
     int best = -1;
     double most = 0.01;  // less does not lead anywhere
     for (int key = 0; key < 12; ++key) {
         const auto next = kinematics::inverseNearest(
             dh, moved(start, twistOf(key, R_base_frame), key < 6 ? 3 * kStep : 3 * kTurnStep), tcpOffset, q);
-        if (!next || (next->values - q.values).cwiseAbs().maxCoeff() > kJump) {
+        if (!next || (next->values - q.values).cwiseAbs().maxCoeff() > kJump ||
+            shareAbove(heights, heightsOf(dh, *next, tcpOffset)) < 1) {
             continue;
         }
         if (const double gain = measure(*next) - here; gain > most) {

@@ -18,6 +18,7 @@ struct Travel {
         Open,         ///< further than is looked
         JointLimit,   ///< `joint` comes to the end of its range
         Singularity,  ///< the arm gets too near a singularity, its reach included
+        Floor,        ///< the tool or a joint comes down to the plane the base stands on
     };
     double left = 0;  ///< [m] or [rad]
     End end = End::Open;
@@ -28,8 +29,13 @@ struct Travel {
 inline constexpr double kTravelSeen = 1.0;       ///< [m]
 inline constexpr double kTurnSeen = 3.14159265;  ///< [rad]
 
+/// Height of the plane the base is bolted to, in the base frame [m]. On a wall or a ceiling it is that one.
+inline constexpr double kBasePlane = 0.0;
+
 /// direction  unit twist in the base frame: one component of one half, the other half zero; turns are about
 /// the TCP
+/// The plane of the base ends it for what is above it now. What is below already does not count: the base then
+/// stands on a pedestal, and there is room beside it.
 /// Threads    any. Some hundred microseconds
 Travel travelLeft(const DhParameters& dh, const JointPositions& q, const Pose& tcpOffset,
                   const Eigen::Matrix<double, 6, 1>& direction);

@@ -74,11 +74,16 @@ QString TravelWatch::heldText() const {
         if (!key->isHolding() || key->travel().isEmpty()) {
             continue;
         }
-        return travel.end == Travel::End::JointLimit
-                   ? tr("%1: %2 left, then %3 is at its limit")
-                         .arg(key->text(), key->travel(), jointName(travel.joint))
-                   : tr("%1: %2 left, then the end of the reach or a singularity")
-                         .arg(key->text(), key->travel());
+        switch (travel.end) {
+            case Travel::End::JointLimit:
+                return tr("%1: %2 left, then %3 is at its limit")
+                    .arg(key->text(), key->travel(), jointName(travel.joint));
+            case Travel::End::Floor:
+                return tr("%1: %2 left to the plane the base stands on").arg(key->text(), key->travel());
+            default:
+                return tr("%1: %2 left, then the end of the reach or a singularity")
+                    .arg(key->text(), key->travel());
+        }
     }
     return {};
 }

@@ -5,8 +5,10 @@
 #include <QTest>
 #include <numbers>
 
+#include "robot/kinematics/arm_kinematics.h"
 #include "tests/support/jog_scene.h"
 #include "tests/support/pictures.h"
+#include "widgets/common/notation.h"
 #include "widgets/common/theme.h"
 #include "widgets/jog/jog_pad.h"
 #include "widgets/jog/joint_rows.h"
@@ -37,6 +39,24 @@ private Q_SLOTS:
         s.column.applyState(s.state);
         s.column.travel().look();
         QVERIFY(s.column.findChild<JogKey*>(QStringLiteral("jog.Z+"))->travel().isEmpty());
+    }
+
+    // The arm could reach further down, were it not for what the base stands on.
+    void theReachDownEndsAtThePlaneOfTheBase() {
+        constexpr double kDeg = std::numbers::pi / 180;
+        JogScene s;
+        s.state.q = JointPositions(-88 * kDeg, -105 * kDeg, -110 * kDeg, -55 * kDeg, 91 * kDeg, 1 * kDeg);
+        s.column.applyState(s.state);
+        for (int i = 0; i < 12; ++i) {
+            s.column.travel().look();
+        }
+        const double height =
+            kinematics::forwardTcp(robotModel(s.state.model).dh, s.state.q, s.state.tcpOffset).position.z();
+        QCOMPARE(s.column.findChild<JogKey*>(QStringLiteral("jog.Z-"))->travel(), format::length(height, 0));
+        s.press("jog.Z-");
+        QVERIFY2(s.column.travel().heldText().contains(QStringLiteral("plane the base stands on")),
+                 qPrintable(s.column.travel().heldText()));
+        s.release("jog.Z-");
     }
 
     void keyLightsUpOnlyWhenTheRobotConfirms() {

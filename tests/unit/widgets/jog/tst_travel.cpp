@@ -47,6 +47,32 @@ private Q_SLOTS:
         QVERIFY2(!kinematics::inverseNearest(dh(), beyond, {}, kMiddle), "and not much more");
     }
 
+    // The plane the base stands on is nearer than the end of the reach below it.
+    void goingDownEndsAtThePlaneOfTheBase() {
+        const Pose tool(0, 0, 0.08, 0, 0, 0);
+        for (const Pose& tcp : {Pose(), tool}) {
+            const double height = kinematics::forwardTcp(dh(), kMiddle, tcp).position.z();
+            QVERIFY(height > 0.05);
+            const Travel down = travelLeft(dh(), kMiddle, tcp, along(2, -1));
+            QCOMPARE(down.end, Travel::End::Floor);
+            QVERIFY2(std::abs(down.left - height) < 1e-6, qPrintable(QString::number(down.left)));
+        }
+        // Upwards and level it is as far as it was.
+        QCOMPARE(travelLeft(dh(), kMiddle, {}, along(2, 1)).end, Travel::End::Singularity);
+        QVERIFY(travelLeft(dh(), kMiddle, {}, along(0, 1)).end != Travel::End::Floor);
+    }
+
+    // On a pedestal the tool may be below the base, where its plane is no floor.
+    void aToolBelowTheBaseHasItsReach() {
+        const Pose start = kinematics::forwardTcp(dh(), kMiddle);
+        const Pose longTool(0, 0, start.position.z() + 0.02, 0, 0, 0);
+        QVERIFY(kinematics::forwardTcp(dh(), kMiddle, longTool).position.z() < 0);
+        const Travel down = travelLeft(dh(), kMiddle, longTool, along(2, -1));
+        // The flange is above the plane still, and comes down to it.
+        QCOMPARE(down.end, Travel::End::Floor);
+        QVERIFY2(std::abs(down.left - start.position.z()) < 1e-6, qPrintable(QString::number(down.left)));
+    }
+
     void aTurningTowardsAJointLimitEndsThere() {
         JointPositions near = kMiddle;
         near[5] = kJointPositionLimit - 20 * kDeg;
