@@ -17,7 +17,9 @@
 #include "robot/simulator/simulator.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/segmented_control.h"
+#include "widgets/jog/joint_rows.h"
 #include "widgets/jog/limiter_line.h"
+#include "widgets/jog/pose_view.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
 using namespace tiller;
@@ -50,6 +52,7 @@ private Q_SLOTS:
         QTest::addColumn<QSize>("size");
         QTest::newRow("1280x720") << QSize(1280, 720);
         QTest::newRow("1280x720 less a title bar") << QSize(1264, 672);
+        QTest::newRow("1600x900") << QSize(1600, 900);
         QTest::newRow("1920x1080") << QSize(1920, 1080);
     }
     void nothingIsCutOffAtTheSmallestSize() {
@@ -99,6 +102,26 @@ private Q_SLOTS:
             }
         }
         saveScreenshots(window, QStringLiteral("%1x%2").arg(size.width()).arg(size.height()));
+    }
+
+    void theJointsAreUnfoldedWhereThereIsRoom_data() {
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<bool>("unfolded");
+        QTest::newRow("1280x720") << QSize(1280, 720) << false;
+        QTest::newRow("1600x900") << QSize(1600, 900) << true;
+        QTest::newRow("1600x900 less a title bar") << QSize(1584, 852) << true;
+        QTest::newRow("1920x1080") << QSize(1920, 1080) << true;
+    }
+    void theJointsAreUnfoldedWhereThereIsRoom() {
+        QFETCH(QSize, size);
+        QFETCH(bool, unfolded);
+        app::MainWindow window(settings());
+        window.resize(size);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QTRY_COMPARE(window.findChild<JointRows*>()->isVisible(), unfolded);
+        QVERIFY(window.findChild<PoseView*>()->isVisible());
+        QCOMPARE(window.findChild<SegmentedControl*>("jogDetail")->isVisible(), !unfolded);
     }
 
     void everyButtonHasANameForScreenReaders() {

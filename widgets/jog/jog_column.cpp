@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/common/density.h"
 #include "widgets/common/hold_button.h"
 #include "widgets/common/notation.h"
 #include "widgets/common/segmented_control.h"
@@ -34,10 +35,27 @@ namespace {
 
 constexpr int kMargin = 12;
 constexpr int kRefusalShownMs = 6000;
-/// Below this height of the column the joints move into a tab.
-constexpr int kCompactBelow = 800;
-/// Below this one, on a screen of 1280 x 720 under a title bar, the keys of the pad give way a little.
+constexpr int kDetailTab = 30;  // height of the choice between pose and joints
+/// Below this height of the column, on a screen of 1280 x 720 under a title bar, the keys of the pad give way a
+/// little.
 constexpr int kTightBelow = 570;
+
+/// Keys of the pad: as designed, the least beside unfolded joints, and folded.
+constexpr int kKey = 72;
+constexpr int kSnugKey = 60;
+constexpr int kFoldedKey = 56;
+constexpr int kTightKey = 46;
+
+int padHeight(int key) {
+    constexpr int kApart = 8;
+    return 3 * key + 2 * kApart;
+}
+
+// Around the parts of the column, in its order.
+constexpr int kAbovePad = 2;
+constexpr int kAroundLimiter = 4;
+constexpr int kBelowPose = 2;
+constexpr int kAboveKeys = 8;
 
 double heldFactor() {
     return modifierFactor(QGuiApplication::keyboardModifiers());
@@ -74,11 +92,11 @@ JogColumn::JogColumn(MotionPort port, QWidget* parent) : Panel(tr("Jog"), parent
     detailTab_ = new SegmentedControl({tr("Pose"), tr("Joints")}, body);
     detailTab_->setNames(QStringLiteral("jogDetail"), tr("Shown below the pad"));
     joints_ = new JointRows(body);
-    layout->addLayout(inset(pad_, 2, 0), 10);
-    layout->addLayout(inset(limiter_, 4, 4));
+    layout->addLayout(inset(pad_, kAbovePad, 0), 10);
+    layout->addLayout(inset(limiter_, kAroundLimiter, kAroundLimiter));
     layout->addLayout(inset(detailTab_, 0, 2));
     layout->addLayout(inset(pose_, 0, 0));
-    layout->addSpacing(2);
+    layout->addSpacing(kBelowPose);
     layout->addWidget(joints_);
     layout->addStretch(3);
     buildBottom(layout);
@@ -216,26 +234,50 @@ QSize JogColumn::minimumSizeHint() const {
     return {352, 540};
 }
 
+int JogColumn::heightFor(Fold fold) const {
+    const bool open = fold == Fold::Open;
+    constexpr int kFrame = 3;  // the panel's lines, and the one below its title
+    return Panel::kHeaderHeight + kFrame + 2 * kMargin + selectors_->heightWhen(!open) + kAbovePad +
+           padHeight(open ? kKey : kSnugKey) + limiter_->sizeHint().height() + 2 * kAroundLimiter +
+           pose_->minimumSizeHint().height() + kBelowPose + JointRows::unfoldedHeight(!open) + kAboveKeys +
+           freedrive_->sizeHint().height();
+}
+
+JogColumn::Fold JogColumn::foldFor(int height) const {
+    if (height >= heightFor(Fold::Open)) {
+        return Fold::Open;
+    }
+    // Under a finger keys do not get smaller: the joints fold instead.
+    return currentDensity() != Density::Touch && height >= heightFor(Fold::Snug) ? Fold::Snug : Fold::Folded;
+}
+
 void JogColumn::resizeEvent(QResizeEvent* event) {
     Panel::resizeEvent(event);
-    const bool compact = height() < kCompactBelow;
-    if (compact != compact_) {
-        compact_ = compact;
+    fold();
+}
+
+void JogColumn::fold() {
+    if (const Fold fold = foldFor(height()); fold != fold_) {
+        fold_ = fold;
         arrange();
     }
-    const int key = !compact_ ? 72 : height() < kTightBelow ? 46 : 56;
-    pad_->setMinimumHeight(3 * key + 2 * 8);
+    pad_->setMinimumHeight(padHeight(fold_ == Fold::Open      ? kKey
+                                     : fold_ == Fold::Snug    ? kSnugKey
+                                     : height() < kTightBelow ? kTightKey
+                                                              : kFoldedKey));
 }
 
 void JogColumn::arrange() {
+    const bool folded = fold_ == Fold::Folded;
     const bool jointsChosen = detailTab_->currentIndex() == 1;
-    joints_->setCompact(compact_);
-    detailTab_->setVisible(compact_);
-    detailTab_->setFixedHeight(30);
-    pose_->setVisible(!compact_ || !jointsChosen);
-    joints_->setVisible(!compact_ || jointsChosen);
-    selectors_->setCompact(compact_);
-    pad_->setMaximumHeight(compact_ ? QWIDGETSIZE_MAX : 3 * 72 + 2 * 8);
+    joints_->setCompact(folded);
+    joints_->setLow(fold_ == Fold::Snug);
+    detailTab_->setVisible(folded);
+    detailTab_->setFixedHeight(kDetailTab);
+    pose_->setVisible(!folded || !jointsChosen);
+    joints_->setVisible(!folded || jointsChosen);
+    selectors_->setCompact(fold_ != Fold::Open);
+    pad_->setMaximumHeight(folded ? QWIDGETSIZE_MAX : padHeight(kKey));
 }
 
 // ---- keys, and what a press on each begins --------------------------------------------------------
@@ -256,7 +298,7 @@ void JogColumn::buildBottom(QVBoxLayout* layout) {
         make(QStringLiteral("↶ ") + tr("Back"), "backKey", tr("Goes back the way the arm came while held"));
     back_->setAccessibleName(tr("Back"));
     auto* row = new QHBoxLayout;
-    row->setContentsMargins(kMargin, 8, kMargin, 0);
+    row->setContentsMargins(kMargin, kAboveKeys, kMargin, 0);
     row->setSpacing(8);
     for (HoldButton* key : {freedrive_, homeKey_, align_, back_}) {
         row->addWidget(key);
@@ -485,6 +527,7 @@ void JogColumn::changeEvent(QEvent* event) {
         selectors_->refreshTexts();  // other units
         travel_->reset();
         showReason();
+        fold();  // keys of another size need another room
     }
     Panel::changeEvent(event);
 }

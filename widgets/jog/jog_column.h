@@ -100,6 +100,16 @@ private:
     Result<RobotSession::MotionId> beginFreedrive();
     QString deviceObstacle() const;
     void fillFreedriveMenu(QMenu& menu);
+    /// What the height of the column has room for.
+    enum class Fold {
+        Open,    ///< everything at its size
+        Snug,    ///< joints in low rows, keys a little smaller
+        Folded,  ///< pose or joints, by choice
+    };
+    int heightFor(Fold fold) const;
+    Fold foldFor(int height) const;
+    /// Shows what there is room for.
+    void fold();
     void arrange();
     void showReason();
     void showLimiter();
@@ -133,7 +143,7 @@ private:
     JointPositions limiterAt_;
     control::Limiter limiterSeen_;
     QTimer* refusalTimer_ = nullptr;
-    bool compact_ = false;
+    Fold fold_ = Fold::Open;
 };
 
 }  // namespace tiller

@@ -22,6 +22,8 @@ using control::StopCause;
 namespace {
 
 constexpr int kMargin = 12;
+constexpr int kKey = 38;         // height of a key [px]
+constexpr int kCompactKey = 30;  // in a low window
 constexpr int kTaughtSegment = 3;
 constexpr int kLongestName = 84;  // [px] of a frame, on its key
 constexpr int kChoiceSegment = static_cast<int>(MotionChoice::CoarseStep);
@@ -204,8 +206,16 @@ void JogSelectors::setUntilContact(double force) {
 
 void JogSelectors::setCompact(bool compact) {
     for (SegmentedControl* control : {frame_, motion_, speed_}) {
-        control->setFixedHeight(compact ? 30 : 38);
+        control->setFixedHeight(compact ? kCompactKey : kKey);
     }
+}
+
+int JogSelectors::heightWhen(bool compact) const {
+    int height = minimumSizeHint().height();
+    for (const SegmentedControl* control : {frame_, motion_, speed_}) {
+        height += (compact ? kCompactKey : kKey) - control->minimumHeight();
+    }
+    return height;
 }
 
 void JogSelectors::refreshTexts() {

@@ -45,6 +45,8 @@ public:
 
     /// Lower keys, for a low window.
     void setCompact(bool compact);
+    /// The least height with such keys, whichever there are now.
+    int heightWhen(bool compact) const;
     /// Writes every figure again: the operator chose other units.
     void refreshTexts();
 

@@ -80,7 +80,7 @@ JointRow::JointRow(int joint, QWidget* parent)
 }
 
 QSize JointRow::sizeHint() const {
-    return compact_ ? QSize(170, 29) : QSize(330, 40);
+    return compact_ ? QSize(170, 29) : QSize(330, low_ ? kLowHeight : kHeight);
 }
 
 QString JointRow::shortName() const {
@@ -94,6 +94,11 @@ void JointRow::setCompact(bool compact) {
     setToolTip(compact ? name_ : QString());
     updateGeometry();
     resizeEvent(nullptr);
+}
+
+void JointRow::setLow(bool low) {
+    low_ = low;
+    updateGeometry();
 }
 
 void JointRow::setAngle(double angle, bool moving, bool valid, bool stale) {
@@ -176,6 +181,12 @@ void JointRows::setCompact(bool compact) {
     if (compact != compact_) {
         compact_ = compact;
         arrange();
+    }
+}
+
+void JointRows::setLow(bool low) {
+    for (JointRow* row : rows_) {
+        row->setLow(low);
     }
 }
 

@@ -50,6 +50,10 @@ public:
     QString valueText() const { return value_; }
     void setAngle(double angle, bool moving, bool valid, bool stale);
     void setCompact(bool compact);
+    /// A line of full width that is less high.
+    void setLow(bool low);
+    static constexpr int kHeight = 40;
+    static constexpr int kLowHeight = 30;
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
@@ -68,6 +72,7 @@ private:
     HoldButton* plus_;
     JointBar* bar_;
     bool compact_ = false;
+    bool low_ = false;
     bool grey_ = true;
 };
 
@@ -80,6 +85,11 @@ public:
     const QVector<JointRow*>& rows() const { return rows_; }
     void setJoints(const JointPositions& q, bool moving, bool valid, bool stale);
     void setCompact(bool compact);
+    void setLow(bool low);
+    /// Of all rows, below each other.
+    static constexpr int unfoldedHeight(bool low) {
+        return kJointCount * (low ? JointRow::kLowHeight : JointRow::kHeight);
+    }
 
 private:
     void arrange();

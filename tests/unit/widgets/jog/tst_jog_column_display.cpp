@@ -219,9 +219,38 @@ private Q_SLOTS:
         }
     }
 
+    // On a screen of 1600 x 900 there is room for both.
+    void theJointsUnfoldWhereThereIsRoom() {
+        JogScene s({360, 750});
+        QCoreApplication::processEvents();
+        auto* joints = s.column.findChild<JointRows*>();
+        auto* pose = s.column.findChild<PoseView*>();
+        QVERIFY(joints->isVisible() && pose->isVisible());
+        QVERIFY(!s.column.findChild<QWidget*>(QStringLiteral("jogDetail"))->isVisible());
+        QVERIFY(pose->height() >= pose->minimumSizeHint().height());
+        for (JogKey* key : s.column.findChild<JogPad*>()->keys()) {
+            QVERIFY2(key->height() >= 60, qPrintable(key->objectName()));
+        }
+        int below = 0;
+        for (const JointRow* row : joints->rows()) {
+            QVERIFY2(row->rect().contains(row->plusKey()->geometry()), qPrintable(row->objectName()));
+            QVERIFY2(row->y() >= below, qPrintable(row->objectName()));
+            below = row->geometry().bottom() + 1;
+        }
+        s.press("joint.5.plus");
+        QVERIFY(std::abs(s.session.jogs.last().qd[5]) > 0);
+        s.release("joint.5.plus");
+        s.column.resize(360, 640);
+        QTRY_VERIFY(!joints->isVisible());
+        s.column.resize(360, 948);
+        QTRY_VERIFY(joints->isVisible() && pose->isVisible());
+    }
+
     void nothingLiesOutsideTheColumn_data() {
         QTest::addColumn<QSize>("size");
         QTest::newRow("1920x1080") << QSize(390, 948);
+        QTest::newRow("1600x900") << QSize(360, 790);
+        QTest::newRow("1600x900 less a title bar") << QSize(360, 750);
         QTest::newRow("1280x720") << QSize(360, 588);
         QTest::newRow("least") << QSize(352, 560);
     }
