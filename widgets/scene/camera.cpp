@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "robot/core/angles.h"
@@ -19,13 +20,15 @@ constexpr double kLowest = toRadians(2);
 constexpr double kHighest = toRadians(88);
 constexpr double kFocalLength = 2.2;  // in heights of the picture
 constexpr double kNear = 0.05;        // [m]
+constexpr double kNearest = 0.5;      // of the arm's height, from the eye to what it looks at
+constexpr double kFarthest = 10;
+constexpr double kFarthestPan = 4;  // of the arm's height, from the base to what is looked at
 
 }  // namespace
 
 void Camera::reset(double height) {
     height_ = height;
-    azimuth_ = kStartAzimuth;
-    elevation_ = kStartElevation;
+    look(StandardView::Home);
     distance_ = 2.5 * height;
     target_ = Eigen::Vector3d(0, 0, 0.435 * height);
 }
@@ -34,13 +37,129 @@ void Camera::setViewport(const QSizeF& size) {
     viewport_ = size;
 }
 
+void Camera::look(StandardView from) {
+    switch (from) {
+        case StandardView::Home:
+            azimuth_ = kStartAzimuth;
+            elevation_ = kStartElevation;
+            break;
+        case StandardView::Front:
+            azimuth_ = toRadians(-90);
+            elevation_ = 0;
+            break;
+        case StandardView::Side:
+            azimuth_ = 0;
+            elevation_ = 0;
+            break;
+        case StandardView::Top:
+            azimuth_ = toRadians(-90);
+            elevation_ = toRadians(90);
+            break;
+    }
+}
+
+/// Where the eye may be, in the view's axes, so that all balls are inside the margins. With the eye at (x, y, d):
+/// right - kRight d <= x <= kLeft d - left, and the same upwards; d >= least.
+struct Camera::Room {
+    double right = 0, left = 0, top = 0, bottom = 0;
+    double kRight = 0, kLeft = 0, kTop = 0, kBottom = 0;
+    double least = 0;
+    double nearest = 0, farthest = 0;  ///< how far the balls reach along the line of sight, towards the eye
+
+    double lowX(double d) const { return right - kRight * d; }
+    double highX(double d) const { return kLeft * d - left; }
+    double lowY(double d) const { return top - kTop * d; }
+    double highY(double d) const { return kBottom * d - bottom; }
+};
+
+double Camera::focalLength() const {
+    // A narrow picture shows less to the sides, not a smaller arm, until it would be cut off.
+    return kFocalLength * std::min(viewport_.height(), 0.9 * viewport_.width());
+}
+
+Camera::Room Camera::roomFor(std::span<const Ball> balls, const QMarginsF& margins) const {
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    constexpr double kSmallestShare = 0.05;  // of the picture, where the margins would leave nothing
+    const double focal = std::max(1.0, focalLength());
+    const auto slope = [focal](double size, double margin) {
+        return std::max(size / 2 - margin, kSmallestShare * size) / focal;
+    };
+    Room room;
+    room.kRight = slope(viewport_.width(), margins.right());
+    room.kLeft = slope(viewport_.width(), margins.left());
+    room.kTop = slope(viewport_.height(), margins.top());
+    room.kBottom = slope(viewport_.height(), margins.bottom());
+    room.right = room.left = room.top = room.bottom = room.nearest = -kNone;
+    room.farthest = kNone;
+    const Eigen::Matrix3d R_view_base = viewRotation().transpose();
+    for (const Ball& ball : balls) {
+        const Eigen::Vector3d v = R_view_base * ball.centre;
+        room.right = std::max(room.right, v.x() + ball.radius + room.kRight * v.z());
+        room.left = std::max(room.left, -v.x() + ball.radius + room.kLeft * v.z());
+        room.top = std::max(room.top, v.y() + ball.radius + room.kTop * v.z());
+        room.bottom = std::max(room.bottom, -v.y() + ball.radius + room.kBottom * v.z());
+        room.nearest = std::max(room.nearest, v.z() + ball.radius);
+        room.farthest = std::min(room.farthest, v.z() - ball.radius);
+    }
+    room.least = std::max({(room.right + room.left) / (room.kRight + room.kLeft),
+                           (room.top + room.bottom) / (room.kTop + room.kBottom), room.nearest + 2 * kNear});
+    return room;
+}
+
+void Camera::fit(std::span<const Ball> balls, const QMarginsF& margins) {
+    if (balls.empty()) {
+        return;
+    }
+    const Room room = roomFor(balls, margins);
+    const double middle = (room.nearest + room.farthest) / 2;
+    distance_ = std::clamp(room.least - middle, kNearest * height_, kFarthest * height_);
+    const double d = distance_ + middle;
+    target_ = viewRotation() *
+              Eigen::Vector3d((room.lowX(d) + room.highX(d)) / 2, (room.lowY(d) + room.highY(d)) / 2, middle);
+}
+
+bool Camera::contain(std::span<const Ball> balls, const QMarginsF& margins) {
+    if (balls.empty()) {
+        return false;
+    }
+    const Room room = roomFor(balls, margins);
+    const Eigen::Matrix3d R_base_view = viewRotation();
+    const Eigen::Vector3d at = R_base_view.transpose() * target_;
+    const double distance =
+        std::clamp(std::max(distance_, room.least - at.z()), kNearest * height_, kFarthest * height_);
+    const double d = distance + at.z();
+    const Eigen::Vector3d moved(std::min(std::max(at.x(), room.lowX(d)), room.highX(d)),
+                                std::min(std::max(at.y(), room.lowY(d)), room.highY(d)), at.z());
+    constexpr double kSame = 1e-9;
+    if (distance - distance_ < kSame && (moved - at).norm() < kSame) {
+        return false;
+    }
+    distance_ = distance;
+    target_ = R_base_view * moved;
+    return true;
+}
+
+void Camera::standLike(const Camera& other) {
+    target_ = other.target_;
+    distance_ = other.distance_;
+}
+
+void Camera::pan(const QPointF& pixels) {
+    const double metresPerPixel = distance_ / std::max(1.0, focalLength());
+    const Eigen::Matrix3d R_base_view = viewRotation();
+    target_ += (R_base_view.col(1) * pixels.y() - R_base_view.col(0) * pixels.x()) * metresPerPixel;
+    if (const double away = target_.norm(); away > kFarthestPan * height_) {
+        target_ *= kFarthestPan * height_ / away;
+    }
+}
+
 void Camera::orbit(double azimuth, double elevation) {
     azimuth_ = std::remainder(azimuth_ + azimuth, 2 * std::numbers::pi);
     elevation_ = std::clamp(elevation_ + elevation, kLowest, kHighest);
 }
 
 void Camera::zoom(double factor) {
-    distance_ = std::clamp(distance_ * factor, 0.5 * height_, 10 * height_);
+    distance_ = std::clamp(distance_ * factor, kNearest * height_, kFarthest * height_);
 }
 
 Eigen::Matrix3d Camera::viewRotation() const {
@@ -60,9 +179,7 @@ Camera::Projected Camera::project(const Eigen::Vector3d& p) const {
         out.depth = 0;
         return out;
     }
-    // A narrow picture shows less to the sides, not a smaller arm, until it would be cut off.
-    const double focal = kFocalLength * std::min(viewport_.height(), 0.9 * viewport_.width());
-    out.pixelsPerMetre = focal / out.depth;
+    out.pixelsPerMetre = focalLength() / out.depth;
     out.point = {viewport_.width() / 2 + v.x() * out.pixelsPerMetre,
                  viewport_.height() / 2 - v.y() * out.pixelsPerMetre};
     return out;

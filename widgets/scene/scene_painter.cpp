@@ -14,6 +14,8 @@ namespace tiller {
 
 namespace {
 
+constexpr int kNamePixels = 14;
+
 QColor mix(const QColor& a, const QColor& b, double share) {
     const auto channel = [share](int x, int y) { return static_cast<int>(std::lround(x + (y - x) * share)); };
     return {channel(a.red(), b.red()), channel(a.green(), b.green()), channel(a.blue(), b.blue())};
@@ -138,14 +140,16 @@ void ScenePainter::arm(std::span<const ArmPart> parts, const ArmColors& colors) 
     }
 }
 
-void ScenePainter::label(const QRectF& box, int flags, const QString& text, const QColor& color) {
+QRectF ScenePainter::label(const QRectF& box, int flags, const QString& text, const QColor& color) {
     // Readable also over the arm: a thin rim in the colour of the surface.
     painter_.setPen(theme_.panel);
     for (const QPointF& by : {QPointF(-1.5, 0), QPointF(1.5, 0), QPointF(0, -1.5), QPointF(0, 1.5)}) {
         painter_.drawText(box.translated(by), flags, text);
     }
     painter_.setPen(color);
-    painter_.drawText(box, flags, text);
+    QRectF drawn;
+    painter_.drawText(box, flags, text, &drawn);
+    return drawn;
 }
 
 void ScenePainter::path(std::span<const Eigen::Vector3d> points, const QColor& color, double width,
@@ -201,37 +205,48 @@ void ScenePainter::axes(const Eigen::Isometry3d& T_base_frame, double length, bo
     }
 }
 
-void ScenePainter::marker(const Eigen::Vector3d& position, const QString& name, bool selected) {
-    const auto at = camera_.project(position);
-    if (!at.visible()) {
-        return;
-    }
+void ScenePainter::marker(const QPointF& at, bool selected) {
     painter_.setPen(QPen(selected ? theme_.moving : theme_.secondary, selected ? 2 : 1.4));
     painter_.setBrush(theme_.panel);
-    painter_.drawEllipse(at.point, selected ? 4.5 : 3.5, selected ? 4.5 : 3.5);
-    caption(position, name, selected);
+    painter_.drawEllipse(at, selected ? 4.5 : 3.5, selected ? 4.5 : 3.5);
 }
 
-void ScenePainter::caption(const Eigen::Vector3d& position, const QString& name, bool selected) {
-    const auto at = camera_.project(position);
-    if (!at.visible()) {
-        return;
+QSizeF ScenePainter::nameSize(QString& text) {
+    constexpr double kLongest = 200;
+    const QFontMetricsF metrics(textFont(kNamePixels));
+    text = metrics.elidedText(text, Qt::ElideRight, kLongest);
+    return {metrics.horizontalAdvance(text) + 2, metrics.height()};
+}
+
+void ScenePainter::name(const PlacedLabel& name) {
+    const double away = std::max(name.box.top() - name.mark.y(), name.mark.y() - name.box.bottom());
+    if (away > name.box.height()) {
+        const double end = name.box.top() > name.mark.y() ? name.box.top() : name.box.bottom();
+        painter_.setPen(QPen(theme_.border, 1));
+        painter_.drawLine(name.mark, QPointF(name.mark.x(), end));
     }
-    painter_.setFont(textFont(14));
-    label(QRectF(at.point.x() - 110, at.point.y() + 8, 220, 22), Qt::AlignHCenter | Qt::AlignTop, name,
-          selected ? theme_.text : theme_.secondary);
+    painter_.setFont(textFont(kNamePixels));
+    label(name.box, Qt::AlignCenter | Qt::TextDontClip, name.text,
+          name.selected ? theme_.text : theme_.secondary);
 }
 
-void ScenePainter::arrow(const Eigen::Vector3d& tcp, const Eigen::Vector3d& direction, double reach,
-                         const QColor& color, const QString& name) {
+void ScenePainter::note(const QRectF& box, const QString& text) {
+    if (!text.isEmpty()) {
+        painter_.setFont(textFont(13));
+        label(box, Qt::AlignLeft | Qt::AlignVCenter, text, theme_.secondary);
+    }
+}
+
+QRectF ScenePainter::arrow(const Eigen::Vector3d& tcp, const Eigen::Vector3d& direction, double reach,
+                           const QColor& color, const QString& name) {
     if (direction.norm() < 1e-9) {
-        return;
+        return {};
     }
     const Eigen::Vector3d d = direction.normalized();
     const auto from = camera_.project(tcp + d * (0.19 * reach));
     const auto to = camera_.project(tcp + d * (0.45 * reach));
     if (!from.visible() || !to.visible()) {
-        return;
+        return {};
     }
     const QPointF line = to.point - from.point;
     const double length = std::hypot(line.x(), line.y());
@@ -248,8 +263,8 @@ void ScenePainter::arrow(const Eigen::Vector3d& tcp, const Eigen::Vector3d& dire
             painter_.drawLine(at + QPointF(-7, -7), at + QPointF(7, 7));
             painter_.drawLine(at + QPointF(-7, 7), at + QPointF(7, -7));
         }
-        label(QRectF(at.x() + 20, at.y() - 12, 200, 24), Qt::AlignLeft | Qt::AlignVCenter, name, theme_.text);
-        return;
+        return label(QRectF(at.x() + 20, at.y() - 12, 200, 24), Qt::AlignLeft | Qt::AlignVCenter, name,
+                     theme_.text);
     }
     const QPointF along = line / length;
     const QPointF across(-along.y(), along.x());
@@ -263,7 +278,7 @@ void ScenePainter::arrow(const Eigen::Vector3d& tcp, const Eigen::Vector3d& dire
     const bool steep = std::abs(along.y()) > 0.6;
     const QRectF box = steep ? QRectF(middle.x() + 18, middle.y() - 12, 200, 24)
                              : QRectF(middle.x() - 100, middle.y() - 34, 200, 24);
-    label(box, (steep ? Qt::AlignLeft : Qt::AlignHCenter) | Qt::AlignVCenter, name, theme_.text);
+    return label(box, (steep ? Qt::AlignLeft : Qt::AlignHCenter) | Qt::AlignVCenter, name, theme_.text);
 }
 
 }  // namespace tiller

@@ -11,6 +11,7 @@
 #include "widgets/common/theme.h"
 #include "widgets/scene/arm_shape.h"
 #include "widgets/scene/camera.h"
+#include "widgets/scene/label_placer.h"
 
 class QPainter;
 
@@ -38,17 +39,21 @@ public:
     void path(std::span<const Eigen::Vector3d> points, const QColor& color, double width, bool dashed);
     /// Three axes with their letters.
     void axes(const Eigen::Isometry3d& T_base_frame, double length, bool greyed);
-    /// A point with its name below.
-    void marker(const Eigen::Vector3d& position, const QString& name, bool selected);
-    /// A name below a place.
-    void caption(const Eigen::Vector3d& position, const QString& name, bool selected);
+    /// A point.
+    void marker(const QPointF& at, bool selected);
+    void name(const PlacedLabel& name);
+    /// A line of small words; nothing when there are none.
+    void note(const QRectF& box, const QString& text);
+    /// The size of a name, shortened to what is drawn of it.
+    static QSizeF nameSize(QString& text);
     /// An arrow beside the tool; end on, a ring with a dot (towards the eye) or a cross (away).
-    void arrow(const Eigen::Vector3d& tcp, const Eigen::Vector3d& direction, double reach,
-               const QColor& color, const QString& name);
+    /// Returns  where its name is
+    QRectF arrow(const Eigen::Vector3d& tcp, const Eigen::Vector3d& direction, double reach,
+                 const QColor& color, const QString& name);
 
 private:
     void capsule(const ArmPart& part, const QColor& color, bool outlined);
-    void label(const QRectF& box, int flags, const QString& text, const QColor& color);
+    QRectF label(const QRectF& box, int flags, const QString& text, const QColor& color);
 
     QPainter& painter_;
     const Camera& camera_;

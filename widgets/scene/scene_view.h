@@ -3,6 +3,7 @@
 
 // The arm as it stands, seen in perspective: links, tool frame, the ghost of a target with the way there, the
 // trace of the TCP, waypoints, and the direction of a jog. It only shows: nothing done in it moves the robot.
+// As long as the operator does not choose what is in the picture, arm, ghost and waypoints are kept in it.
 
 #include <Eigen/Core>
 #include <QString>
@@ -16,10 +17,14 @@
 #include "robot/core/robot_model.h"
 #include "robot/core/spatial.h"
 #include "widgets/scene/camera.h"
+#include "widgets/scene/label_placer.h"
 #include "widgets/session/scene_marks.h"
 #include "widgets/session/session_state.h"
 
 namespace tiller {
+
+class SceneKeys;
+class ScenePainter;
 
 /// A jog under way, for the arrow at the tool.
 struct SceneJog {
@@ -53,6 +58,11 @@ public:
     /// For the jog frame "View": R_base_view, columns X to the right, Y up, Z towards the eye.
     Eigen::Matrix3d viewRotation() const { return camera_.viewRotation(); }
     const Camera& camera() const { return camera_; }
+    /// Names of waypoints and frames as they were drawn last, and how many found no place.
+    const std::vector<PlacedLabel>& labels() const { return labels_; }
+    int hiddenLabels() const { return hiddenLabels_; }
+    /// "3 names hidden: come nearer"; empty when none is.
+    QString hiddenText() const;
 
     /// Draws one frame; paintEvent() does nothing else. For benchmarks and pictures.
     void paintScene(QPainter& painter, const QSizeF& size);
@@ -62,7 +72,11 @@ public:
 
 public Q_SLOTS:
     void setState(const tiller::SessionState& state);
-    void resetView();
+    /// Looks from there, with everything in the picture.
+    void lookFrom(tiller::StandardView from);
+    void resetView() { lookFrom(StandardView::Home); }
+    /// Arm, ghost, waypoints and frames into the picture; they are kept in it from now on.
+    void fitAll();
 
 Q_SIGNALS:
     void ghostTextChanged(const QString& text);
@@ -72,6 +86,7 @@ Q_SIGNALS:
 protected:
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -85,7 +100,15 @@ private:
     void changed();
     void updateGhost();
     void orbitBy(const QPointF& pixels);
+    void panBy(const QPointF& pixels);
     void zoomBy(double factor);
+    /// Places the eye for a picture of this size.
+    void frame(const QSizeF& size);
+    std::vector<Camera::Ball> inSight() const;
+    /// share  of the picture that is left free around what must be in sight
+    QMarginsF margins(const QSizeF& size, double share) const;
+    void placeKeys();
+    void drawNames(ScenePainter& scene, const QSizeF& size, const QRectF& arrowName);
     void extendTrace(double now, const Eigen::Vector3d& tcp);
 
     struct TracePoint {
@@ -108,8 +131,16 @@ private:
     QString staleWord_;
     double speedFraction_ = 1.0;
     Camera camera_;
+    SceneKeys* keys_;
+    bool keptInSight_ = true;            ///< until the operator moves the picture or zooms
+    bool fitWanted_ = true;              ///< the picture is made anew
+    std::optional<Camera> beforeGhost_;  ///< to go back to when the ghost is gone
+    std::vector<PlacedLabel> labels_;
+    int hiddenLabels_ = 0;
     QPointF dragFrom_;
-    bool dragging_ = false;
+    enum class Drag { None, Orbit, Pan };
+    Drag drag_ = Drag::None;
+    Qt::MouseButton dragButton_ = Qt::NoButton;
     bool focusByKey_ = false;  // a click needs no frame to show where the focus is
     QTimer frameTimer_;
     std::int64_t lastPaintNs_ = 0;

@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
 #include <QWheelEvent>
 #include <cmath>
 
@@ -56,6 +57,48 @@ bool hasColorNear(const QImage& image, const QPointF& place, const QColor& color
     }
     return false;
 }
+
+/// What an arm covers on the screen.
+QRectF coveredBy(const SceneView& view, const JointPositions& q) {
+    QRectF covered;
+    for (const ArmPart& part : armParts(robotModel(RobotModelId::UR5e), q)) {
+        for (const Eigen::Vector3d& end : {part.from, part.to}) {
+            const auto at = view.camera().project(end);
+            const double radius = part.radius * at.pixelsPerMetre;
+            covered |= QRectF(at.point.x() - radius, at.point.y() - radius, 2 * radius, 2 * radius);
+        }
+    }
+    return covered;
+}
+
+/// The part of the picture below the keys, with a margin.
+QRectF inner(const SceneView& view, double margin) {
+    const auto* keys = view.findChild<QWidget*>("scene.keys");
+    return QRectF(view.rect()).adjusted(margin, margin + keys->geometry().bottom(), -margin, -margin);
+}
+
+QPointF onScreen(const SceneView& view, const Eigen::Vector3d& place) {
+    return view.camera().project(place).point;
+}
+
+Ghost uprightGhost() {
+    Ghost ghost;
+    ghost.name = "home";
+    ghost.q = JointPositions(0, -M_PI_2, 0, -M_PI_2, 0, 0);
+    return ghost;
+}
+
+struct ShownView : SceneView {
+    explicit ShownView(const QSize& size = {600, 400}) {
+        resize(size);
+        show();
+        if (!QTest::qWaitForWindowExposed(this)) {
+            qFatal("the view was not shown");
+        }
+        setState(live(kStance));
+        picture(*this);
+    }
+};
 
 int countColor(const QImage& image, const QColor& color) {
     int count = 0;
@@ -213,11 +256,11 @@ private Q_SLOTS:
         QVERIFY(view.camera().azimuth() != before.azimuth());
         QVERIFY(view.camera().elevation() > before.elevation());
         QVERIFY(moved.count() > 0);
-        QCOMPARE(view.camera().distance(), before.distance());
+        const double turned = view.camera().distance();
         QWheelEvent wheel({300, 200}, view.mapToGlobal(QPoint(300, 200)), {}, {0, 240}, Qt::NoButton,
                           Qt::NoModifier, Qt::NoScrollPhase, false);
         QApplication::sendEvent(&view, &wheel);
-        QVERIFY(view.camera().distance() < before.distance());
+        QVERIFY(view.camera().distance() < turned);
         QTest::mouseDClick(&view, Qt::LeftButton, {}, {300, 200});
         QCOMPARE(view.camera().distance(), before.distance());
         QCOMPARE(view.camera().azimuth(), before.azimuth());
@@ -226,6 +269,180 @@ private Q_SLOTS:
         QTest::mouseMove(&view, {400, 250});
         QTest::mouseRelease(&view, Qt::RightButton, {}, {400, 250});
         QCOMPARE(view.camera().azimuth(), before.azimuth());
+    }
+
+    // At every size the arm is large, and no longer in the lower half.
+    void theArmFillsThePicture_data() {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("as designed") << QSize(930, 520);
+        QTest::newRow("small") << QSize(520, 340);
+        QTest::newRow("wide") << QSize(1400, 400);
+        QTest::newRow("high") << QSize(420, 800);
+    }
+    void theArmFillsThePicture() {
+        QFETCH(QSize, size);
+        ShownView view(size);
+        const QRectF arm = coveredBy(view, kStance);
+        QVERIFY(inner(view, 8).contains(arm));
+        QVERIFY2(arm.height() > 0.55 * size.height() || arm.width() > 0.55 * size.width(),
+                 qPrintable(QStringLiteral("%1 x %2").arg(arm.width()).arg(arm.height())));
+        QVERIFY(std::abs(arm.center().y() - inner(view, 8).center().y()) < 0.12 * size.height());
+    }
+
+    void theGhostAndTheWaypointsAreInThePicture() {
+        ShownView view({630, 340});
+        const double alone = view.camera().distance();
+        view.setGhost(uprightGhost());
+        picture(view);
+        QVERIFY(inner(view, 6).contains(coveredBy(view, uprightGhost().q)));
+        QVERIFY(inner(view, 6).contains(coveredBy(view, kStance)));
+        QVERIFY(view.camera().distance() > alone);
+        // Only a look: the picture is as it was before.
+        view.setGhost(std::nullopt);
+        picture(view);
+        QVERIFY(std::abs(view.camera().distance() - alone) < 1e-9);
+        const Eigen::Vector3d places[] = {{0.6, 0.6, 0.3}, {-0.7, 0.4, 0.8}, {0, -0.8, 0.1}};
+        view.setWaypoints({{"a", places[0], false}, {"b", places[1], false}, {"c", places[2], true}});
+        picture(view);
+        for (const Eigen::Vector3d& place : places) {
+            QVERIFY(inner(view, 6).contains(onScreen(view, place)));
+        }
+        // One of another robot, far away, does not make a dot of the arm.
+        const double near = view.camera().distance();
+        view.setWaypoints({{"far", Eigen::Vector3d(40, 0, 0), false}});
+        picture(view);
+        QVERIFY(view.camera().distance() <= near);
+    }
+
+    void theArmStaysInThePictureWhileItMoves() {
+        ShownView view;
+        for (int i = 0; i <= 60; ++i) {
+            JointPositions q = kStance;
+            q[0] += i * 0.05;
+            q[1] += i * 0.01;
+            view.setState(live(q, 1 + i * 0.02));
+            picture(view);
+            QVERIFY2(inner(view, 4).contains(coveredBy(view, q)), qPrintable(QString::number(i)));
+        }
+    }
+
+    // Whoever comes nearer or moves the picture wants to see that place, until everything is asked for.
+    void whatTheOperatorChoseIsLeftAlone() {
+        ShownView view;
+        const Camera before = view.camera();
+        QTest::mousePress(&view, Qt::RightButton, {}, {300, 200});
+        QTest::mouseMove(&view, {400, 250});
+        QTest::mouseRelease(&view, Qt::RightButton, {}, {400, 250});
+        const Eigen::Vector3d base = Eigen::Vector3d::Zero();
+        QCOMPARE(view.camera().azimuth(), before.azimuth());
+        const QPointF moved = onScreen(view, base) - before.project(base).point;
+        QVERIFY2(moved.x() > 70 && moved.y() > 35, "the picture goes with the pointer");
+        QTest::mousePress(&view, Qt::LeftButton, Qt::ShiftModifier, {300, 200});
+        QTest::mouseMove(&view, {200, 150});
+        QTest::mouseRelease(&view, Qt::LeftButton, Qt::ShiftModifier, {200, 150});
+        QVERIFY((onScreen(view, base) - before.project(base).point).manhattanLength() < 12);
+        QTest::keyClick(&view, Qt::Key_Plus);
+        const double chosen = view.camera().distance();
+        view.setGhost(uprightGhost());
+        picture(view);
+        QCOMPARE(view.camera().distance(), chosen);
+        QTest::mouseClick(view.findChild<QToolButton*>("scene.fit"), Qt::LeftButton);
+        picture(view);
+        QVERIFY(inner(view, 6).contains(coveredBy(view, uprightGhost().q)));
+        QCOMPARE(view.camera().azimuth(), before.azimuth());
+    }
+
+    void theArrowsWithShiftMoveThePicture() {
+        ShownView view;
+        const Eigen::Vector3d base = Eigen::Vector3d::Zero();
+        const QPointF before = onScreen(view, base);
+        const double azimuth = view.camera().azimuth();
+        QTest::keyClick(&view, Qt::Key_Left, Qt::ShiftModifier);
+        QVERIFY(onScreen(view, base).x() > before.x() + 5);
+        QCOMPARE(view.camera().azimuth(), azimuth);
+        QTest::keyClick(&view, Qt::Key_Left);
+        QVERIFY(view.camera().azimuth() != azimuth);
+    }
+
+    void theKeysLookFromTheStandardSides_data() {
+        QTest::addColumn<QString>("key");
+        QTest::addColumn<int>("right");  // which base axis goes to the right, and which one up
+        QTest::addColumn<int>("up");
+        QTest::newRow("front") << "scene.front" << 0 << 2;
+        QTest::newRow("side") << "scene.side" << 1 << 2;
+        QTest::newRow("top") << "scene.top" << 0 << 1;
+    }
+    void theKeysLookFromTheStandardSides() {
+        QFETCH(QString, key);
+        QFETCH(int, right);
+        QFETCH(int, up);
+        ShownView view;
+        const Eigen::Matrix3d first = view.viewRotation();
+        QSignalSpy moved(&view, &SceneView::viewChanged);
+        QTest::mouseClick(view.findChild<QToolButton*>(key), Qt::LeftButton);
+        QCOMPARE(moved.count(), 1);
+        QVERIFY((view.viewRotation().col(0) - Eigen::Vector3d::Unit(right)).norm() < 1e-9);
+        QVERIFY((view.viewRotation().col(1) - Eigen::Vector3d::Unit(up)).norm() < 1e-9);
+        picture(view);
+        QVERIFY(inner(view, 6).contains(coveredBy(view, kStance)));
+        // Turned by hand it goes on from there, and 3D leads back.
+        QTest::keyClick(&view, Qt::Key_Right);
+        QVERIFY(view.viewRotation().allFinite());
+        QTest::mouseClick(view.findChild<QToolButton*>("scene.home"), Qt::LeftButton);
+        QVERIFY((view.viewRotation() - first).norm() < 1e-9);
+    }
+
+    void theKeysAreLeftOutOfAVerySmallPicture() {
+        ShownView view({600, 400});
+        auto* keys = view.findChild<QWidget*>("scene.keys");
+        QVERIFY(keys->isVisible() && view.rect().contains(keys->geometry()));
+        view.resize(100, 180);
+        QTRY_VERIFY(!keys->isVisible());
+        view.resize(600, 400);
+        QTRY_VERIFY(keys->isVisible());
+    }
+
+    void namesDoNotLieOnEachOther() {
+        ShownView view({930, 520});
+        const Eigen::Vector3d tcp =
+            kinematics::forwardTcp(robotModel(RobotModelId::UR5e).dh, kStance).position;
+        std::vector<WaypointMark> marks;
+        for (int i = 0; i < 3; ++i) {
+            marks.push_back(
+                {QStringLiteral("above the tray %1").arg(i), tcp + Eigen::Vector3d(0.01 * i, 0, 0), false});
+        }
+        view.setWaypoints(marks);
+        picture(view);
+        QCOMPARE(view.labels().size(), std::size_t(3));
+        QCOMPARE(view.hiddenLabels(), 0);
+        QVERIFY(view.hiddenText().isEmpty());
+        // Too many for one place: those without room are counted, and the selected one is never among them.
+        for (int i = 3; i < 40; ++i) {
+            marks.push_back({QStringLiteral("above the tray %1").arg(i),
+                             tcp + Eigen::Vector3d(0.0005 * i, 0, 0), i == 39});
+        }
+        view.setWaypoints(marks);
+        picture(view);
+        const auto& labels = view.labels();
+        QVERIFY(view.hiddenLabels() > 0);
+        QCOMPARE(static_cast<int>(labels.size()) + view.hiddenLabels(), 40);
+        QVERIFY(view.hiddenText().startsWith(QString::number(view.hiddenLabels())));
+        QCOMPARE(labels.front().text, QString("above the tray 39"));
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+            QVERIFY(QRectF(view.rect()).contains(labels[i].box));
+            for (std::size_t j = 0; j < i; ++j) {
+                QVERIFY2(!labels[i].box.intersects(labels[j].box), qPrintable(labels[i].text));
+            }
+        }
+        // Nearer, they come apart.
+        const int hidden = view.hiddenLabels();
+        for (int i = 3; i < 40; ++i) {
+            marks[static_cast<std::size_t>(i)].position =
+                Eigen::Vector3d(-0.7 + 0.25 * (i % 6), -0.6 + 0.2 * (i / 6), 0.1 * (i % 3));
+        }
+        view.setWaypoints(marks);
+        picture(view);
+        QVERIFY(view.hiddenLabels() < hidden);
     }
 
     void theEyeNeverGoesUnderTheGround() {

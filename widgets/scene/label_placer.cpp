@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scene/label_placer.h"
+
+#include <algorithm>
+#include <array>
+
+namespace tiller {
+
+std::optional<QRectF> LabelPlacer::place(const QPointF& mark, const QSizeF& size) {
+    constexpr double kBeside = 10;  // from the middle of the mark
+    constexpr double kApart = 2;
+    const double w = size.width();
+    const double h = size.height();
+    const double row = h + kApart;
+    // Names at the sides leave room for one below and one above; further rows are tied to the mark by a line.
+    const std::array<QPointF, 8> corners = {
+        QPointF(-w / 2, row / 2),           QPointF(kBeside, -h / 2),
+        QPointF(-w - kBeside, -h / 2),      QPointF(-w / 2, -row / 2 - h),
+        QPointF(-w / 2, row / 2 + row),     QPointF(-w / 2, -row / 2 - h - row),
+        QPointF(-w / 2, row / 2 + 2 * row), QPointF(-w / 2, -row / 2 - h - 2 * row)};
+    for (const QPointF& corner : corners) {
+        const QRectF box(mark + corner, size);
+        const bool free =
+            area_.contains(box) &&
+            std::none_of(taken_.begin(), taken_.end(), [&](const QRectF& t) { return t.intersects(box); });
+        if (free) {
+            taken_.push_back(box);
+            return box;
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace tiller
