@@ -21,6 +21,7 @@
 #include "app/help_page.h"
 #include "app/jog_actions.h"
 #include "app/robot_actions.h"
+#include "app/scene_actions.h"
 #include "app/settings_page.h"
 #include "app/sleep_watch.h"
 #include "widgets/common/hold_button.h"
@@ -564,6 +565,7 @@ void MainWindow::buildActions() {
     addProjectActions();
     JogActions::addTo(*actions_, *jog_, *keyboard_, [this] { showTrainer(this); });
     addViewActions();
+    SceneActions::addTo(*actions_, scene_->view());
     for (QAction* action : waypoints_->commandActions()) {
         actions_->adopt("waypoint", action);
         // One history for waypoints and frames.

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene_actions.h"
+
+#include "app/action_table.h"
+#include "widgets/scene/scene_view.h"
+
+namespace tiller::app {
+
+void SceneActions::addTo(ActionTable& table, SceneView& view) {
+    struct Side {
+        const char* id;
+        QString text;
+        QString help;
+        Qt::Key key;
+        StandardView from;
+    };
+    // Function keys: letters and digits belong to teaching and to the armed keyboard.
+    const Side sides[] = {{"view.look.home", tr("Look from the first side, in perspective"),
+                           tr("From between front and side, a little above, with everything in the picture."),
+                           Qt::Key_F5, StandardView::Home},
+                          {"view.look.front", tr("Look from the front"),
+                           tr("X of the base to the right, Z up."), Qt::Key_F6, StandardView::Front},
+                          {"view.look.side", tr("Look from the side"),
+                           tr("Y of the base to the right, Z up."), Qt::Key_F7, StandardView::Side},
+                          {"view.look.top", tr("Look from above"), tr("X of the base to the right, Y up."),
+                           Qt::Key_F8, StandardView::Top}};
+    for (const Side& side : sides) {
+        table.add({QLatin1String(side.id), side.text, side.help, QKeySequence(side.key),
+                   [&view, from = side.from] { view.lookFrom(from); }});
+    }
+    table.add({"view.look.fit", tr("Fit everything into the view"),
+               tr("Arm, target and waypoints into the picture, from the side it is looked from now."),
+               QKeySequence(Qt::Key_F9), [&view] { view.fitAll(); }});
+}
+
+}  // namespace tiller::app

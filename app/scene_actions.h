@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Where the 3D view looks from, as commands: for the keyboard, and for the palette.
+
+#include <QCoreApplication>
+
+namespace tiller {
+class SceneView;
+}  // namespace tiller
+
+namespace tiller::app {
+
+class ActionTable;
+
+class SceneActions {
+    Q_DECLARE_TR_FUNCTIONS(SceneActions)
+
+public:
+    /// view  must outlive the table
+    static void addTo(ActionTable& table, SceneView& view);
+};
+
+}  // namespace tiller::app
