@@ -43,6 +43,7 @@
 #include "widgets/jog/stop_keys.h"
 #include "widgets/log/log_tab.h"
 #include "widgets/plots/plot_dock.h"
+#include "widgets/plots/plot_view.h"
 #include "widgets/project/project_document.h"
 #include "widgets/project/project_files.h"
 #include "widgets/scene/scene_dock.h"
@@ -678,6 +679,11 @@ void MainWindow::addViewActions() {
                            settings_.setTheme(name);
                        }});
     }
+    actions_->add({"view.zeroForce",
+                   tr("Zero the force in the plots, or show it as measured"),
+                   tr("Counts the TCP force from what it is now; once more: as the robot measures it."),
+                   {},
+                   [this] { plots_->setForceZeroed(!plots_->view().isForceZeroed()); }});
     actions_->add({"app.palette", tr("Commands…"), tr("Finds a command by its name."),
                    QKeySequence(Qt::CTRL | Qt::Key_K), [this] {
                        stopMotion(control::StopCause::DialogOpened);

@@ -70,12 +70,22 @@ bool AxisRange::set(const Scale& scale) {
     return changed;
 }
 
+void AxisRange::zoom(double factor, double about) {
+    constexpr double kNarrowest = 0.01;  // in finest steps
+    constexpr double kWidest = 1e4;
+    const double span =
+        std::clamp((max_ - min_) * factor, kNarrowest * smallestStep_, kWidest * smallestStep_);
+    const double below = (about - min_) / (max_ - min_);
+    set({about - below * span, about + (1 - below) * span, niceStep(span / mostLines_)});
+    held_ = true;
+}
+
 bool AxisRange::reset(double low, double high) {
-    return usable(low, high) && set(best(low, high));
+    return !held_ && usable(low, high) && set(best(low, high));
 }
 
 bool AxisRange::fit(double low, double high, double seconds) {
-    if (!usable(low, high)) {
+    if (held_ || !usable(low, high)) {
         return false;
     }
     if (low < min_ || high > max_) {

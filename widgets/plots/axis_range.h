@@ -22,6 +22,13 @@ public:
     /// Takes the best scale for low ... high at once.
     bool reset(double low, double high);
 
+    /// Comes nearer (factor < 1) to this value; the scale stays as it is from then on, whatever the curves do.
+    void zoom(double factor, double about);
+    /// True between zoom() and release().
+    bool isHeld() const { return held_; }
+    /// The curves decide again, with the next fit() or reset().
+    void release() { held_ = false; }
+
     /// How many grid lines there is room for; 2 at least. Takes effect with the next change of the scale.
     void setMostLines(int lines);
 
@@ -40,6 +47,7 @@ private:
     double max_ = 1;
     double step_ = 1;
     double tooWideFor_ = 0;
+    bool held_ = false;
 };
 
 }  // namespace tiller

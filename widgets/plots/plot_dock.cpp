@@ -76,7 +76,11 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
 
     connect(view_, &PlotView::windowChanged, this, &PlotDock::updateHeader);
     connect(view_, &PlotView::readoutChanged, this, &PlotDock::updateHeader);
-    connect(&session_, &RobotSession::linkBegan, this, [this] { feed_->beginLink(); });
+    connect(view_, &PlotView::zeroChanged, this, &PlotDock::updateHeader);
+    connect(&session_, &RobotSession::linkBegan, this, [this] {
+        feed_->beginLink();
+        view_->clearZero();  // another robot, another tool
+    });
     connect(&session_, &RobotSession::samplesReceived, this,
             [this](const SampleBatch& batch) { feed_->take(batch); });
     connect(&session_, &RobotSession::stateChanged, this, &PlotDock::onState);
@@ -95,13 +99,15 @@ void PlotDock::buildHeader() {
     readout_->setElideMode(Qt::ElideRight);
     readout_->setToolTip(
         tr("Click in the plots to place the cursors A and B; drag them, or use the keys A, B "
-           "and the arrows. Click a name in a legend to read that signal."));
+           "and the arrows. Click a name in a legend to hide its curve, with Ctrl to read that signal."));
     auto* line = new QFrame(this);
     line->setObjectName(QStringLiteral("plots.separator"));
     line->setFixedSize(1, 16);
 
     span_ = quietButton(QStringLiteral("plots.span"), tr("Time window"), this);
-    span_->setToolTip(tr("How much time the plots show. The wheel over the plots zooms."));
+    span_->setToolTip(tr(
+        "How much time the plots show. The wheel over the plots zooms; over the values at the left, or with "
+        "Ctrl, it zooms them, and a double click there lets the curves decide again."));
     span_->setPopupMode(QToolButton::InstantPopup);
     auto* menu = new QMenu(span_);
     menu->setObjectName(QStringLiteral("plots.span.menu"));
@@ -115,6 +121,10 @@ void PlotDock::buildHeader() {
 
     pause_ = quietButton(QStringLiteral("plots.pause"), tr("Pause the plots"), this);
     connect(pause_, &QToolButton::clicked, this, [this] { setPaused(view_->window().follows()); });
+    zero_ = quietButton(QStringLiteral("plots.zero"), tr("Zero the force shown"), this);
+    zero_->setText(tr("Zero force"));
+    zero_->setCheckable(true);
+    connect(zero_, &QToolButton::clicked, this, &PlotDock::setForceZeroed);
     export_ = quietButton(QStringLiteral("plots.export"), tr("Export the shown range"), this);
     export_->setText(tr("Export…"));
     export_->setToolTip(tr("Save what is shown as a picture (PNG) or as values (CSV)"));
@@ -127,6 +137,7 @@ void PlotDock::buildHeader() {
     addHeaderWidget(line);
     addHeaderWidget(span_);
     addHeaderWidget(pause_);
+    addHeaderWidget(zero_);
     addHeaderWidget(export_);
     addHeaderWidget(record_);
     styleHeader();
@@ -139,6 +150,17 @@ void PlotDock::setPaused(bool paused) {
     } else {
         view_->follow();
     }
+}
+
+void PlotDock::setForceZeroed(bool zeroed) {
+    if (!zeroed) {
+        view_->clearZero();
+    } else if (!view_->zeroForce()) {
+        Q_EMIT session_.message(Severity::Warning,
+                                tr("The force was not zeroed: the plots show no samples. Connect to a robot, "
+                                   "or scroll to a time with samples."));
+    }
+    updateHeader();
 }
 
 void PlotDock::setJogLabel(const QString& label) {
@@ -186,6 +208,11 @@ void PlotDock::updateHeader() {
     setTextIfNew(pause_, window.follows() ? tr("Pause") : tr("Resume"));
     pause_->setToolTip(window.follows() ? tr("Hold the plots still; data and recording go on")
                                         : tr("Back to the newest samples"));
+    zero_->setChecked(view_->isForceZeroed());
+    zero_->setToolTip(view_->isForceZeroed()
+                          ? tr("Show the force as the robot measures it again. %1").arg(view_->zeroText())
+                          : tr("Count the force from what it is now. Only what the plots show: the robot, "
+                               "recordings and exported values keep what was measured."));
     const QString record =
         recording_ ? tr("● REC %1").arg(format::duration(recordingSeconds_)) : tr("● Record");
     setTextIfNew(record_, record);
@@ -202,12 +229,15 @@ void PlotDock::styleHeader() {
     const QString sheet =
         QStringLiteral(
             "QToolButton { color: %1; font-size: 13px; padding: 0 2px; min-height: 22px; }"
+            "QToolButton:checked { color: %4; background: %5; border-color: %6; }"
             "QToolButton#plots\\.record[recording=\"true\"] { color: %2; font-weight: bold; }"
             "QFrame#plots\\.separator { background: %3; border: none; }")
-            .arg(theme.secondary.name(), theme.recording.name(), theme.secondary.name());
+            .arg(theme.secondary.name(), theme.recording.name(), theme.secondary.name(), theme.text.name(),
+                 theme.movingTint.name(), theme.moving.name());
     for (QWidget* widget :
-         {static_cast<QWidget*>(span_), static_cast<QWidget*>(pause_), static_cast<QWidget*>(export_),
-          static_cast<QWidget*>(record_), findChild<QWidget*>(QStringLiteral("plots.separator"))}) {
+         {static_cast<QWidget*>(span_), static_cast<QWidget*>(pause_), static_cast<QWidget*>(zero_),
+          static_cast<QWidget*>(export_), static_cast<QWidget*>(record_),
+          findChild<QWidget*>(QStringLiteral("plots.separator"))}) {
         widget->setStyleSheet(sheet);
     }
 }
@@ -239,6 +269,9 @@ Result<void> PlotDock::exportPicture(const QString& path) const {
     }
     if (const QString words = view_->readout(); !words.isEmpty()) {
         details << words;
+    }
+    if (const QString zero = view_->zeroText(); !zero.isEmpty()) {
+        details << zero;
     }
     text.detail = details.join(QStringLiteral("   "));
     return tiller::exportPicture(*view_, *history_, *lane_, text, path);

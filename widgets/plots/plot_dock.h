@@ -47,6 +47,8 @@ public Q_SLOTS:
     /// The jog key that is held, "X+" or "Wrist 2−": names the stretch in the lane. Empty: none.
     void setJogLabel(const QString& label);
     void setPaused(bool paused);
+    /// Counts the force shown from what it is now; what is recorded and exported stays as measured.
+    void setForceZeroed(bool zeroed);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -68,6 +70,7 @@ private:
     ElidedLabel* readout_ = nullptr;
     QToolButton* span_ = nullptr;
     QToolButton* pause_ = nullptr;
+    QToolButton* zero_ = nullptr;
     QToolButton* export_ = nullptr;
     QToolButton* record_ = nullptr;
     QString jogLabel_;

@@ -5,12 +5,14 @@
 #include <QChart>
 #include <QGraphicsLayout>
 #include <QGraphicsScene>
+#include <QGraphicsTextItem>
 #include <QLegend>
 #include <QLegendMarker>
 #include <QLineSeries>
 #include <QValueAxis>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "widgets/common/format.h"
 #include "widgets/common/theme.h"
@@ -81,15 +83,7 @@ PlotPane::PlotPane(QGraphicsScene& scene, const QString& name, std::span<const P
     chart_->legend()->setMarkerShape(QLegend::MarkerShapeFromSeries);
     chart_->legend()->detachFromChart();
     chart_->legend()->setBackgroundVisible(false);
-    const auto markers = chart_->legend()->markers();
-    for (std::size_t i = 0; i < shown_.size() && i < static_cast<std::size_t>(markers.size()); ++i) {
-        QObject::connect(markers[static_cast<qsizetype>(i)], &QLegendMarker::clicked, chart_.get(),
-                         [this, i] {
-                             if (legendChosen_) {
-                                 legendChosen_(shown_[i]);
-                             }
-                         });
-    }
+    looks_.resize(shown_.size());
     scene.addItem(chart_.get());
     applyTheme();
     updateValueAxis();
@@ -109,9 +103,21 @@ void PlotPane::applyTheme() {
                                    (theme.panel.blue() + theme.border.blue()) / 2));
     chart_->legend()->setFont(textFont(kLegendPixels));
     chart_->legend()->setLabelColor(theme.secondary);
+    const auto markers = chart_->legend()->markers();
     for (std::size_t i = 0; i < curves_.size(); ++i) {
         QPen pen = plot_signals::pen(shown_[i], theme);
-        legend_[i]->setPen(pen);
+        const bool hidden = looks_[i].hidden;
+        curves_[i]->setVisible(!hidden);
+        legend_[i]->setPen(hidden ? QPen(theme.border, pen.widthF()) : pen);
+        // The legend hands its own look on only when it changes: each entry gets what it needs.
+        if (const auto at = static_cast<qsizetype>(i); at < markers.size()) {
+            QFont font = textFont(kLegendPixels);
+            font.setStrikeOut(hidden);
+            if (markers[at]->font() != font) {
+                markers[at]->setFont(font);
+            }
+            markers[at]->setLabelBrush(hidden ? theme.disabledText : theme.secondary);
+        }
         if (shown_[i] == emphasis_) {
             pen.setWidthF(2.2);
         }
@@ -122,6 +128,92 @@ void PlotPane::applyTheme() {
 
 void PlotPane::setEmphasis(PlotSignal signal) {
     emphasis_ = signal;
+    applyTheme();
+}
+
+std::size_t PlotPane::indexOf(PlotSignal signal) const {
+    return static_cast<std::size_t>(std::find(shown_.begin(), shown_.end(), signal) - shown_.begin());
+}
+
+void PlotPane::setHidden(PlotSignal signal, bool hidden) {
+    if (const std::size_t i = indexOf(signal); i < looks_.size() && looks_[i].hidden != hidden) {
+        looks_[i].hidden = hidden;
+        applyTheme();
+    }
+}
+
+bool PlotPane::isHidden(PlotSignal signal) const {
+    const std::size_t i = indexOf(signal);
+    return i < looks_.size() && looks_[i].hidden;
+}
+
+void PlotPane::setOffset(PlotSignal signal, double offset) {
+    if (const std::size_t i = indexOf(signal); i < looks_.size()) {
+        looks_[i].offset = offset;
+    }
+}
+
+double PlotPane::offset(PlotSignal signal) const {
+    const std::size_t i = indexOf(signal);
+    return i < looks_.size() ? looks_[i].offset : 0;
+}
+
+// The chart does not tell where its entries are: an entry is what holds a text, and they stand in their order.
+std::vector<QGraphicsItem*> PlotPane::legendEntries() const {
+    std::vector<QGraphicsItem*> entries;
+    std::vector<QGraphicsItem*> open{chart_->legend()};
+    while (!open.empty()) {
+        QGraphicsItem* item = open.back();
+        open.pop_back();
+        const QList<QGraphicsItem*> children = item->childItems();
+        const bool isEntry = std::any_of(children.begin(), children.end(), [](const QGraphicsItem* child) {
+            return qgraphicsitem_cast<const QGraphicsTextItem*>(child) != nullptr;
+        });
+        if (isEntry) {
+            entries.push_back(item);
+        } else {
+            open.insert(open.end(), children.begin(), children.end());
+        }
+    }
+    std::sort(entries.begin(), entries.end(), [](const QGraphicsItem* a, const QGraphicsItem* b) {
+        const QPointF at = a->scenePos();
+        const QPointF to = b->scenePos();
+        return std::abs(at.y() - to.y()) > 2 ? at.y() < to.y() : at.x() < to.x();
+    });
+    return entries.size() == shown_.size() ? entries : std::vector<QGraphicsItem*>();
+}
+
+std::optional<PlotSignal> PlotPane::legendAt(const QPointF& place) const {
+    if (place.y() >= area_.top() || place.y() < area_.top() - kLegendHeight - 4) {
+        return std::nullopt;
+    }
+    const std::vector<QGraphicsItem*> entries = legendEntries();
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        if (entries[i]->sceneBoundingRect().contains(place)) {
+            return shown_[i];
+        }
+    }
+    return std::nullopt;
+}
+
+QRectF PlotPane::legendEntry(PlotSignal signal) const {
+    const std::vector<QGraphicsItem*> entries = legendEntries();
+    const std::size_t i = indexOf(signal);
+    return i < entries.size() ? entries[i]->sceneBoundingRect() : QRectF();
+}
+
+void PlotPane::zoomValues(double factor, double y) {
+    const double share = std::clamp((area_.bottom() - y) / std::max(1.0, area_.height()), 0.0, 1.0);
+    range_.zoom(factor, range_.min() + share * (range_.max() - range_.min()));
+    updateValueAxis();
+}
+
+void PlotPane::showLike(const PlotPane& other) {
+    looks_ = other.looks_;
+    if (other.isZoomed()) {
+        range_ = other.range_;
+        updateValueAxis();
+    }
     applyTheme();
 }
 
@@ -168,18 +260,23 @@ void PlotPane::updateValueAxis() {
 
 void PlotPane::show(const SeriesBuffer& history, const ColumnGrid& grid, double t0, double t1,
                     double seconds) {
-    MinMax all;
-    for (CurveItem* curve : curves_) {
-        curve->sample(history, grid);
-        all.add(curve->range());
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    double low = kNone;
+    double high = -kNone;
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+        if (looks_[i].hidden) {
+            continue;
+        }
+        curves_[i]->sample(history, grid);
+        low = std::min(low, static_cast<double>(curves_[i]->range().min) - looks_[i].offset);
+        high = std::max(high, static_cast<double>(curves_[i]->range().max) - looks_[i].offset);
     }
-    const double low = static_cast<double>(all.min);
-    const double high = static_cast<double>(all.max);
     if (seconds < 0 ? range_.reset(low, high) : range_.fit(low, high, seconds)) {
         updateValueAxis();
     }
-    for (CurveItem* curve : curves_) {
-        curve->setView(area_, t0, t1, range_.min(), range_.max());
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+        const double offset = looks_[i].offset;
+        curves_[i]->setView(area_, t0, t1, range_.min() + offset, range_.max() + offset);
     }
 }
 

@@ -5,8 +5,8 @@
 
 #include <QRectF>
 #include <QString>
-#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,6 +14,7 @@
 #include "widgets/plots/plot_signals.h"
 #include "widgets/plots/series_buffer.h"
 
+class QGraphicsItem;
 class QGraphicsScene;
 
 QT_BEGIN_NAMESPACE
@@ -56,12 +57,37 @@ public:
     std::span<const PlotSignal> shown() const { return shown_; }
     /// The signal whose values the cursors read is drawn stronger.
     void setEmphasis(PlotSignal signal);
-    /// Called when the operator clicks an entry of the legend.
-    void onLegend(std::function<void(PlotSignal)> chosen) { legendChosen_ = std::move(chosen); }
+
+    /// A hidden curve has a struck-out name and no part in the scale.
+    void setHidden(PlotSignal signal, bool hidden);
+    bool isHidden(PlotSignal signal) const;
+    /// The entry of the legend at this place of the scene.
+    std::optional<PlotSignal> legendAt(const QPointF& place) const;
+    /// Where an entry is, in the scene; empty before the chart is laid out.
+    QRectF legendEntry(PlotSignal signal) const;
+
+    /// What is taken off a signal before it is drawn; 0 at first.
+    void setOffset(PlotSignal signal, double offset);
+    double offset(PlotSignal signal) const;
+
+    /// Comes nearer (factor < 1) to the value at this height of the scene, until the scale is released.
+    void zoomValues(double factor, double y);
+    /// The curves decide about the scale again, with the next show().
+    void releaseValues() { range_.release(); }
+    bool isZoomed() const { return range_.isHeld(); }
+
+    /// Hides, takes off and zooms as another pane of the same signals does.
+    void showLike(const PlotPane& other);
 
     static constexpr int kLegendHeight = 20;  ///< above the area [px]
 
 private:
+    struct Look {
+        bool hidden = false;
+        double offset = 0;
+    };
+    std::size_t indexOf(PlotSignal signal) const;
+    std::vector<QGraphicsItem*> legendEntries() const;
     void updateValueAxis();
     void placeLegend();
 
@@ -72,10 +98,10 @@ private:
     QCategoryAxis* times_;
     std::vector<QLineSeries*> legend_;  // without points: the chart's legend wants a series for each entry
     std::vector<CurveItem*> curves_;
+    std::vector<Look> looks_;  // of the curves
     AxisRange range_;
     QRectF area_;
     PlotSignal emphasis_;
-    std::function<void(PlotSignal)> legendChosen_;
 };
 
 }  // namespace tiller

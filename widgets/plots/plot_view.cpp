@@ -55,9 +55,10 @@ PlotView::PlotView(const SeriesBuffer& history, const StateLane& lane, QWidget* 
     , laneItem_(new LaneItem) {
     setObjectName(QStringLiteral("plots.view"));
     setAccessibleName(tr("Plots of TCP force and joint current over time"));
-    setAccessibleDescription(
-        tr("A and B place the cursors, the arrow keys move them, up and down choose the signal they read; "
-           "plus and minus change the time window; End goes back to the newest samples"));
+    setAccessibleDescription(tr(
+        "A and B place the cursors, the arrow keys move them, up and down choose the signal they read; "
+        "H hides its curve; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 "
+        "lets the curves decide about it again; End goes back to the newest samples"));
     setScene(scene_.get());
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -72,9 +73,6 @@ PlotView::PlotView(const SeriesBuffer& history, const StateLane& lane, QWidget* 
         std::make_unique<PlotPane>(*scene_, QStringLiteral("force"), plot_signals::tcpForce(), 5));
     panes_.push_back(
         std::make_unique<PlotPane>(*scene_, QStringLiteral("current"), plot_signals::jointCurrent(), 0.5));
-    for (const auto& pane : panes_) {
-        pane->onLegend([this](PlotSignal signal) { setReadoutSignal(signal); });
-    }
     scene_->addItem(laneItem_);
     for (const Cursor which : {Cursor::A, Cursor::B}) {
         auto*& item = cursorItems_[index(which)];
@@ -128,6 +126,10 @@ void PlotView::showLike(const PlotView& other) {
     window_ = other.window_;
     reference_ = other.reference_;
     cursors_ = other.cursors_;
+    forceZeroed_ = other.forceZeroed_;
+    for (std::size_t i = 0; i < panes_.size(); ++i) {
+        panes_[i]->showLike(*other.panes_[i]);
+    }
     setReadoutSignal(other.readoutSignal_);
     rewind();
 }
@@ -265,7 +267,7 @@ QString PlotView::readout() const {
     if (!a && !b) {
         return {};
     }
-    const QString name = plot_signals::label(readoutSignal_);
+    QString name = plot_signals::label(readoutSignal_);
     const int digits = plot_signals::digits(readoutSignal_);
     const auto valueText = [&](std::optional<double> value) {
         return (value ? format::signedNumber(*value, digits) : QStringLiteral("–")) + QLatin1Char(' ') +
@@ -281,9 +283,17 @@ QString PlotView::readout() const {
         return tr("A–B Δt %1 s · Δ%2 %3").arg(format::number(*b - *a, 3), name, valueText(difference));
     }
     const double time = a ? *a : *b;
+    const PlotPane& pane = paneOf(readoutSignal_);
+    std::optional<double> value = valueAt(readoutSignal_, time);
+    if (value) {
+        *value -= pane.offset(readoutSignal_);
+    }
+    if (forceZeroed_ && &pane == panes_.front().get()) {
+        name = tr("%1 (zeroed)").arg(name);
+    }
     return tr("%1 %2 s · %3 %4")
         .arg(a ? QStringLiteral("A") : QStringLiteral("B"), format::number(time - reference_, 3), name,
-             valueText(valueAt(readoutSignal_, time)));
+             valueText(value));
 }
 
 std::vector<PlotSignal> PlotView::signalsShown() const {
@@ -323,12 +333,152 @@ void PlotView::drawForeground(QPainter* painter, const QRectF&) {
         painter->setBrush(Qt::NoBrush);
         painter->drawRoundedRect(QRectF(viewport()->rect()).adjusted(1, 1, -1, -1), 4, 4);
     }
+    for (const auto& pane : panes_) {
+        QStringList marks;
+        if (pane == panes_.front() && forceZeroed_) {
+            marks << zeroText();
+        }
+        if (pane->isZoomed()) {
+            marks << tr("Scale held · double click the axis to let it go");
+        }
+        drawMark(*painter, *pane, marks.join(QStringLiteral("   ")));
+    }
     if (!history_.isEmpty()) {
         return;
     }
     painter->setPen(Theme::current().secondary);
     painter->setFont(textFont(15));
     painter->drawText(panes_[0]->area(), Qt::AlignCenter, tr("No samples yet: connect to a robot"));
+}
+
+void PlotView::drawMark(QPainter& painter, const PlotPane& pane, const QString& text) const {
+    if (text.isEmpty()) {
+        return;
+    }
+    const Theme& theme = Theme::current();
+    painter.setFont(textFont(12, QFont::Bold));
+    const QRectF& area = pane.area();
+    const QFontMetricsF metrics(painter.font());
+    const double width = std::min(metrics.horizontalAdvance(text) + 12, area.width());
+    const QRectF box(area.right() - width, area.top() + 1, width, metrics.height() + 2);
+    painter.setPen(theme.moving);
+    painter.setBrush(theme.movingTint);
+    painter.drawRoundedRect(box, 3, 3);
+    painter.setPen(theme.text);
+    painter.drawText(box, Qt::AlignCenter, metrics.elidedText(text, Qt::ElideRight, width - 8));
+}
+
+PlotPane& PlotView::paneAt(double y) const {
+    const bool upper = y < panes_.back()->area().top() - PlotPane::kLegendHeight;
+    return upper ? *panes_.front() : *panes_.back();
+}
+
+PlotPane& PlotView::paneOf(PlotSignal signal) const {
+    const auto upper = panes_.front()->shown();
+    return std::find(upper.begin(), upper.end(), signal) != upper.end() ? *panes_.front() : *panes_.back();
+}
+
+std::optional<PlotSignal> PlotView::legendAt(const QPointF& place) const {
+    for (const auto& pane : panes_) {
+        if (const auto signal = pane->legendAt(place)) {
+            return signal;
+        }
+    }
+    return std::nullopt;
+}
+
+void PlotView::legendClicked(PlotSignal signal, Qt::KeyboardModifiers modifiers) {
+    if ((modifiers & Qt::ControlModifier) != 0) {
+        setReadoutSignal(signal);
+    } else {
+        setHidden(signal, !isHidden(signal));
+    }
+}
+
+bool PlotView::isHidden(PlotSignal signal) const {
+    return paneOf(signal).isHidden(signal);
+}
+
+void PlotView::setHidden(PlotSignal signal, bool hidden) {
+    paneOf(signal).setHidden(signal, hidden);
+    show(-1);
+    viewport()->update();
+}
+
+void PlotView::zoomValues(PlotPane& pane, double factor, double y) {
+    pane.zoomValues(factor, y);
+    show(0);
+    viewport()->update();
+}
+
+void PlotView::releaseValues(PlotPane& pane) {
+    pane.releaseValues();
+    show(-1);
+    viewport()->update();
+}
+
+std::optional<double> PlotView::forceAtTheEnd(PlotSignal signal) const {
+    constexpr double kSeconds = 0.25;  // long enough for the noise
+    const double end = window_.end();
+    double sum = 0;
+    int count = 0;
+    for (std::int64_t i = history_.lowerBound(end - kSeconds); i < history_.end() && history_.time(i) <= end;
+         ++i) {
+        const auto value = static_cast<double>(history_.value(static_cast<int>(signal), i));
+        if (std::isfinite(value)) {
+            sum += value;
+            ++count;
+        }
+    }
+    return count == 0 ? std::nullopt : std::optional<double>(sum / count);
+}
+
+bool PlotView::zeroForce() {
+    PlotPane& pane = *panes_.front();
+    std::vector<double> offsets;
+    for (const PlotSignal signal : pane.shown()) {
+        const auto force = forceAtTheEnd(signal);
+        if (!force) {
+            return false;
+        }
+        offsets.push_back(*force);
+    }
+    for (std::size_t i = 0; i < offsets.size(); ++i) {
+        pane.setOffset(pane.shown()[i], offsets[i]);
+    }
+    forceZeroed_ = true;
+    show(-1);
+    viewport()->update();
+    Q_EMIT readoutChanged();
+    Q_EMIT zeroChanged();
+    return true;
+}
+
+void PlotView::clearZero() {
+    if (!forceZeroed_) {
+        return;
+    }
+    for (const PlotSignal signal : panes_.front()->shown()) {
+        panes_.front()->setOffset(signal, 0);
+    }
+    forceZeroed_ = false;
+    show(-1);
+    viewport()->update();
+    Q_EMIT readoutChanged();
+    Q_EMIT zeroChanged();
+}
+
+QString PlotView::zeroText() const {
+    if (!forceZeroed_) {
+        return {};
+    }
+    QStringList parts;
+    for (const PlotSignal signal : panes_.front()->shown()) {
+        parts << plot_signals::label(signal) + QLatin1Char(' ') +
+                     format::signedNumber(panes_.front()->offset(signal), plot_signals::digits(signal));
+    }
+    return tr("Zeroed: %1 %2 taken off")
+        .arg(parts.join(QStringLiteral(" · ")), plot_signals::unit(panes_.front()->shown().front()));
 }
 
 std::optional<PlotView::Cursor> PlotView::cursorNear(double x) const {
@@ -349,7 +499,11 @@ void PlotView::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton) {
         return;
     }
-    // The entries of the legends are the only things in the scene that take a press.
+    legendPressed_ = legendAt(event->position());
+    if (legendPressed_) {
+        drag_ = Drag::Legend;
+        return;
+    }
     QGraphicsView::mousePressEvent(event);
     event->accept();
     if (scene()->mouseGrabberItem() != nullptr) {
@@ -380,8 +534,10 @@ void PlotView::mouseMoveEvent(QMouseEvent* event) {
         scrollBy(seconds);
     }
     const bool overCursor = drag_ == Drag::Cursor || (drag_ == Drag::None && cursorNear(at.x()));
+    const bool overLegend = drag_ == Drag::Legend || (drag_ == Drag::None && legendAt(at));
     viewport()->setCursor(overCursor           ? Qt::SplitHCursor
                           : drag_ == Drag::Pan ? Qt::ClosedHandCursor
+                          : overLegend         ? Qt::PointingHandCursor
                                                : Qt::ArrowCursor);
 }
 
@@ -390,8 +546,14 @@ void PlotView::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton) {
         return;
     }
-    QGraphicsView::mouseReleaseEvent(event);
-    event->accept();
+    if (drag_ == Drag::Legend) {
+        if (legendAt(event->position()) == legendPressed_) {
+            legendClicked(*legendPressed_, event->modifiers());
+        }
+    } else {
+        QGraphicsView::mouseReleaseEvent(event);
+        event->accept();
+    }
     if (drag_ == Drag::Undecided) {
         click(event->position());
     }
@@ -400,6 +562,11 @@ void PlotView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void PlotView::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton && event->position().x() < kLeft && !legendAt(event->position())) {
+        event->accept();
+        releaseValues(paneAt(event->position().y()));
+        return;
+    }
     // The second press of a quick pair is a press like any other.
     mousePressEvent(event);
 }
@@ -429,7 +596,13 @@ void PlotView::wheelEvent(QWheelEvent* event) {
         scrollBy(-turned / 120.0 * window_.span() / 10);
         return;
     }
-    window_.zoom(std::pow(kZoomPerNotch, angle.y() / 120.0), timeAt(event->position().x()));
+    const double factor = std::pow(kZoomPerNotch, angle.y() / 120.0);
+    const QPointF at = event->position();
+    if (at.x() < kLeft || (event->modifiers() & Qt::ControlModifier) != 0) {
+        zoomValues(paneAt(at.y()), factor, at.y());
+        return;
+    }
+    window_.zoom(factor, timeAt(at.x()));
     rewind();
 }
 
@@ -443,7 +616,29 @@ bool PlotView::moveActiveCursor(int pixels) {
     return true;
 }
 
+bool PlotView::keyWithControl(int key) {
+    PlotPane& pane = paneOf(readoutSignal_);
+    switch (key) {
+        case Qt::Key_Plus:
+        case Qt::Key_Equal:
+            zoomValues(pane, kZoomPerNotch, pane.area().center().y());
+            return true;
+        case Qt::Key_Minus:
+            zoomValues(pane, 1 / kZoomPerNotch, pane.area().center().y());
+            return true;
+        case Qt::Key_0:
+            releaseValues(pane);
+            return true;
+        default:
+            return false;
+    }
+}
+
 void PlotView::keyPressEvent(QKeyEvent* event) {
+    if ((event->modifiers() & Qt::ControlModifier) != 0 && keyWithControl(event->key())) {
+        event->accept();
+        return;
+    }
     const double middle = window_.end() - window_.span() / 2;
     const int pixels = (event->modifiers() & Qt::ShiftModifier) != 0 ? kCoarse : 1;
     switch (event->key()) {
@@ -467,6 +662,9 @@ void PlotView::keyPressEvent(QKeyEvent* event) {
             }
             break;
         }
+        case Qt::Key_H:
+            setHidden(readoutSignal_, !isHidden(readoutSignal_));
+            break;
         case Qt::Key_Up:
             cycleReadout(-1);
             break;

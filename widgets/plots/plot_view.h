@@ -51,7 +51,16 @@ public:
     void setReadoutSignal(PlotSignal signal);
     /// "A–B Δt 1.200 s · ΔFz −9.8 N", "A −12.300 s · Fz −4.1 N", or empty.
     QString readout() const;
-    /// The value of a signal at a moment; nothing in a gap or where there are no data.
+    bool isHidden(PlotSignal signal) const;
+    void setHidden(PlotSignal signal, bool hidden);
+    /// Counts the TCP force from what it is at the end of the range shown; false: there is none.
+    bool zeroForce();
+    /// Shows it as the robot measures it again.
+    void clearZero();
+    bool isForceZeroed() const { return forceZeroed_; }
+    /// "Zeroed: Fx −0.3 · Fy +1.2 · Fz −9.8 N taken off"; empty unless it is.
+    QString zeroText() const;
+    /// The value of a signal at a moment, as the robot measured it; nothing in a gap or where there are no data.
     std::optional<double> valueAt(PlotSignal signal, double time) const;
 
     const std::vector<std::unique_ptr<PlotPane>>& panes() const { return panes_; }
@@ -66,6 +75,7 @@ Q_SIGNALS:
     /// Span, pause or place in history changed.
     void windowChanged();
     void readoutChanged();
+    void zeroChanged();
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -80,7 +90,7 @@ protected:
 
 private:
     static std::size_t index(Cursor which) { return which == Cursor::A ? 0 : 1; }
-    enum class Drag { None, Undecided, Pan, Cursor };
+    enum class Drag { None, Undecided, Pan, Cursor, Legend };
 
     void layOut();
     /// The window changed by hand: shows it at once, with the best scales.
@@ -92,6 +102,15 @@ private:
     std::optional<Cursor> cursorNear(double x) const;
     bool moveActiveCursor(int pixels);
     void cycleReadout(int by);
+    PlotPane& paneAt(double y) const;
+    PlotPane& paneOf(PlotSignal signal) const;
+    std::optional<PlotSignal> legendAt(const QPointF& place) const;
+    void legendClicked(PlotSignal signal, Qt::KeyboardModifiers modifiers);
+    void zoomValues(PlotPane& pane, double factor, double y);
+    void releaseValues(PlotPane& pane);
+    bool keyWithControl(int key);
+    std::optional<double> forceAtTheEnd(PlotSignal signal) const;
+    void drawMark(QPainter& painter, const PlotPane& pane, const QString& text) const;
     std::vector<PlotSignal> signalsShown() const;
 
     const SeriesBuffer& history_;
@@ -109,7 +128,9 @@ private:
     double reference_ = 0;  // what the time labels count from [s]
     double tickSpan_ = -1;
     double tickEnd_ = 0;
+    bool forceZeroed_ = false;
     Drag drag_ = Drag::None;
+    std::optional<PlotSignal> legendPressed_;
     QPointF pressAt_;
     QPointF lastAt_;
 };

@@ -66,6 +66,32 @@ struct Bench {
                           modifiers, Qt::NoScrollPhase, false);
         QApplication::sendEvent(view().viewport(), &event);
     }
+    PlotPane& forces() { return *view().panes()[0]; }
+    /// A click on a name in a legend.
+    void clickLegend(PlotSignal signal, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        const auto& panes = view().panes();
+        const auto entry = [&] {
+            const QRectF upper = panes[0]->legendEntry(signal);
+            return upper.isEmpty() ? panes[1]->legendEntry(signal) : upper;
+        };
+        QTRY_VERIFY(!entry().isEmpty());
+        QTest::mouseClick(view().viewport(), Qt::LeftButton, modifiers, entry().center().toPoint());
+    }
+    CurveItem& curve(PlotSignal signal) {
+        for (const auto& pane : view().panes()) {
+            for (CurveItem* curve : pane->curves()) {
+                if (curve->signal() == static_cast<int>(signal)) {
+                    return *curve;
+                }
+            }
+        }
+        qFatal("there is no such curve");
+    }
+    void wheelAt(const QPointF& place, int notches, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        QWheelEvent event(place, view().viewport()->mapToGlobal(place), {}, {0, 120 * notches}, Qt::NoButton,
+                          modifiers, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(view().viewport(), &event);
+    }
     QToolButton* button(const char* name) { return dock.findChild<QToolButton*>(QLatin1String(name)); }
     QString readout() { return dock.findChild<ElidedLabel*>(QStringLiteral("plots.readout"))->fullText(); }
 };
@@ -198,6 +224,121 @@ private Q_SLOTS:
         QVERIFY(near(b.view().window().end(), 45, 0.003));
         QTest::keyClick(&b.view(), Qt::Key_End);
         QVERIFY(b.view().window().follows());
+    }
+
+    void aClickOnANameInALegendHidesItsCurve() {
+        Bench b;
+        const double wide = b.forces().range().max();
+        b.clickLegend(PlotSignal::ForceZ);
+        QVERIFY(b.view().isHidden(PlotSignal::ForceZ));
+        QVERIFY(!b.curve(PlotSignal::ForceZ).isVisible());
+        QVERIFY(b.curve(PlotSignal::ForceX).isVisible());
+        QVERIFY2(b.forces().range().max() < wide, "the scale is that of the curves that are shown");
+        b.clickLegend(PlotSignal::CurrentShoulder);
+        QVERIFY(!b.curve(PlotSignal::CurrentShoulder).isVisible());
+        QVERIFY(!b.view().cursor(PlotView::Cursor::A));  // no click into the plot
+        // New data, another link and other colours change nothing about it.
+        b.runTo(61);
+        Q_EMIT b.session.linkBegan();
+        b.runTo(63);
+        applyTheme(*qApp, Theme::dark());
+        applyTheme(*qApp, Theme::light());
+        QVERIFY(!b.curve(PlotSignal::ForceZ).isVisible());
+        QVERIFY(!b.curve(PlotSignal::CurrentShoulder).isVisible());
+        b.clickLegend(PlotSignal::ForceZ);
+        QVERIFY(b.curve(PlotSignal::ForceZ).isVisible());
+        QVERIFY(b.forces().range().max() > 60);
+        QVERIFY(!b.curve(PlotSignal::CurrentShoulder).isVisible());
+    }
+
+    void aNameInALegendIsReadWithControl() {
+        Bench b;
+        b.clickLegend(PlotSignal::CurrentElbow, Qt::ControlModifier);
+        QVERIFY(b.view().readoutSignal() == PlotSignal::CurrentElbow);
+        QVERIFY(!b.view().isHidden(PlotSignal::CurrentElbow));
+        QTest::keyClick(&b.view(), Qt::Key_H);
+        QVERIFY(b.view().isHidden(PlotSignal::CurrentElbow));
+        QTest::keyClick(&b.view(), Qt::Key_H);
+        QVERIFY(!b.view().isHidden(PlotSignal::CurrentElbow));
+    }
+
+    void theWheelOverTheValuesZoomsThem() {
+        Bench b;
+        const double span = b.forces().range().max() - b.forces().range().min();
+        const double time = b.view().window().span();
+        const QPointF axis(20, b.forces().area().center().y());
+        const double middle = (b.forces().range().max() + b.forces().range().min()) / 2;
+        b.wheelAt(axis, 2);
+        QVERIFY(near(b.forces().range().max() - b.forces().range().min(), span * 0.64, 1e-6));
+        QVERIFY(near((b.forces().range().max() + b.forces().range().min()) / 2, middle, span * 0.01));
+        QCOMPARE(b.view().window().span(), time);
+        QVERIFY(!b.view().panes()[1]->isZoomed());
+        // New data leave it as it is.
+        b.runTo(70);
+        QVERIFY(near(b.forces().range().max() - b.forces().range().min(), span * 0.64, 1e-6));
+        QTest::mouseDClick(b.view().viewport(), Qt::LeftButton, {}, axis.toPoint());
+        QVERIFY(!b.forces().isZoomed());
+        QVERIFY(b.forces().range().max() - b.forces().range().min() > span * 0.9);
+        // With Ctrl anywhere over a plot, and by keys for the plot whose signal is read.
+        b.wheelAt(b.view().panes()[1]->area().center(), 1, Qt::ControlModifier);
+        QVERIFY(b.view().panes()[1]->isZoomed());
+        QVERIFY(!b.forces().isZoomed());
+        QTest::keyClick(&b.view(), Qt::Key_Plus, Qt::ControlModifier);
+        QVERIFY(b.forces().isZoomed());
+        QTest::keyClick(&b.view(), Qt::Key_0, Qt::ControlModifier);
+        QVERIFY(!b.forces().isZoomed());
+        QCOMPARE(b.view().window().span(), time);
+    }
+
+    void zeroCountsTheForceFromNowAndSaysSo() {
+        Bench b;
+        b.view().setCursor(PlotView::Cursor::A, 60.0);
+        QVERIFY2(b.readout().contains("Fz +60.0 N"), qPrintable(b.readout()));
+        const QImage plain = b.view().grab().toImage();
+        QTest::mouseClick(b.button("plots.zero"), Qt::LeftButton);
+        QVERIFY(b.button("plots.zero")->isChecked());
+        // The mean of the last quarter of a second of Fz = time.
+        QVERIFY(near(b.forces().offset(PlotSignal::ForceZ), 59.875, 0.01));
+        QVERIFY2(b.readout().contains("Fz (zeroed) +0.1 N"), qPrintable(b.readout()));
+        QVERIFY(b.view().zeroText().contains("Fz +59.9"));
+        QVERIFY(b.forces().range().max() < 20);
+        QVERIFY2(b.view().grab().toImage() != plain, "the plot carries a mark");
+        // What was measured stays.
+        QVERIFY(near(b.view().valueAt(PlotSignal::ForceZ, 50).value(), 50, 0.01));
+        b.runTo(70);
+        QVERIFY(near(b.forces().offset(PlotSignal::ForceZ), 59.875, 0.01));
+        QTemporaryDir folder;
+        QVERIFY(b.dock.exportTo(folder.filePath("zeroed.svg")));
+        QFile picture(folder.filePath("zeroed.svg"));
+        QVERIFY(picture.open(QIODevice::ReadOnly));
+        QVERIFY(picture.readAll().contains("Zeroed"));
+        // And the way back.
+        QTest::mouseClick(b.button("plots.zero"), Qt::LeftButton);
+        QVERIFY(!b.button("plots.zero")->isChecked());
+        QVERIFY(b.view().zeroText().isEmpty());
+        QVERIFY(b.forces().range().max() > 60);
+        QVERIFY2(b.readout().contains("Fz +60.0 N"), qPrintable(b.readout()));
+    }
+
+    // Its tool weighs something else.
+    void anotherRobotIsNotZeroed() {
+        Bench b;
+        QTest::mouseClick(b.button("plots.zero"), Qt::LeftButton);
+        Q_EMIT b.session.linkBegan();
+        QVERIFY(!b.view().isForceZeroed());
+        QVERIFY(!b.button("plots.zero")->isChecked());
+    }
+
+    void withoutSamplesThereIsNothingToZero() {
+        RobotSession session;
+        PlotDock dock(session);
+        dock.resize(900, 300);
+        dock.show();
+        QSignalSpy messages(&session, &RobotSession::message);
+        auto* zero = dock.findChild<QToolButton*>("plots.zero");
+        QTest::mouseClick(zero, Qt::LeftButton);
+        QVERIFY(!zero->isChecked());
+        QCOMPARE(messages.count(), 1);
     }
 
     void spaceAndEscapeAreLeftToTheStop() {

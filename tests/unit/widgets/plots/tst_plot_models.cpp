@@ -153,6 +153,32 @@ private Q_SLOTS:
         }
         QVERIFY2(changes <= 1, qPrintable(QString::number(changes)));
     }
+    void aScaleZoomedByHandStaysUntilItIsReleased() {
+        AxisRange range(1);
+        range.reset(-8, 9);
+        const double span = range.max() - range.min();
+        range.zoom(0.5, 2);
+        QVERIFY(range.isHeld());
+        QVERIFY(std::abs(range.max() - range.min() - span / 2) < 1e-9);
+        QVERIFY(range.min() < 2 && range.max() > 2);
+        QVERIFY(range.step() > 0 && range.step() < range.max() - range.min());
+        const double least = range.min();
+        QVERIFY(!range.fit(-500, 500, 10));
+        QVERIFY(!range.reset(-500, 500));
+        QCOMPARE(range.min(), least);
+        for (int i = 0; i < 200; ++i) {
+            range.zoom(0.5, 2);
+        }
+        QVERIFY(range.max() > range.min());
+        for (int i = 0; i < 400; ++i) {
+            range.zoom(2, 2);
+        }
+        QVERIFY(range.max() - range.min() < 1e6);
+        range.release();
+        QVERIFY(range.reset(-8, 9));
+        QVERIFY(std::abs(range.max() - range.min() - span) < 1e-9);
+    }
+
     void scaleIgnoresWhatIsNoNumber() {
         AxisRange range(1);
         range.reset(-2, 2);
