@@ -230,6 +230,11 @@ void ScenePainter::name(const PlacedLabel& name) {
           name.selected ? theme_.text : theme_.secondary);
 }
 
+void ScenePainter::headline(const QRectF& box, const QString& text) {
+    painter_.setFont(textFont(26, QFont::Bold));
+    label(box, Qt::AlignCenter, text, theme_.secondary);
+}
+
 void ScenePainter::note(const QRectF& box, const QString& text) {
     if (!text.isEmpty()) {
         painter_.setFont(textFont(13));

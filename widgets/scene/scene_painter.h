@@ -42,6 +42,8 @@ public:
     /// A point.
     void marker(const QPointF& at, bool selected);
     void name(const PlacedLabel& name);
+    /// A word that cannot be overlooked, in the middle of the box.
+    void headline(const QRectF& box, const QString& text);
     /// A line of small words; nothing when there are none.
     void note(const QRectF& box, const QString& text);
     /// The size of a name, shortened to what is drawn of it.

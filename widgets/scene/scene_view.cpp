@@ -378,10 +378,7 @@ void SceneView::paintScene(QPainter& painter, const QSizeF& size) {
     }
     drawNames(scene, size, arrowName);
     if (stale_ && !staleWord_.isEmpty()) {
-        painter.setFont(textFont(26, QFont::Bold));
-        painter.setPen(theme.secondary);
-        painter.drawText(QRectF(QPointF(0, 0), QSizeF(size.width(), size.height() * 0.24)), Qt::AlignCenter,
-                         staleWord_);
+        scene.headline(QRectF(QPointF(0, 0), QSizeF(size.width(), size.height() * 0.24)), staleWord_);
     }
 }
 
