@@ -3,6 +3,7 @@
 
 #include <QGridLayout>
 #include <QPainter>
+#include <algorithm>
 
 #include "widgets/common/shapes.h"
 #include "widgets/common/theme.h"
@@ -20,10 +21,11 @@ void JogKey::paintEvent(QPaintEvent*) {
     paintSurface(painter);
     painter.setFont(textFont(19, QFont::Bold));
     painter.setPen(textColor());
-    // On a low key the bar stands below the letters, with no room for the travel.
-    const bool high = height() >= 68;
-    const int bar = high ? 49 : height() - 10;
-    painter.drawText(QRect(0, 0, width(), high ? bar + 13 : bar), Qt::AlignCenter, text());
+    // On a very low key there is no room for the travel, and the bar stands lowest.
+    constexpr int kTravel = 23;
+    const bool high = height() >= 58;
+    const int bar = high ? std::min(49, height() - kTravel) : height() - 10;
+    painter.drawText(QRect(0, 0, width(), height() >= 68 ? bar + 13 : bar), Qt::AlignCenter, text());
     painter.setPen(Qt::NoPen);
     painter.setBrush(isEnabled() ? theme.axis(key_.axis % 3) : theme.border);
     painter.drawRoundedRect(QRectF(13, bar, width() - 26, 4), 2, 2);

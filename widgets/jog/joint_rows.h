@@ -53,7 +53,7 @@ public:
     /// A line of full width that is less high.
     void setLow(bool low);
     static constexpr int kHeight = 40;
-    static constexpr int kLowHeight = 30;
+    static constexpr int kLowHeight = 28;
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
