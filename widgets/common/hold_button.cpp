@@ -5,13 +5,22 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPointingDevice>
+#include <QToolTip>
 #include <QTouchEvent>
 #include <QWheelEvent>
+#include <algorithm>
 
 #include "widgets/common/density.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
+
+namespace {
+
+constexpr int kDetailSize = 13;  // [px] of the letters
+constexpr int kHoldHintMs = 2000;
+
+}  // namespace
 
 HoldButton::HoldButton(const QString& text, QWidget* parent) : QAbstractButton(parent), guard_(*this) {
     setText(text);
@@ -27,6 +36,11 @@ HoldButton::HoldButton(const QString& text, QWidget* parent) : QAbstractButton(p
         setDown(false);
         setConfirmed(false);
     });
+    connect(&guard_, &HoldGuard::began, &holdHint_, &QTimer::stop);
+    connect(&guard_, &HoldGuard::clicked, this, &HoldButton::sayHold);
+    holdHint_.setSingleShot(true);
+    holdHint_.setInterval(kHoldHintMs);
+    connect(&holdHint_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
 }
 
 HoldButton::~HoldButton() {
@@ -53,15 +67,42 @@ void HoldButton::setUnavailable(const QString& reason) {
     setAccessibleDescription(reason);
 }
 
+void HoldButton::setDetail(const QString& detail) {
+    if (detail != detail_) {
+        detail_ = detail;
+        update();
+    }
+}
+
+void HoldButton::setWidestDetail(const QString& detail) {
+    if (detail != widestDetail_) {
+        widestDetail_ = detail;
+        updateGeometry();
+    }
+}
+
+QString HoldButton::detail() const {
+    return saysHold() ? tr("hold") : detail_;
+}
+
+void HoldButton::sayHold() {
+    holdHint_.start();
+    QToolTip::showText(mapToGlobal(QPoint(0, height())),
+                       tr("Hold this key: it moves the arm only as long as it is held."), this);
+    update();
+}
+
 QSize HoldButton::sizeHint() const {
-    const QFontMetrics metrics(textFont(15));
+    const int words = std::max(QFontMetrics(textFont(15)).horizontalAdvance(text()),
+                               QFontMetrics(textFont(kDetailSize)).horizontalAdvance(widestDetail_));
     // As high as the keys beside it, which have a border besides.
-    return {metrics.horizontalAdvance(text()) + 24, keyHeight(currentDensity()) + 2};
+    return {words + 24, keyHeight(currentDensity()) + 2};
 }
 
 QSize HoldButton::minimumSizeHint() const {
-    const QFontMetrics metrics(textFont(15));
-    return {metrics.horizontalAdvance(text()) + 10, 32};
+    const int words = std::max(QFontMetrics(textFont(15)).horizontalAdvance(text()),
+                               QFontMetrics(textFont(kDetailSize)).horizontalAdvance(widestDetail_));
+    return {words + 10, 32};
 }
 
 QColor HoldButton::textColor() const {
@@ -92,9 +133,23 @@ void HoldButton::paintSurface(QPainter& painter) const {
 void HoldButton::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     paintSurface(painter);
-    painter.setFont(textFont(15));
     painter.setPen(textColor());
-    painter.drawText(rect(), Qt::AlignCenter, text());
+    const QFont name = textFont(15);
+    const QFont small = textFont(kDetailSize, saysHold() ? QFont::Bold : QFont::Normal);
+    const int nameHeight = QFontMetrics(name).height();
+    const int both = nameHeight + QFontMetrics(small).height();
+    painter.setFont(name);
+    if (detail().isEmpty()) {
+        painter.drawText(rect(), Qt::AlignCenter, text());
+    } else if (both > height()) {
+        // No room for two lines: what has to be said for a moment goes before the name.
+        painter.drawText(rect(), Qt::AlignCenter, saysHold() ? detail() : text());
+    } else {
+        const int top = (height() - both) / 2;
+        painter.drawText(QRect(0, top, width(), nameHeight), Qt::AlignCenter, text());
+        painter.setFont(small);
+        painter.drawText(QRect(0, top + nameHeight, width(), both - nameHeight), Qt::AlignCenter, detail());
+    }
 }
 
 void HoldButton::mousePressEvent(QMouseEvent* event) {

@@ -6,6 +6,7 @@
 // rules are those of HoldRules.
 
 #include <QAbstractButton>
+#include <QTimer>
 
 #include "widgets/common/hold_guard.h"
 
@@ -27,6 +28,14 @@ public:
     /// True while the robot confirms the motion this key asked for: blue border and tint.
     void setConfirmed(bool confirmed);
     bool isConfirmed() const { return confirmed_; }
+    /// A smaller line below the name: the speed its motion will run at. Empty: none.
+    void setDetail(const QString& detail);
+    /// Keeps this much room for the detail, so that no detail moves the neighbours.
+    void setWidestDetail(const QString& detail);
+    /// The smaller line as it stands there now: for two seconds after a click it is "hold".
+    QString detail() const;
+    /// True for two seconds after a click on a key that has to be held.
+    bool saysHold() const { return holdHint_.isActive(); }
     /// Greys the key and says why in its tooltip; an empty reason enables it.
     void setUnavailable(const QString& reason);
 
@@ -50,8 +59,12 @@ protected:
 
 private:
     bool touchEvent(QEvent* event);
+    void sayHold();
 
     HoldGuard guard_;
+    QTimer holdHint_;
+    QString detail_;
+    QString widestDetail_;
     bool confirmed_ = false;
     QString availableToolTip_;
 };

@@ -16,7 +16,7 @@ constexpr char kHoldKeyProperty[] = "tillerHoldKey";
 }  // namespace
 
 HoldGuard::HoldGuard(QWidget& key, const Clock& clock)
-    : key_(key), rules_([this](StopCause cause) { stop(cause); }, clock) {
+    : key_(key), rules_([this](StopCause cause) { stop(cause); }, clock), clock_(&clock) {
     key_.setProperty(kHoldKeyProperty, true);
     timer_.setTimerType(Qt::PreciseTimer);
     timer_.setInterval(kRefreshMs);
@@ -39,6 +39,7 @@ void HoldGuard::setMotion(HoldMotion motion) {
 void HoldGuard::setClock(const Clock& clock) {
     stop(StopCause::SelectionChanged);
     rules_.setClock(clock);
+    clock_ = &clock;
 }
 
 void HoldGuard::setTerms(HoldTerms& terms) {
@@ -68,9 +69,11 @@ bool HoldGuard::press(const Grip& grip) {
     }
     id_ = motion.value();
     pressed_ = true;
+    const HoldBounds bounds = motion_.bounds ? motion_.bounds() : HoldBounds();
+    hasEnd_ = bounds.longestNs > 0 && !runsToEnd_;
+    beganNs_ = clock_->nowNs();
     // A short step needs nobody who holds.
-    rules_.begin(&key_, runsToEnd_ ? Grip{Grip::By::Nobody} : grip,
-                 motion_.bounds ? motion_.bounds() : HoldBounds());
+    rules_.begin(&key_, runsToEnd_ ? Grip{Grip::By::Nobody} : grip, bounds);
     timer_.start();
     Q_EMIT began();
     return true;
@@ -108,6 +111,9 @@ void HoldGuard::stop(StopCause cause) {
         motion_.end(id_, cause);
     }
     Q_EMIT ended(cause);
+    if (cause == StopCause::Released && hasEnd_ && clock_->nowNs() - beganNs_ < kClickNs) {
+        Q_EMIT clicked();
+    }
 }
 
 void HoldGuard::pump() {

@@ -74,6 +74,8 @@ public:
 
     /// Period of the refresh. [ms]
     static constexpr int kRefreshMs = HoldRules::kRefreshMs;
+    /// What is let go sooner was a click.
+    static constexpr std::int64_t kClickNs = 400 * kNsPerMs;
 
 Q_SIGNALS:
     void began();
@@ -81,6 +83,8 @@ Q_SIGNALS:
     void ended(tiller::control::StopCause cause);
     /// A press that moved nothing, and why.
     void refused(const tiller::Error& error);
+    /// A key that has to be held until the arm is there was let go at once, as if a click were enough.
+    void clicked();
 
 private:
     void finish();
@@ -88,10 +92,13 @@ private:
     QWidget& key_;
     HoldRules rules_;
     HoldMotion motion_;
+    const Clock* clock_;
     QTimer timer_;
     HoldMotion::Id id_ = 0;
+    std::int64_t beganNs_ = 0;
     bool pressed_ = false;
     bool runsToEnd_ = false;
+    bool hasEnd_ = false;  ///< the motion ends by itself, if it is held for long enough
 };
 
 }  // namespace tiller

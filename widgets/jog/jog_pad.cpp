@@ -25,7 +25,8 @@ void JogKey::paintEvent(QPaintEvent*) {
     constexpr int kTravel = 23;
     const bool high = height() >= 58;
     const int bar = high ? std::min(49, height() - kTravel) : height() - 10;
-    painter.drawText(QRect(0, 0, width(), height() >= 68 ? bar + 13 : bar), Qt::AlignCenter, text());
+    painter.drawText(QRect(0, 0, width(), height() >= 68 ? bar + 13 : bar), Qt::AlignCenter,
+                     saysHold() ? detail() : text());
     painter.setPen(Qt::NoPen);
     painter.setBrush(isEnabled() ? theme.axis(key_.axis % 3) : theme.border);
     painter.drawRoundedRect(QRectF(13, bar, width() - 26, 4), 2, 2);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "robot/kinematics/arm_kinematics.h"
+#include "robot/kinematics/speed_bounds.h"
 #include "widgets/common/format.h"
 #include "widgets/common/joint_name.h"
 #include "widgets/common/theme.h"
@@ -35,16 +36,6 @@ constexpr double kLeastShare = 0.03;      // and before it moves by itself
 constexpr double kToolAxes = 0.095;       // length of the tool's axes, per 0.85 m of reach [m]
 constexpr double kFrameAxes = 0.07;
 constexpr double kMark = 5;  // half the size of a mark [px]
-
-/// How long a motion over this distance takes, from rest to rest.
-double trapezoidSeconds(double distance, double speed, double acceleration) {
-    if (speed <= 0 || acceleration <= 0 || distance <= 0) {
-        return 0;
-    }
-    const double ramps = speed * speed / acceleration;
-    return distance < ramps ? 2 * std::sqrt(distance / acceleration)
-                            : distance / speed + speed / acceleration;
-}
 
 }  // namespace
 
@@ -197,8 +188,8 @@ void SceneView::updateGhost() {
         } else {
             int joint = 0;
             const double largest = turn.cwiseAbs().maxCoeff(&joint);
-            const double distance = ghost_->linear ? (to.position - from.position).norm() : largest;
-            const double seconds = trapezoidSeconds(distance, ghost_->speed, ghost_->acceleration) /
+            const double distance = ghost_->linear ? kinematics::lineLength(from, to) : largest;
+            const double seconds = kinematics::moveDuration(distance, ghost_->speed, ghost_->acceleration) /
                                    std::max(0.02, speedFraction_);
             text = tr("ghost “%1” · reachable · largest turn %2 %3 · %4 s at %5")
                        .arg(ghost_->name, jointName(joint), format::degrees(largest, 0),
