@@ -81,9 +81,14 @@ void JogActions::addTo(ActionTable& table, JogColumn& column, KeyboardJog& keybo
                [&column] { column.selectors().askFor(JogSelectors::Entry::Speed); }});
     table.add({"jog.step.other",
                tr("Jog step, other…"),
-               tr("Asks for the length of a step; turns make as many degrees as millimetres."),
+               tr("Asks for the length of a step; the angle of turns stays."),
                {},
                [&column] { column.selectors().askFor(JogSelectors::Entry::Step); }});
+    table.add({"jog.turn.other",
+               tr("Jog turn, other…"),
+               tr("Asks for the angle of a step that turns the tool or a joint; the length stays."),
+               {},
+               [&column] { column.selectors().askFor(JogSelectors::Entry::Turn); }});
     table.add({"jog.contact.other",
                tr("Jog until contact, other force…"),
                tr("Asks for the force in N at which the motion ends."),

@@ -37,7 +37,6 @@
 #include "widgets/jog/device_sources.h"
 #include "widgets/jog/device_trainer.h"
 #include "widgets/jog/jog_column.h"
-#include "widgets/jog/jog_pad.h"
 #include "widgets/jog/jog_selectors.h"
 #include "widgets/jog/keyboard_jog.h"
 #include "widgets/jog/stop_keys.h"
@@ -380,23 +379,16 @@ void MainWindow::showTrainer(QWidget* over) {
 }
 
 void MainWindow::followJog() {
-    const QList<JogKey*> keys = jog_->findChildren<JogKey*>();
-    for (JogKey* key : keys) {
-        connect(&key->guard(), &HoldGuard::began, this, [this, key] {
-            plots_->setJogLabel(key->text());
-            const JogSelection& selection = jog_->selection();
-            SceneJog jog;
-            jog.axis = key->key().axis % 3;
-            jog.direction =
-                frameAxes(selection, session_->state().tcpPose).col(jog.axis) * key->key().direction;
-            jog.label = key->text() + QLatin1Char(' ') + frameName(selection);
-            scene_->view().setJogDirection(jog);
-        });
-        connect(&key->guard(), &HoldGuard::ended, this, [this] {
-            plots_->setJogLabel({});
-            scene_->view().setJogDirection(std::nullopt);
-        });
-    }
+    connect(jog_, &JogColumn::jogShown, this, [this](const std::optional<ShownJog>& jog) {
+        plots_->setJogLabel(jog ? jog->label : QString());
+        std::optional<SceneJog> arrow;
+        if (jog && !jog->direction.isZero()) {
+            arrow = SceneJog{jog->direction, jog->label + QLatin1Char(' ') + jog->frameName, jog->axis};
+        }
+        scene_->view().setJogDirection(arrow);
+    });
+    waypoints_->setHeldSpeed([this] { return jog_->heldSpeed(); });
+    connect(jog_, &JogColumn::speedChanged, waypoints_, &WaypointsTab::followSpeed);
 }
 
 void MainWindow::updateScene() {

@@ -100,9 +100,9 @@ QSize HoldButton::sizeHint() const {
 }
 
 QSize HoldButton::minimumSizeHint() const {
-    const int words = std::max(QFontMetrics(textFont(15)).horizontalAdvance(text()),
-                               QFontMetrics(textFont(kDetailSize)).horizontalAdvance(widestDetail_));
-    return {words + 10, 32};
+    const int name = QFontMetrics(textFont(15)).horizontalAdvance(text());
+    const int detail = QFontMetrics(textFont(kDetailSize)).horizontalAdvance(widestDetail_);
+    return {std::max(name + 10, detail + 4), 32};
 }
 
 QColor HoldButton::textColor() const {

@@ -97,6 +97,8 @@ void AxisJog::setInput(const Deflection& deflection, double factor) {
         rules_.setKeys(deflection.grip.keys);
         if (port_.holdWith && !port_.holdWith(id_, target()) && isActive()) {
             finish();
+        } else if (isActive()) {
+            Q_EMIT turned();
         }
     }
 }

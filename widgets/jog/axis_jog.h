@@ -58,6 +58,9 @@ public:
     /// Whatever these hands say now: before they move anything they have to be neutral once.
     void requireNeutral(Grip::By by) { neutralOf(by) = false; }
     bool isActive() const { return rules_.isActive(); }
+    /// What the motion under way was last asked for, and with which share of the chosen speed.
+    const Deflection& input() const { return input_; }
+    double factor() const { return factor_; }
     /// True while hands that were stopped have not let go yet.
     bool waitsForNeutral(Grip::By by) { return !neutralOf(by); }
     /// The keyboard says something of the motion it holds.
@@ -71,6 +74,8 @@ public:
 
 Q_SIGNALS:
     void began();
+    /// The motion under way goes another way now.
+    void turned();
     void ended(tiller::control::StopCause cause);
     void refused(const QString& reason);
 

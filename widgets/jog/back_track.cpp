@@ -22,8 +22,7 @@ double apart(const JointPositions& a, const JointPositions& b) {
 
 }  // namespace
 
-BackTrack::BackTrack(const MotionPort& port, std::function<double()> speed)
-    : port_(port), speed_(std::move(speed)) {}
+BackTrack::BackTrack(const MotionPort& port, Speed speed) : port_(port), speed_(std::move(speed)) {}
 
 void BackTrack::record(const JointPositions& q) {
     const bool jumped = !trail_.empty() && apart(now_, q) > kJump;
@@ -49,8 +48,8 @@ bool BackTrack::isEmpty() const {
 }
 
 Result<control::JogTarget> BackTrack::next() {
-    const double speed = speed_();
-    const double reach = std::max(1.5 * kSpacing, speed * kAhead);
+    const double reach =
+        std::max(1.5 * kSpacing, (trail_.empty() ? 0 : speed_(now_, trail_.back())) * kAhead);
     while (trail_.size() > 1 && apart(trail_.back(), now_) < reach) {
         trail_.pop_back();  // the beginning stays known
     }
@@ -60,6 +59,7 @@ Result<control::JogTarget> BackTrack::next() {
                      QCoreApplication::translate("BackTrack", "go back: nothing left to undo"),
                      {}};
     }
+    const double speed = speed_(now_, trail_.back());
     control::JogTarget target;
     target.kind = control::JogTarget::Kind::Joint;
     const double wanted = trail_.size() > 1 ? speed : std::min(speed, kApproach * left);
@@ -67,15 +67,40 @@ Result<control::JogTarget> BackTrack::next() {
     return target;
 }
 
+std::optional<JointPositions> BackTrack::nextPlace() const {
+    if (isEmpty()) {
+        return std::nullopt;
+    }
+    // The newest place may be where the arm stands.
+    const auto place = std::find_if(trail_.rbegin(), trail_.rend(), [this](const JointPositions& q) {
+        return apart(q, now_) >= kSpacing / 2;
+    });
+    return place == trail_.rend() ? trail_.front() : *place;
+}
+
+double BackTrack::speed() const {
+    const std::optional<JointPositions> place = nextPlace();
+    return place ? speed_(now_, *place) : 0;
+}
+
 HoldBounds BackTrack::bounds() const {
-    double way = 0;
+    // How fast the arm may go differs from place to place; to ask at each of thousands takes too long.
+    constexpr std::size_t kAsked = 32;
+    const std::size_t stride = trail_.size() / kAsked + 1;
+    double seconds = 0;
+    double fastest = 0;
+    double speed = 0;
     const JointPositions* from = &now_;
+    std::size_t count = 0;
     for (auto place = trail_.rbegin(); place != trail_.rend(); ++place) {
-        way += apart(*from, *place);
+        if (count++ % stride == 0) {
+            speed = std::max(speed_(*from, *place), 1e-3);
+            fastest = std::max(fastest, speed);
+        }
+        seconds += apart(*from, *place) / speed;
         from = &*place;
     }
-    const double speed = std::max(speed_(), 1e-3);
-    return {HoldBounds::longestOf(way / speed), HoldRules::silenceAt(0, speed)};
+    return {HoldBounds::longestOf(seconds), HoldRules::silenceAt(0, fastest)};
 }
 
 HoldMotion BackTrack::motion() {

@@ -6,6 +6,7 @@
 
 #include <deque>
 #include <functional>
+#include <optional>
 
 #include "widgets/common/hold_guard.h"
 #include "widgets/session/motion_port.h"
@@ -14,9 +15,12 @@ namespace tiller {
 
 class BackTrack {
 public:
+    /// Of the joint that turns fastest, on the way from one place to another [rad/s].
+    using Speed = std::function<double(const JointPositions& from, const JointPositions& to)>;
+
     /// port   what moves the arm
-    /// speed  of the joint that turns fastest on the way back, asked at each turn [rad/s]
-    BackTrack(const MotionPort& port, std::function<double()> speed);
+    /// speed  on the way back, asked at each turn
+    BackTrack(const MotionPort& port, Speed speed);
 
     /// Where the arm is now. While the arm goes back nothing is added. A jump means that the way between is
     /// not known: then the trail begins anew.
@@ -24,6 +28,10 @@ public:
     /// The arm was moved by somebody else, or the connection is another one: the trail says nothing any more.
     void clear();
     bool isEmpty() const;
+    /// The speed with which a press would go back now; 0 where there is nothing to undo.
+    double speed() const;
+    /// What the next turn heads for; nothing where there is nothing to undo.
+    std::optional<JointPositions> nextPlace() const;
     int size() const { return static_cast<int>(trail_.size()); }
 
     /// For the key: a joint jog from place to place of the trail, so that it has the life time, the limits
@@ -42,7 +50,7 @@ private:
     HoldBounds bounds() const;
 
     const MotionPort& port_;
-    std::function<double()> speed_;
+    Speed speed_;
     std::deque<JointPositions> trail_;
     JointPositions now_;
     HoldMotion::Id going_ = 0;  ///< the jog under way; 0: none

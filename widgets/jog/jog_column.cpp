@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "robot/kinematics/speed_bounds.h"
 #include "widgets/common/density.h"
 #include "widgets/common/hold_button.h"
 #include "widgets/common/notation.h"
@@ -23,8 +24,8 @@
 #include "widgets/jog/limiter_line.h"
 #include "widgets/jog/pose_view.h"
 #include "widgets/jog/reasons.h"
+#include "widgets/jog/travel.h"
 #include "widgets/jog/travel_watch.h"
-#include "widgets/session/move_time.h"
 #include "widgets/session/texts.h"
 
 namespace tiller {
@@ -34,10 +35,11 @@ using control::StopCause;
 namespace {
 
 constexpr int kMargin = 12;
+constexpr int kFoldedMargin = 6;
 constexpr int kRefusalShownMs = 6000;
 constexpr int kDetailTab = 30;  // height of the choice between pose and joints
-/// Below this height of the column, on a screen of 1280 x 720 under a title bar, the keys of the pad give way a
-/// little.
+/// Below this height of the column, on a screen of 1280 x 720 under a title bar, the keys of the pad and of the rows
+/// at its top give way a little.
 constexpr int kTightBelow = 570;
 
 /// Keys of the pad: as designed, the least beside unfolded joints, and folded.
@@ -113,7 +115,12 @@ JogColumn::JogColumn(MotionPort port, QWidget* parent) : Panel(tr("Jog"), parent
     });
     axisJog_ = new AxisJog(
         port_, selection(), [this] { return deviceObstacle(); }, this);
-    connect(axisJog_, &AxisJog::began, this, [this] { pose_->pressedHere(); });
+    connect(axisJog_, &AxisJog::began, this, [this] {
+        pose_->pressedHere();
+        showJog();
+    });
+    connect(axisJog_, &AxisJog::turned, this, &JogColumn::showJog);
+    connect(axisJog_, &AxisJog::ended, this, &JogColumn::showJog);
     connect(axisJog_, &AxisJog::refused, this, [this](const QString& reason) {
         refusal_ = reason;
         refusalTimer_->start();
@@ -126,11 +133,18 @@ JogColumn::JogColumn(MotionPort port, QWidget* parent) : Panel(tr("Jog"), parent
     connectKeys();
     connectBottom();
     connect(selectors_, &JogSelectors::changing, this, &JogColumn::stopMotion);
+    connect(selectors_, &JogSelectors::changed, this, [this] {
+        showFrame();
+        speedsKnown_ = false;
+        showSpeeds();
+        Q_EMIT speedChanged();
+    });
     connect(detailTab_, &SegmentedControl::currentChanged, this, [this] {
         stopMotion(StopCause::SelectionChanged);
         arrange();
     });
     travel_ = new TravelWatch(*pad_, selection(), this);
+    showFrame();
     arrange();
     applyState(SessionState());
 }
@@ -184,6 +198,9 @@ bool JogColumn::isHolding() const {
 }
 
 void JogColumn::applyState(const SessionState& state) {
+    const bool sameTerms = state.speedFraction == state_.speedFraction && state.speedCap == state_.speedCap &&
+                           state.hasData() == state_.hasData() && state.tcpOffset == state_.tcpOffset &&
+                           state.model == state_.model;
     state_ = state;
     ghosts_->setState(state);
     travel_->setState(state);
@@ -201,10 +218,136 @@ void JogColumn::applyState(const SessionState& state) {
     const bool stale = state.link != LinkState::Live;
     pose_->setPose(state.tcpPose, state.moving, valid, stale);
     joints_->setJoints(state.q, state.moving, valid, stale);
-    for (HoldButton* key : holdKeys()) {
-        key->setConfirmed(state.moving && key->isHolding());
+    pose_->setTcp(state.tcpOffset);
+    pose_->setSpeed(state.moving ? state.tcpSpeed : Twist());
+    lightKeys();
+    if (shownJog_) {
+        showJog();  // in the frame of the tool the direction follows the tool
     }
+    showFactor();
+    if (!sameTerms || !near(state.q, speedsAt_, 0.01)) {
+        speedsKnown_ = false;
+    }
+    showSpeeds();
     showReason();
+}
+
+void JogColumn::showFrame() {
+    pose_->setFrame(readingFrameName(selection()), readingFrame(selection()));
+}
+
+void JogColumn::lightKeys() {
+    for (HoldButton* key : holdKeys()) {
+        key->setConfirmed(state_.moving && key->isHolding());
+    }
+    if (!state_.moving || !axisJog_->isActive()) {
+        return;
+    }
+    for (JogKey* key : pad_->keys()) {
+        key->setConfirmed(isDriven(*key));
+    }
+    for (const JointRow* row : joints_->rows()) {
+        row->minusKey()->setConfirmed(isDriven(row->joint(), -1));
+        row->plusKey()->setConfirmed(isDriven(row->joint(), 1));
+    }
+}
+
+/// Whether keyboard or device do what this key of the pad would do.
+bool JogColumn::isDriven(const JogKey& key) const {
+    return axisJog_->isActive() && axisJog_->input().axes[key.key().axis] * key.key().direction > 0;
+}
+
+bool JogColumn::isDriven(int joint, int direction) const {
+    const Deflection& input = axisJog_->input();
+    return axisJog_->isActive() && input.axes.isZero() && input.joints[joint] * direction > 0;
+}
+
+std::optional<ShownJog> JogColumn::shownJog() const {
+    ShownJog shown;
+    Vector6 wish = Vector6::Zero();  // as the keys of the pad say it
+    QStringList names;
+    for (const JogKey* key : pad_->keys()) {
+        if (key->isHolding()) {
+            wish[key->key().axis] = key->key().direction;
+        }
+    }
+    if (axisJog_->isActive()) {
+        wish = axisJog_->input().axes;
+    }
+    // A stick that leans a little to the side is still called by where it points.
+    constexpr double kNamed = 0.2;
+    const double most = wish.cwiseAbs().maxCoeff();
+    for (int axis = 0; axis < 6; ++axis) {
+        if (most > 0 && std::abs(wish[axis]) >= kNamed * most) {
+            names << travelKeyName(2 * axis + (wish[axis] > 0 ? 1 : 0));
+        }
+    }
+    if (!names.isEmpty()) {
+        // A way along and a turn about an axis at once: the arrow says where the TCP goes.
+        const Eigen::Vector3d along = wish.head<3>().isZero() ? wish.tail<3>() : wish.head<3>();
+        along.cwiseAbs().maxCoeff(&shown.axis);
+        shown.direction = frameAxes(selection(), state_.tcpPose) * along;
+        shown.frameName = frameName(selection());
+    }
+    for (const JointRow* row : joints_->rows()) {
+        for (const auto& [key, direction] : {std::pair{row->minusKey(), -1}, {row->plusKey(), 1}}) {
+            if (isDriven(row->joint(), direction) || key->isHolding()) {
+                names << row->accessibleName() + key->text();
+            }
+        }
+    }
+    if (back_->isHolding()) {
+        names << back_->accessibleName();
+    }
+    shown.label = names.join(QLatin1Char(' '));
+    return names.isEmpty() ? std::nullopt : std::optional(shown);
+}
+
+void JogColumn::showJog() {
+    const std::optional<ShownJog> shown = shownJog();
+    lightKeys();
+    showFactor();
+    if (shown != shownJog_) {
+        shownJog_ = shown;
+        Q_EMIT jogShown(shown);
+    }
+}
+
+/// The share of the chosen speed that what moves has, or that the next press would have.
+void JogColumn::showFactor() {
+    double factor = axisJog_->isActive() ? axisJog_->factor()
+                    : isHolding()        ? keyFactor_
+                    : isActiveWindow()   ? heldFactor()
+                                         : 1;
+    if (selection().motion == MotionChoice::UntilContact) {
+        factor = std::min(factor, 1.0);  // looking for contact is never sped up
+    }
+    pose_->setFactor(factor);
+}
+
+HeldSpeed JogColumn::heldSpeed() const {
+    const SpeedClass chosen = chosenSpeed(selection());
+    return {chosen.tcp, chosen.rotation, chosen.joint};
+}
+
+/// On the keys that go to a place: how fast they will.
+void JogColumn::showSpeeds() {
+    if (speedsKnown_ || isHolding()) {
+        return;  // what is under way goes on as fast as it was begun
+    }
+    speedsKnown_ = true;
+    speedsAt_ = state_.q;
+    const bool known = state_.hasData();
+    const auto text = [&](const MoveRequest& request) {
+        return known ? moveSpeedText(request, state_) : QString();
+    };
+    homeKey_->setDetail(text(
+        homeMove(selection(), state_.q, home_, robotModel(state_.model), state_.tcpOffset, port_.limits())));
+    align_->setDetail(text(alignMove(selection(), state_.tcpPose, port_.limits())));
+    MoveRequest back;
+    back.q = track_->nextPlace().value_or(state_.q);
+    back.speed = track_->speed();
+    back_->setDetail(text(back));
 }
 
 void JogColumn::showReason() {
@@ -234,10 +377,23 @@ QSize JogColumn::minimumSizeHint() const {
     return {352, 540};
 }
 
+JogColumn::Rows JogColumn::rowsFor(Fold fold) const {
+    switch (fold) {
+        case Fold::Open:
+            return {38, 6};
+        case Fold::Snug:
+            return {28, 4};
+        case Fold::Folded:
+            break;
+    }
+    return {height() < kTightBelow ? 26 : 30, 3};
+}
+
 int JogColumn::heightFor(Fold fold) const {
     const bool open = fold == Fold::Open;
     constexpr int kFrame = 3;  // the panel's lines, and the one below its title
-    return Panel::kHeaderHeight + kFrame + 2 * kMargin + selectors_->heightWhen(!open) + kAbovePad +
+    const auto [row, apart] = rowsFor(fold);
+    return Panel::kHeaderHeight + kFrame + 2 * kMargin + selectors_->heightWhen(row, apart) + kAbovePad +
            padHeight(open ? kKey : kSnugKey) + limiter_->sizeHint().height() + 2 * kAroundLimiter +
            pose_->minimumSizeHint().height() + kBelowPose + JointRows::unfoldedHeight(!open) + kAboveKeys +
            freedrive_->sizeHint().height();
@@ -257,10 +413,8 @@ void JogColumn::resizeEvent(QResizeEvent* event) {
 }
 
 void JogColumn::fold() {
-    if (const Fold fold = foldFor(height()); fold != fold_) {
-        fold_ = fold;
-        arrange();
-    }
+    fold_ = foldFor(height());
+    arrange();
     pad_->setMinimumHeight(padHeight(fold_ == Fold::Open      ? kKey
                                      : fold_ == Fold::Snug    ? kSnugKey
                                      : height() < kTightBelow ? kTightKey
@@ -276,7 +430,10 @@ void JogColumn::arrange() {
     detailTab_->setFixedHeight(kDetailTab);
     pose_->setVisible(!folded || !jointsChosen);
     joints_->setVisible(!folded || jointsChosen);
-    selectors_->setCompact(fold_ != Fold::Open);
+    const auto [row, apart] = rowsFor(fold_);
+    selectors_->setRowHeight(row, apart);
+    const int edge = folded ? kFoldedMargin : kMargin;
+    content()->layout()->setContentsMargins(0, edge, 0, edge);
     pad_->setMaximumHeight(folded ? QWIDGETSIZE_MAX : padHeight(kKey));
 }
 
@@ -306,7 +463,7 @@ void JogColumn::buildBottom(QVBoxLayout* layout) {
     layout->addLayout(row);
 }
 
-void JogColumn::guardMotion(HoldButton* key, HoldMotion motion) {
+void JogColumn::guardMotion(HoldButton* key, HoldMotion motion, bool modified) {
     motion.begin = [this, begin = std::move(motion.begin)]() -> Result<RobotSession::MotionId> {
         if (!state_.canMove()) {
             return Error{ErrorCode::NotInControl, cannotMoveReason(state_), {}};
@@ -314,11 +471,14 @@ void JogColumn::guardMotion(HoldButton* key, HoldMotion motion) {
         return begin();
     };
     key->setMotion(std::move(motion));
-    connect(&key->guard(), &HoldGuard::began, this, [this] {
+    connect(&key->guard(), &HoldGuard::began, this, [this, modified] {
         refusal_.clear();
+        keyFactor_ = modified ? heldFactor() : 1;
         pose_->pressedHere();
         showReason();
+        showJog();
     });
+    connect(&key->guard(), &HoldGuard::ended, this, &JogColumn::showJog);
     connect(&key->guard(), &HoldGuard::refused, this, [this](const Error& error) {
         // Our own refusal is a whole sentence already.
         const bool own =
@@ -332,14 +492,19 @@ void JogColumn::guardMotion(HoldButton* key, HoldMotion motion) {
     });
 }
 
-void JogColumn::guardKey(HoldButton* key, const Begin& begin, bool steps) {
-    guardMotion(key, {
-                         .begin = begin,
-                         .hold = port_.hold,
-                         .end = port_.endMotion,
-                         .runsToEnd = [this, steps] { return steps && stepRunsToEnd(selection()); },
-                         .bounds = [this] { return bounds_; },
-                     });
+void JogColumn::guardKey(HoldButton* key, const Begin& begin, Steps steps) {
+    guardMotion(key,
+                {
+                    .begin = begin,
+                    .hold = port_.hold,
+                    .end = port_.endMotion,
+                    .runsToEnd =
+                        [this, steps] {
+                            return steps != Steps::None && stepRunsToEnd(selection(), steps == Steps::Turns);
+                        },
+                    .bounds = [this] { return bounds_; },
+                },
+                steps != Steps::None);
 }
 
 void JogColumn::connectKeys() {
@@ -355,9 +520,9 @@ void JogColumn::connectKeys() {
                            ? beginJog(cartesianJog(selection(), axis, heldFactor(), port_.limits()))
                            : beginMove(step());
             },
-            true);
-        ghosts_->offer(*key, key->text(), [this, step]() -> std::optional<MoveRequest> {
-            const bool far = !isHeld(selection().motion) && !stepRunsToEnd(selection());
+            axis.axis < 3 ? Steps::Lengths : Steps::Turns);
+        ghosts_->offer(*key, key->text(), [this, axis, step]() -> std::optional<MoveRequest> {
+            const bool far = !isHeld(selection().motion) && !stepRunsToEnd(selection(), axis.axis >= 3);
             return far ? std::optional(step()) : std::nullopt;
         });
     }
@@ -373,9 +538,9 @@ void JogColumn::connectKeys() {
                                                                           heldFactor(), port_.limits()))
                                                       : beginMove(step());
                 },
-                true);
+                Steps::Turns);
             ghosts_->offer(*key, key->accessibleName(), [this, step]() -> std::optional<MoveRequest> {
-                const bool far = !isHeld(selection().motion) && !stepRunsToEnd(selection());
+                const bool far = !isHeld(selection().motion) && !stepRunsToEnd(selection(), true);
                 return far ? std::optional(step()) : std::nullopt;
             });
         }
@@ -388,14 +553,14 @@ void JogColumn::connectBottom() {
                         port_.limits());
     };
     guardKey(
-        homeKey_, [this, home] { return beginMove(home()); }, false);
+        homeKey_, [this, home] { return beginMove(home()); }, Steps::None);
     ghosts_->offer(*homeKey_, tr("home"), home);
     const auto align = [this] { return alignMove(selection(), state_.tcpPose, port_.limits()); };
     guardKey(
-        align_, [this, align] { return beginMove(align()); }, false);
+        align_, [this, align] { return beginMove(align()); }, Steps::None);
     ghosts_->offer(*align_, tr("aligned"), align);
     guardKey(
-        freedrive_, [this] { return beginFreedrive(); }, false);
+        freedrive_, [this] { return beginFreedrive(); }, Steps::None);
     setFreedriveAxes(freedriveAxes_);
     freedrive_->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(freedrive_, &QWidget::customContextMenuRequested, this, [this](const QPoint& at) {
@@ -405,9 +570,19 @@ void JogColumn::connectBottom() {
         menu.exec(freedrive_->mapToGlobal(at));
     });
 
-    track_ = std::make_unique<BackTrack>(
-        port_, [this] { return std::min(chosenSpeed(selection()).joint, port_.limits().jointSpeed); });
-    guardMotion(back_, track_->motion());
+    track_ = std::make_unique<BackTrack>(port_, [this](const JointPositions& from, const JointPositions& to) {
+        const control::MotionLimits limits = port_.limits();
+        const SpeedClass chosen = chosenSpeed(selection());
+        const double tcpSpeed = std::min(chosen.tcp, limits.tcpSpeed);
+        return std::min(
+            {chosen.joint, limits.jointSpeed,
+             kinematics::jointSpeedBound(robotModel(state_.model).dh, from, to, state_.tcpOffset, tcpSpeed)
+                 .speed});
+    });
+    guardMotion(back_, track_->motion(), false);
+    for (HoldButton* key : {homeKey_, align_, back_}) {
+        key->setWidestDetail(QStringLiteral("000 mm/s"));
+    }
 }
 
 void JogColumn::addHoldKeys(KeyboardJog& keyboard) {
@@ -526,6 +701,8 @@ void JogColumn::changeEvent(QEvent* event) {
     if (event->type() == QEvent::StyleChange && travel_ != nullptr) {
         selectors_->refreshTexts();  // other units
         travel_->reset();
+        speedsKnown_ = false;
+        showSpeeds();
         showReason();
         fold();  // keys of another size need another room
     }

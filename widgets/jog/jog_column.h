@@ -6,6 +6,7 @@
 
 #include <QVector>
 #include <memory>
+#include <optional>
 
 #include "widgets/common/hold_rules.h"
 #include "widgets/common/panel.h"
@@ -13,6 +14,7 @@
 #include "widgets/jog/jog_motion.h"
 #include "widgets/jog/limiter_line.h"
 #include "widgets/session/motion_port.h"
+#include "widgets/session/move_time.h"
 #include "widgets/session/scene_marks.h"
 
 class QMenu;
@@ -36,6 +38,15 @@ class PoseView;
 class SegmentedControl;
 class TravelWatch;
 
+/// A jog under way, whatever holds it: a key of the column, the keyboard, a gamepad or a SpaceMouse.
+struct ShownJog {
+    QString label;      ///< as the keys are called: "X+", "X+ Y+", "Wrist 2−"
+    QString frameName;  ///< empty for joints
+    Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< in the base frame; zero for joints
+    int axis = 0;                                         ///< 0-2: the one that gives the colour
+    friend bool operator==(const ShownJog&, const ShownJog&) = default;
+};
+
 class JogColumn : public Panel {
     Q_OBJECT
 
@@ -48,6 +59,8 @@ public:
     /// Frame, motion and speed of the next press.
     JogSelectors& selectors() { return *selectors_; }
     const JogSelection& selection() const;
+    /// The chosen speed: the fastest that any motion held by a key may be.
+    HeldSpeed heldSpeed() const;
     void setHome(const JointPositions& home) { home_ = home; }
     /// What freedrive leaves free.
     void setFreedriveAxes(FreedriveAxes axes);
@@ -79,6 +92,10 @@ public Q_SLOTS:
 Q_SIGNALS:
     /// A press moved nothing; a sentence that says why and what to do.
     void refused(const QString& reason);
+    /// A jog begins, goes another way, or ends (nothing).
+    void jogShown(const std::optional<tiller::ShownJog>& jog);
+    /// heldSpeed() may be another one.
+    void speedChanged();
     /// The pointer is on a key whose motion goes to a place, or the key is held.
     void ghostWanted(const tiller::Ghost& ghost);
     void ghostGone();
@@ -93,8 +110,11 @@ private:
     void buildBottom(QVBoxLayout* layout);
     void connectKeys();
     void connectBottom();
-    void guardKey(HoldButton* key, const Begin& begin, bool steps);
-    void guardMotion(HoldButton* key, HoldMotion motion);
+    /// What a key does when steps are chosen.
+    enum class Steps { None, Lengths, Turns };
+    void guardKey(HoldButton* key, const Begin& begin, Steps steps);
+    /// modified  whether Ctrl and Shift change its speed
+    void guardMotion(HoldButton* key, HoldMotion motion, bool modified);
     Result<RobotSession::MotionId> beginJog(const control::JogTarget& target);
     Result<RobotSession::MotionId> beginMove(const MoveRequest& request);
     Result<RobotSession::MotionId> beginFreedrive();
@@ -106,12 +126,26 @@ private:
         Snug,    ///< joints in low rows, keys a little smaller
         Folded,  ///< pose or joints, by choice
     };
+    /// Of the rows of selectors at the top [px].
+    struct Rows {
+        int height;
+        int apart;
+    };
+    Rows rowsFor(Fold fold) const;
     int heightFor(Fold fold) const;
     Fold foldFor(int height) const;
     /// Shows what there is room for.
     void fold();
     void arrange();
     void showReason();
+    void showFrame();
+    void showJog();
+    void lightKeys();
+    void showFactor();
+    std::optional<ShownJog> shownJog() const;
+    bool isDriven(const JogKey& key) const;
+    bool isDriven(int joint, int direction) const;
+    void showSpeeds();
     void showLimiter();
     QString quietText() const;
     QString countdown() const;
@@ -139,9 +173,13 @@ private:
 
     KeyGhosts* ghosts_ = nullptr;
     TravelWatch* travel_ = nullptr;
+    std::optional<ShownJog> shownJog_;
+    double keyFactor_ = 1;  ///< with which the motion of a key was begun
     LimiterAdvice nearest_;
     JointPositions limiterAt_;
     control::Limiter limiterSeen_;
+    JointPositions speedsAt_;   ///< where the arm stood when the keys' speeds were worked out
+    bool speedsKnown_ = false;  ///< they are those of the selection, the slider and the place now
     QTimer* refusalTimer_ = nullptr;
     Fold fold_ = Fold::Open;
 };

@@ -149,11 +149,11 @@ MoveRequest homeMove(const JogSelection& selection, const JointPositions& from, 
     MoveRequest request;
     request.kind = MoveRequest::Kind::MoveJ;
     request.q = home;
-    request.speed = capped(chosenSpeed(selection).joint, limits.jointSpeed);
+    const SpeedClass chosen = chosenSpeed(selection);
+    const double tcpSpeed = std::min(chosen.tcp, 0.95 * limits.tcpSpeed);
     request.acceleration = limits.jointAcceleration;
-    request.speed =
-        std::min(request.speed,
-                 kinematics::jointSpeedBound(model.dh, from, home, tcpOffset, 0.95 * limits.tcpSpeed).speed);
+    request.speed = std::min(capped(chosen.joint, limits.jointSpeed),
+                             kinematics::jointSpeedBound(model.dh, from, home, tcpOffset, tcpSpeed).speed);
     return request;
 }
 
@@ -189,6 +189,21 @@ QString frameName(const JogSelection& selection) {
             break;
     }
     return QCoreApplication::translate("JogColumn", "Base");
+}
+
+Pose readingFrame(const JogSelection& selection) {
+    Pose frame;
+    if (selection.frame == FrameChoice::View) {
+        frame.rotation = rotationVector(selection.R_base_view);
+    } else if (selection.frame == FrameChoice::Taught && selection.taught) {
+        frame = selection.taught->T_base_frame;
+    }
+    return frame;
+}
+
+QString readingFrameName(const JogSelection& selection) {
+    return selection.frame == FrameChoice::Tool ? QCoreApplication::translate("JogColumn", "Base")
+                                                : frameName(selection);
 }
 
 StepSize chosenStep(const JogSelection& selection) {
@@ -227,10 +242,10 @@ SpeedClass speedFor(double tcpSpeed) {
     return {tcpSpeed, classes.back().rotation, classes.back().joint};
 }
 
-bool stepRunsToEnd(const JogSelection& selection) {
+bool stepRunsToEnd(const JogSelection& selection, bool turns) {
     const StepSize step = chosenStep(selection);
-    return !isHeld(selection.motion) && step.length <= kFreeStepLength * 1.0001 &&
-           step.angle <= kFreeStepAngle * 1.0001;
+    return !isHeld(selection.motion) &&
+           (turns ? step.angle <= kFreeStepAngle * 1.0001 : step.length <= kFreeStepLength * 1.0001);
 }
 
 MoveRequest alignMove(const JogSelection& selection, const Pose& from, const control::MotionLimits& limits) {

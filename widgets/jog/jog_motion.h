@@ -40,7 +40,8 @@ struct StepSize {
 };
 StepSize stepSize(MotionChoice motion);
 
-/// The step sizes that menus and commands offer, as people read them; one length and one angle go together.
+/// The step sizes that menus and commands offer, as people read them; commands choose a length and an angle
+/// together, the menus each for itself.
 struct StepPreset {
     double millimetres;
     double degrees;
@@ -104,7 +105,7 @@ MoveRequest cartesianStep(const JogSelection& selection, const CartesianKey& key
 MoveRequest jointStep(const JogSelection& selection, int joint, int direction, double factor,
                       const JointPositions& from, const control::MotionLimits& limits);
 
-/// A joint move whose TCP keeps below the application's cap on the whole way.
+/// A joint move whose TCP keeps below the chosen speed and the application's cap on the whole way.
 MoveRequest homeMove(const JogSelection& selection, const JointPositions& from, const JointPositions& home,
                      const RobotModel& model, const Pose& tcpOffset, const control::MotionLimits& limits);
 
@@ -117,7 +118,8 @@ SpeedClass speedFor(double tcpSpeed);
 /// True where a press jogs as long as it lasts, false where it makes one step.
 bool isHeld(MotionChoice motion);
 /// True for steps that may go on after the key is let go.
-bool stepRunsToEnd(const JogSelection& selection);
+/// turns  of a key that turns the tool or a joint: its angle counts, else its length
+bool stepRunsToEnd(const JogSelection& selection, bool turns);
 
 /// Turns the tool, about the TCP, until its Z axis lies along the nearest axis of the chosen frame (of the
 /// base when that is the tool's own). Held.
@@ -125,6 +127,10 @@ MoveRequest alignMove(const JogSelection& selection, const Pose& from, const con
 
 /// "Base", "Tool", "View" or the name of the taught frame.
 QString frameName(const JogSelection& selection);
+/// The frame in which the live pose is read, in the base frame: the chosen one. In the frame of the tool the TCP is
+/// always at nought, so that it is read in Base then.
+Pose readingFrame(const JogSelection& selection);
+QString readingFrameName(const JogSelection& selection);
 /// Axes in which the selection moves the TCP, as columns in the base frame.
 Eigen::Matrix3d frameAxes(const JogSelection& selection, const Pose& tcp);
 

@@ -8,6 +8,8 @@
 #include <QLabel>
 #include <QMenu>
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "robot/core/angles.h"
 #include "widgets/common/format.h"
@@ -22,17 +24,44 @@ using control::StopCause;
 namespace {
 
 constexpr int kMargin = 12;
-constexpr int kKey = 38;         // height of a key [px]
-constexpr int kCompactKey = 30;  // in a low window
 constexpr int kTaughtSegment = 3;
 constexpr int kLongestName = 84;  // [px] of a frame, on its key
-constexpr int kChoiceSegment = static_cast<int>(MotionChoice::CoarseStep);
+/// Of the rows of lengths and angles: Hold, three sizes, another one.
+constexpr int kHoldSegment = 0;
+constexpr int kOtherSegment = 4;
+constexpr std::array kSizes = {MotionChoice::FineStep, MotionChoice::Step, MotionChoice::CoarseStep};
 
-/// "5 mm or 15°"
-QString stepText(const StepSize& step) {
-    return JogSelectors::tr("%1, turns %2°")
-        .arg(format::shortLength(step.length))
-        .arg(toDegrees(step.angle), 0, 'g', 3);
+bool isSame(double a, double b) {
+    return std::abs(a - b) < 1e-9;
+}
+
+int lengthSegment(double length) {
+    for (const MotionChoice size : kSizes) {
+        if (isSame(stepSize(size).length, length)) {
+            return static_cast<int>(size);
+        }
+    }
+    return kOtherSegment;
+}
+
+int angleSegment(double angle) {
+    for (const MotionChoice size : kSizes) {
+        if (isSame(stepSize(size).angle, angle)) {
+            return static_cast<int>(size);
+        }
+    }
+    return kOtherSegment;
+}
+
+/// With as few digits as it takes: "0.1", "45".
+QString angleNumber(double angle) {
+    const double degrees = toDegrees(angle);
+    const bool whole = std::abs(degrees - std::round(degrees)) < 1e-6;
+    return format::number(degrees, whole ? 0 : degrees < 0.095 ? 2 : 1);
+}
+
+QString angleText(double angle) {
+    return angleNumber(angle) + QStringLiteral("°");
 }
 
 }  // namespace
@@ -47,15 +76,20 @@ JogSelectors::JogSelectors(std::function<control::MotionLimits()> limits, QWidge
     frame_ = new SegmentedControl({tr("Base"), tr("Tool"), tr("View"), tr("Frame")}, this);
     frame_->setNames(QStringLiteral("jogFrame"), tr("Frame"));
     // The other words follow the operator's units; see refreshTexts().
-    motion_ = new SegmentedControl({tr("Hold"), {}, {}, {}}, this);
+    motion_ = new SegmentedControl({tr("Hold"), {}, {}, {}, {}}, this);
     motion_->setNames(QStringLiteral("jogMotion"), tr("Motion"));
-    motion_->segment(0)->setToolTip(tr("Moves while the key is held"));
+    motion_->segment(kHoldSegment)->setToolTip(tr("Moves while the key is held"));
+    turn_ = new SegmentedControl({tr("Hold"), {}, {}, {}, {}}, this);
+    turn_->setNames(QStringLiteral("jogTurn"), tr("Turn"));
+    turn_->segment(kHoldSegment)->setToolTip(tr("Turns while the key is held"));
     speed_ = new SegmentedControl(QStringList(kSpeedClassCount), this);
     speed_->setNames(QStringLiteral("jogSpeed"), tr("Speed"));
     speed_->setCurrentIndex(kStartSpeedClass);
     int row = 0;
-    for (const auto& [text, control] :
-         {std::pair{tr("Frame"), frame_}, {tr("Motion"), motion_}, {tr("Speed"), speed_}}) {
+    for (const auto& [text, control] : {std::pair{tr("Frame"), frame_},
+                                        {tr("Motion"), motion_},
+                                        {tr("Turn"), turn_},
+                                        {tr("Speed"), speed_}}) {
         auto* label = new QLabel(text, this);
         label->setFont(textFont(15));
         label->setProperty("role", QStringLiteral("secondary"));
@@ -71,22 +105,16 @@ JogSelectors::JogSelectors(std::function<control::MotionLimits()> limits, QWidge
 
 void JogSelectors::connectControls() {
     connect(frame_, &SegmentedControl::currentChanged, this, &JogSelectors::chooseFrame);
-    connect(motion_, &SegmentedControl::currentChanged, this, [this](int index) {
-        Q_EMIT changing(StopCause::SelectionChanged);
-        selection_.motion = static_cast<MotionChoice>(index);
-        if (selection_.motion != MotionChoice::CoarseStep) {
-            selection_.step.reset();
-        }
-        refreshTexts();
-    });
+    connect(motion_, &SegmentedControl::currentChanged, this, &JogSelectors::chooseLength);
+    connect(turn_, &SegmentedControl::currentChanged, this, &JogSelectors::chooseAngle);
     connect(speed_, &SegmentedControl::currentChanged, this, [this](int index) {
         Q_EMIT changing(StopCause::SelectionChanged);
         selection_.speedClass = index;
         selection_.speed.reset();
         refreshTexts();
     });
-    offerChoices(motion_, static_cast<int>(MotionChoice::CoarseStep),
-                 [this](QMenu& menu) { fillStepMenu(menu); });
+    offerChoices(motion_, kOtherSegment, [this](QMenu& menu) { fillLengthMenu(menu); });
+    offerChoices(turn_, kOtherSegment, [this](QMenu& menu) { fillAngleMenu(menu); });
     offerChoices(speed_, kSpeedClassCount - 1, [this](QMenu& menu) { fillSpeedMenu(menu); });
     // With several taught frames the fourth key opens the list.
     connect(frame_->segment(kTaughtSegment), &QAbstractButton::clicked, this, [this] {
@@ -110,6 +138,7 @@ void JogSelectors::chooseFrame(int segment) {
         selection_.taught = frames_.first();
         showFrames();
     }
+    Q_EMIT changed();
 }
 
 void JogSelectors::showFrames() {
@@ -136,6 +165,9 @@ void JogSelectors::setViewRotation(const Eigen::Matrix3d& R_base_view) {
         hasView_ = true;
         showFrames();
     }
+    if (selection_.frame == FrameChoice::View) {
+        Q_EMIT changed();
+    }
 }
 
 void JogSelectors::setTaughtFrames(const QVector<TaughtFrame>& frames) {
@@ -159,6 +191,7 @@ void JogSelectors::setTaughtFrames(const QVector<TaughtFrame>& frames) {
         }
     }
     showFrames();
+    Q_EMIT changed();
 }
 
 void JogSelectors::chooseTaughtFrame(const QUuid& frame) {
@@ -168,6 +201,7 @@ void JogSelectors::chooseTaughtFrame(const QUuid& frame) {
             selection_.taught = taught;
             frame_->setCurrentIndex(kTaughtSegment);
             showFrames();
+            Q_EMIT changed();
             return;
         }
     }
@@ -188,54 +222,122 @@ void JogSelectors::setFreeSpeed(double tcpSpeed) {
     refreshTexts();
 }
 
+void JogSelectors::chooseLength(int segment) {
+    if (following_) {
+        return;
+    }
+    Q_EMIT changing(StopCause::SelectionChanged);
+    if (segment == kHoldSegment) {
+        choose(MotionChoice::Hold);
+        return;
+    }
+    step_.length =
+        segment == kOtherSegment ? other_.length : stepSize(static_cast<MotionChoice>(segment)).length;
+    choose(MotionChoice::CoarseStep);
+}
+
+void JogSelectors::chooseAngle(int segment) {
+    if (following_) {
+        return;
+    }
+    Q_EMIT changing(StopCause::SelectionChanged);
+    if (segment == kHoldSegment) {
+        choose(MotionChoice::Hold);
+        return;
+    }
+    step_.angle =
+        segment == kOtherSegment ? other_.angle : stepSize(static_cast<MotionChoice>(segment)).angle;
+    choose(MotionChoice::CoarseStep);
+}
+
+void JogSelectors::choose(MotionChoice motion) {
+    selection_.motion = motion;
+    selection_.step.reset();
+    if (!isHeld(motion)) {
+        selection_.step = step_;
+    }
+    const bool contact = motion == MotionChoice::UntilContact;
+    following_ = true;
+    motion_->setCurrentIndex(contact          ? kOtherSegment
+                             : isHeld(motion) ? kHoldSegment
+                                              : lengthSegment(step_.length));
+    turn_->setCurrentIndex(isHeld(motion) ? kHoldSegment : angleSegment(step_.angle));
+    following_ = false;
+    refreshTexts();
+}
+
 void JogSelectors::setFreeStep(const StepSize& step) {
     Q_EMIT changing(StopCause::SelectionChanged);
-    motion_->setCurrentIndex(kChoiceSegment);
-    selection_.motion = MotionChoice::CoarseStep;
-    selection_.step = step;
-    refreshTexts();
+    step_ = step;
+    if (lengthSegment(step.length) == kOtherSegment) {
+        other_.length = step.length;
+    }
+    if (angleSegment(step.angle) == kOtherSegment) {
+        other_.angle = step.angle;
+    }
+    choose(MotionChoice::CoarseStep);
+}
+
+void JogSelectors::setStepLength(double length) {
+    setFreeStep({length, step_.angle});
+}
+
+void JogSelectors::setStepAngle(double angle) {
+    setFreeStep({step_.length, angle});
 }
 
 void JogSelectors::setUntilContact(double force) {
     Q_EMIT changing(StopCause::SelectionChanged);
-    motion_->setCurrentIndex(kChoiceSegment);
-    selection_.motion = MotionChoice::UntilContact;
     selection_.contactForce = std::clamp(force, kLeastContactForce, kMostContactForce);
-    refreshTexts();
+    choose(MotionChoice::UntilContact);
 }
 
-void JogSelectors::setCompact(bool compact) {
-    for (SegmentedControl* control : {frame_, motion_, speed_}) {
-        control->setFixedHeight(compact ? kCompactKey : kKey);
+void JogSelectors::setRowHeight(int height, int spacing) {
+    for (SegmentedControl* control : {frame_, motion_, turn_, speed_}) {
+        control->setFixedHeight(height);
+    }
+    auto* grid = static_cast<QGridLayout*>(layout());
+    if (grid->verticalSpacing() != spacing) {
+        grid->setVerticalSpacing(spacing);
     }
 }
 
-int JogSelectors::heightWhen(bool compact) const {
-    int height = minimumSizeHint().height();
-    for (const SegmentedControl* control : {frame_, motion_, speed_}) {
-        height += (compact ? kCompactKey : kKey) - control->minimumHeight();
+int JogSelectors::heightWhen(int height, int spacing) const {
+    const auto* grid = static_cast<const QGridLayout*>(layout());
+    int whole = minimumSizeHint().height() + (grid->rowCount() - 1) * (spacing - grid->verticalSpacing());
+    for (const SegmentedControl* control : {frame_, motion_, turn_, speed_}) {
+        whole += height - control->minimumHeight();
     }
-    return height;
+    return whole;
 }
 
 void JogSelectors::refreshTexts() {
-    for (const MotionChoice choice : {MotionChoice::FineStep, MotionChoice::Step}) {
+    for (const MotionChoice choice : kSizes) {
         const StepSize step = stepSize(choice);
         const int segment = static_cast<int>(choice);
         motion_->setText(segment, format::shortLengthNumber(step.length));
-        motion_->segment(segment)->setToolTip(tr("One step a press: %1").arg(stepText(step)));
+        motion_->segment(segment)->setToolTip(
+            tr("One step a press: %1").arg(format::shortLength(step.length)));
+        turn_->setText(segment, angleNumber(step.angle));
+        turn_->segment(segment)->setToolTip(
+            tr("One turn a press, of the tool or a joint: %1").arg(angleText(step.angle)));
     }
     const bool contact = selection_.motion == MotionChoice::UntilContact;
-    const StepSize step = selection_.step.value_or(stepSize(MotionChoice::CoarseStep));
-    motion_->setText(kChoiceSegment, contact
-                                         ? tr("≤ %1").arg(format::number(selection_.contactForce, 0) + " N")
-                                         : format::shortLength(step.length));
-    motion_->segment(kChoiceSegment)
+    // The last key of each row has the unit of the row.
+    motion_->setText(kOtherSegment, contact
+                                        ? tr("≤ %1").arg(format::number(selection_.contactForce, 0) + " N")
+                                        : format::shortLength(other_.length));
+    motion_->segment(kOtherSegment)
         ->setToolTip(
             contact ? tr("Slowly until the tool touches something with %1 N, while held. Click again for "
                          "other steps")
                           .arg(selection_.contactForce, 0, 'f', 0)
-                    : tr("One step a press: %1. Click again for other steps").arg(stepText(step)));
+                    : tr("One step a press: %1. Click again for other steps")
+                          .arg(format::shortLength(other_.length)));
+    turn_->setText(kOtherSegment, angleText(other_.angle));
+    turn_->segment(kOtherSegment)
+        ->setToolTip(tr("One turn a press, of the tool or a joint: %1. Click again for other turns")
+                         .arg(angleText(other_.angle)));
     for (int i = 0; i < kSpeedClassCount; ++i) {
         const SpeedClass& speed = speedClasses()[static_cast<std::size_t>(i)];
         speed_->setText(i, format::speedNumber(speed.tcp));
@@ -246,6 +348,7 @@ void JogSelectors::refreshTexts() {
     }
     const double speed = selection_.speed ? selection_.speed->tcp : speedClasses().back().tcp;
     speed_->setText(kSpeedClassCount - 1, format::speed(speed));
+    Q_EMIT changed();
 }
 
 void JogSelectors::offerChoices(SegmentedControl* control, int segment, std::function<void(QMenu&)> fill) {
@@ -270,10 +373,18 @@ void JogSelectors::offerChoices(SegmentedControl* control, int segment, std::fun
     connect(key, &QWidget::customContextMenuRequested, this, open);
 }
 
-void JogSelectors::fillStepMenu(QMenu& menu) {
+void JogSelectors::fillAngleMenu(QMenu& menu) {
     for (const StepPreset& preset : kStepPresets) {
-        const StepSize step = preset.size();
-        menu.addAction(stepText(step), this, [this, step] { setFreeStep(step); });
+        const double angle = preset.size().angle;
+        menu.addAction(angleText(angle), this, [this, angle] { setStepAngle(angle); });
+    }
+    menu.addAction(tr("Other turn…"), this, [this] { askFor(Entry::Turn); });
+}
+
+void JogSelectors::fillLengthMenu(QMenu& menu) {
+    for (const StepPreset& preset : kStepPresets) {
+        const double length = preset.size().length;
+        menu.addAction(format::shortLength(length), this, [this, length] { setStepLength(length); });
     }
     menu.addAction(tr("Other step…"), this, [this] { askFor(Entry::Step); });
     menu.addSeparator();
@@ -294,11 +405,12 @@ void JogSelectors::askFor(Entry entry) {
     const bool coarse = unit > 1e-3;  // two more digits in inches
     switch (entry) {
         case Entry::Step:
-            askForNumber(tr("Step in %1 (turns: as many degrees as millimetres)").arg(format::lengthUnit()),
-                         0.002 / unit, 1e-5 / unit, 0.5 / unit, coarse ? 4 : 2, [this, unit](double value) {
-                             const double metres = value * unit;
-                             setFreeStep({metres, toRadians(std::min(metres * 1e3, 180.0))});
-                         });
+            askForNumber(tr("Step in %1").arg(format::lengthUnit()), 0.002 / unit, 1e-5 / unit, 0.5 / unit,
+                         coarse ? 4 : 2, [this, unit](double value) { setStepLength(value * unit); });
+            break;
+        case Entry::Turn:
+            askForNumber(tr("Turn in degrees"), 2, 0.01, 180, 2,
+                         [this](double value) { setStepAngle(toRadians(value)); });
             break;
         case Entry::Speed:
             askForNumber(tr("Speed of the TCP in %1").arg(format::speedUnit()),

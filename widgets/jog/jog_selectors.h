@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The three rows at the top of the jog column: frame, motion and speed of the next press, chosen by a key, from
-// a menu behind it, or entered by hand.
+// The rows at the top of the jog column: frame, motion, turn and speed of the next press, chosen by a key, from a
+// menu behind it, or entered by hand. Motion and turn are the lengths and the angles of steps: each row chooses for
+// itself, and Hold in one is Hold in both.
 
 #include <QVector>
 #include <QWidget>
@@ -37,29 +38,38 @@ public:
     void setFreeSpeed(double tcpSpeed);
     /// A step entered by hand. Longer than 10 mm or 10 deg it runs only while the key is held.
     void setFreeStep(const StepSize& step);
+    /// Only its length [m], or only its angle [rad]; the other one stays.
+    void setStepLength(double length);
+    void setStepAngle(double angle);
     /// Moves until the tool touches something with this force [N].
     void setUntilContact(double force);
-    enum class Entry { Step, Speed, ContactForce };
+    enum class Entry { Step, Turn, Speed, ContactForce };
     /// Opens the field in which the operator enters one of these by hand.
     void askFor(Entry entry);
 
-    /// Lower keys, for a low window.
-    void setCompact(bool compact);
-    /// The least height with such keys, whichever there are now.
-    int heightWhen(bool compact) const;
+    /// How high the keys are, and how far the rows are apart [px].
+    void setRowHeight(int height, int spacing);
+    /// The least height with such rows, whichever there are now.
+    int heightWhen(int height, int spacing) const;
     /// Writes every figure again: the operator chose other units.
     void refreshTexts();
 
 Q_SIGNALS:
     /// The selection is about to change, or something opens: no motion may go on.
     void changing(tiller::control::StopCause cause);
+    /// The selection is another one now.
+    void changed();
 
 private:
     void connectControls();
     void chooseFrame(int segment);
     void showFrames();
     void offerChoices(SegmentedControl* control, int segment, std::function<void(QMenu&)> fill);
-    void fillStepMenu(QMenu& menu);
+    void choose(MotionChoice motion);
+    void chooseLength(int segment);
+    void chooseAngle(int segment);
+    void fillLengthMenu(QMenu& menu);
+    void fillAngleMenu(QMenu& menu);
     void fillSpeedMenu(QMenu& menu);
     void askForNumber(const QString& text, double value, double least, double most, int digits,
                       std::function<void(double)> use);
@@ -68,8 +78,12 @@ private:
     JogSelection selection_;
     QVector<TaughtFrame> frames_;
     bool hasView_ = false;
+    bool following_ = false;                  ///< the keys follow the selection, not a hand
+    StepSize step_{0.001, toRadians(1.0)};    ///< chosen last, though Hold may be on
+    StepSize other_{0.050, toRadians(45.0)};  ///< what the last key of each row stands for
     SegmentedControl* frame_ = nullptr;
     SegmentedControl* motion_ = nullptr;
+    SegmentedControl* turn_ = nullptr;
     SegmentedControl* speed_ = nullptr;
 };
 

@@ -6,6 +6,8 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include "robot/core/angles.h"
+#include "widgets/common/format.h"
 #include "widgets/common/notation.h"
 #include "widgets/common/theme.h"
 
@@ -14,6 +16,11 @@ namespace tiller {
 namespace {
 
 constexpr int kDigitPeriodMs = 100;
+constexpr int kCaptionHeight = 17;
+/// What an arm at rest measures of its own speed.
+constexpr double kStands = 5e-5;              // [m/s]
+constexpr double kTurnsNot = toRadians(0.5);  // [rad/s]
+constexpr double kAtFlange = 5e-5;            // [m]
 
 /// Two digits at rest, one on the move; a blank keeps the place of the second.
 QString paced(double metres, bool moving) {
@@ -29,7 +36,6 @@ QString dash() {
 
 PoseView::PoseView(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("poseView"));
-    setAccessibleName(tr("TCP pose in Base"));
     setFocusPolicy(Qt::TabFocus);
     describe();
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
@@ -57,12 +63,76 @@ void PoseView::setPose(const Pose& pose, bool moving, bool valid, bool stale) {
     moving_ = moving;
     valid_ = valid;
     stale_ = stale;
-    if (look || !pace_.isActive()) {
+    changed(look);
+}
+
+void PoseView::changed(bool atOnce) {
+    if (atOnce || !pace_.isActive()) {
         update();
         pace_.start();
     } else {
         pending_ = true;
     }
+}
+
+void PoseView::setFrame(const QString& name, const Pose& T_base_frame) {
+    if (name == frame_ && T_base_frame == T_base_frame_) {
+        return;
+    }
+    frame_ = name;
+    T_base_frame_ = T_base_frame;
+    describe();
+    changed(true);
+}
+
+void PoseView::setTcp(const Pose& offset) {
+    if (!(offset == tcp_)) {
+        tcp_ = offset;
+        describe();
+        changed(true);
+    }
+}
+
+void PoseView::setSpeed(const Twist& tcpSpeed) {
+    const QString before = speedText();
+    speed_ = tcpSpeed;
+    if (speedText() != before) {
+        changed(false);
+    }
+}
+
+void PoseView::setFactor(double factor) {
+    if (factor != factor_) {
+        factor_ = factor;
+        changed(true);
+    }
+}
+
+Eigen::Vector3d PoseView::inFrame(const Eigen::Vector3d& way) const {
+    return rotationMatrix(T_base_frame_.rotation).transpose() * way;
+}
+
+QString PoseView::frameText() const {
+    const double reach = tcp_.position.norm();
+    const QString tcp = reach < kAtFlange ? tr("TCP at the flange")
+                                          : tr("TCP %1 from the flange").arg(format::length(reach, 1));
+    return tr("in %1 · %2").arg(frame_, tcp);
+}
+
+QString PoseView::speedText() const {
+    if (!valid_) {
+        return dash();
+    }
+    const double linear = speed_.linear.norm();
+    const double turn = speed_.angular.norm();
+    const double shown = linear < kStands ? 0 : linear;
+    const QString way =
+        format::lengthNumber(shown, shown < 0.010 ? 1 : 0, false) + QLatin1Char(' ') + format::speedUnit();
+    return turn < kTurnsNot ? way : tr("%1 · %2").arg(way, format::degreesPerSecond(turn));
+}
+
+QString PoseView::factorText() const {
+    return factor_ == 1 ? QString() : QStringLiteral("× ") + format::number(factor_, factor_ < 1 ? 1 : 0);
 }
 
 void PoseView::zeroHere() {
@@ -80,29 +150,38 @@ void PoseView::pressedHere() {
 }
 
 void PoseView::describe() {
-    setToolTip(ownZero_ ? tr("TCP pose in Base, orientation as chosen in Settings. Δ₀: way since zero. "
-                             "Click: way since the press")
-                        : tr("TCP pose in Base, orientation as chosen in Settings. Δ: way since the press. "
-                             "Click: zero here"));
+    const QString name = tr("TCP pose in %1").arg(frame_);
+    setAccessibleName(name);
+    setToolTip(name + QStringLiteral(", ") +
+               (ownZero_ ? tr("orientation as chosen in Settings. Δ₀: way since zero. "
+                              "Click: way since the press")
+                         : tr("orientation as chosen in Settings. Δ: way since the press. "
+                              "Click: zero here")) +
+               QLatin1Char('\n') + tr("TCP in the frame of the flange: %1").arg(format::pose(tcp_)));
     setAccessibleDescription(toolTip());
 }
 
 QString PoseView::positionText(int axis) const {
-    return valid_ ? paced(pose_.position[axis], moving_) : dash();
+    return valid_ ? paced(inFrame(pose_.position - T_base_frame_.position)[axis], moving_) : dash();
 }
 
 QString PoseView::deltaText(int axis) const {
-    return valid_ ? paced(pose_.position[axis] - zero_[axis], moving_) : dash();
+    return valid_ ? paced(inFrame(pose_.position - zero_)[axis], moving_) : dash();
 }
 
 QString PoseView::rotationText(int axis) const {
-    return valid_ ? format::rotation(pose_.rotation)[static_cast<std::size_t>(axis)] : dash();
+    if (!valid_) {
+        return dash();
+    }
+    const Eigen::Vector3d turned =
+        rotationVector(rotationMatrix(T_base_frame_.rotation).transpose() * rotationMatrix(pose_.rotation));
+    return format::rotation(turned)[static_cast<std::size_t>(axis)];
 }
 
 void PoseView::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::current();
     QPainter painter(this);
-    const double rowHeight = height() / 3.0;
+    const double rowHeight = (height() - kCaptionHeight) / 3.0;
     const QColor ink = valid_ && !stale_ ? theme.text : theme.disabledText;
     const QFont value = textFont(19);
     const bool narrow = width() < 352;
@@ -116,8 +195,24 @@ void PoseView::paintEvent(QPaintEvent*) {
         painter.setPen(QPen(theme.moving, 2));
         painter.drawRect(rect().adjusted(1, 1, -2, -2));
     }
+    // The speed has its room in any case: the name of a frame may be long, and is whole in the tool tip.
+    const QRect caption(4, 0, right - 6, kCaptionHeight);
+    painter.setFont(textFont(13, QFont::Bold));
+    const QString factor = factorText();
+    const int factorWidth = factor.isEmpty() ? 0 : painter.fontMetrics().horizontalAdvance(factor) + 8;
+    const QFont small = textFont(13);
+    const int speedWidth = QFontMetrics(small).horizontalAdvance(speedText());
+    painter.setPen(theme.text);
+    painter.drawText(caption.adjusted(0, 0, -speedWidth - 8, 0), Qt::AlignRight | Qt::AlignVCenter, factor);
+    painter.setFont(small);
+    painter.setPen(ink);
+    painter.drawText(caption, Qt::AlignRight | Qt::AlignVCenter, speedText());
+    painter.setPen(theme.secondary);
+    painter.drawText(caption, Qt::AlignLeft | Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(frameText(), Qt::ElideRight,
+                                                      caption.width() - speedWidth - factorWidth - 8));
     for (int axis = 0; axis < 3; ++axis) {
-        const int top = static_cast<int>(axis * rowHeight);
+        const int top = kCaptionHeight + static_cast<int>(axis * rowHeight);
         const int h = static_cast<int>(rowHeight);
         const auto put = [&](const QFont& font, const QColor& colour, int x, int w, Qt::Alignment align,
                              const QString& text) {
@@ -152,6 +247,13 @@ void PoseView::keyPressEvent(QKeyEvent* event) {
     } else {
         event->ignore();
     }
+}
+
+void PoseView::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::StyleChange) {
+        describe();  // other units
+    }
+    QWidget::changeEvent(event);
 }
 
 void PoseView::focusInEvent(QFocusEvent* event) {

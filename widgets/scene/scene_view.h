@@ -48,6 +48,7 @@ public:
     void setFrames(const std::vector<FrameMark>& frames);
     const std::vector<FrameMark>& frames() const { return frames_; }
     void setJogDirection(const std::optional<SceneJog>& jog);
+    const std::optional<SceneJog>& jog() const { return jog_; }
     /// Greyed; with a word in the middle unless it is empty.
     void setStale(bool stale, const QString& word = {});
     void setSpeedFraction(double fraction);

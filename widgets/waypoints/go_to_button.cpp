@@ -25,7 +25,10 @@ GoToButton::GoToButton(MotionPort port, Target target, QWidget* parent)
     : HoldButton(tr("Go to (hold)  G"), parent), port_(std::move(port)), target_(std::move(target)) {
     setObjectName(QStringLiteral("waypoint.goTo"));
     setAccessibleName(tr("Go to, hold"));
-    setToolTip(tr("Moves the arm to the selected waypoint while the key is held (G)"));
+    setToolTip(
+        tr("Moves the arm to the selected waypoint while the key is held (G), no faster than the "
+           "jog speed"));
+    setWidestDetail(QStringLiteral("000 mm/s"));
     setMotion({
         .begin = [this] { return begin(); },
         .hold = [this](HoldMotion::Id id) { return port_.hold(id); },

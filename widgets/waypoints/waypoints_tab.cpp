@@ -43,7 +43,10 @@ WaypointsTab::WaypointsTab(RobotSession& session, ProjectDocument& document, Mot
     // Figures that change sixty times a second cannot be read.
     detailsTimer_.setSingleShot(true);
     detailsTimer_.setInterval(100);
-    connect(&detailsTimer_, &QTimer::timeout, this, [this] { details_->setLive(state_); });
+    connect(&detailsTimer_, &QTimer::timeout, this, [this] {
+        details_->setLive(state_);
+        showSpeed();
+    });
 
     connect(&session_, &RobotSession::stateChanged, this, &WaypointsTab::onState);
     connect(table_, &WaypointTable::currentRowChanged, this, &WaypointsTab::onSelection);
@@ -165,6 +168,7 @@ void WaypointsTab::onSelection() {
     goTo_->stop(control::StopCause::SelectionChanged);
     notice_->dismiss();
     updateAvailability();
+    showSpeed();
     Q_EMIT selectionChanged(id);
     Q_EMIT ghostChanged();
     Q_EMIT marksChanged();
@@ -199,12 +203,10 @@ std::optional<Ghost> WaypointsTab::ghost() const {
     }
     const project::Waypoint& point = document_.waypoints().at(row);
     const project::Reach& reach = document_.reach(row);
-    return Ghost{point.name,
-                 reach.ok() ? reach.q : point.joints,
-                 point.move == project::MoveKind::Linear,
-                 reach.ok(),
-                 point.speed(),
-                 point.acceleration()};
+    const Result<MoveRequest> move =
+        reach.ok() && state_.hasData() ? moveToSelected() : Error{ErrorCode::NoSolution, {}, {}};
+    return Ghost{point.name, reach.ok() ? reach.q : point.joints, point.move == project::MoveKind::Linear,
+                 reach.ok(), move ? move->speed : point.speed(),  point.acceleration()};
 }
 
 std::vector<WaypointMark> WaypointsTab::marks() const {
@@ -270,8 +272,35 @@ Result<MoveRequest> WaypointsTab::goToRequest() {
         return Error{ErrorCode::NoSolution, obstacle, {}};
     }
     notice_->dismiss();
-    return moveRequestFor(document_.robot(), document_.waypoints().at(currentRow()), document_.frames(),
-                          state_.q, state_.tcpOffset, limits_());
+    return moveToSelected();
+}
+
+Result<MoveRequest> WaypointsTab::moveToSelected() const {
+    Result<MoveRequest> move = moveRequestFor(document_.robot(), document_.waypoints().at(currentRow()),
+                                              document_.frames(), state_.q, state_.tcpOffset, limits_());
+    return move ? slowedTo(heldSpeed_(), *move, state_) : move;
+}
+
+void WaypointsTab::setHeldSpeed(std::function<HeldSpeed()> speed) {
+    heldSpeed_ = std::move(speed);
+    showSpeed();
+}
+
+void WaypointsTab::followSpeed() {
+    showSpeed();
+    Q_EMIT ghostChanged();
+}
+
+/// On the key: how fast the arm would go.
+void WaypointsTab::showSpeed() {
+    if (goTo_->isHolding()) {
+        return;  // what is under way goes on as fast as it was begun
+    }
+    const Result<MoveRequest> move =
+        currentRow() >= 0 && state_.hasData() && document_.reach(currentRow()).ok()
+            ? moveToSelected()
+            : Error{ErrorCode::NoSolution, {}, {}};
+    goTo_->setDetail(move ? moveSpeedText(*move, state_) : QString());
 }
 
 QAction* WaypointsTab::addCommand(const QString& name, const QString& text, const QKeySequence& shortcut,

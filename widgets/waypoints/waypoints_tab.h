@@ -14,6 +14,7 @@
 
 #include "robot/project/waypoint_list.h"
 #include "widgets/session/motion_port.h"
+#include "widgets/session/move_time.h"
 #include "widgets/session/scene_marks.h"
 
 class QAction;
@@ -49,6 +50,9 @@ public:
     /// Adds what concerns the whole project to the end of the tab's own menu.
     void addToMenu(const QList<QAction*>& actions);
 
+    /// The speed that "Go to" keeps below, asked at each press; none unless told.
+    void setHeldSpeed(std::function<HeldSpeed()> speed);
+
     std::optional<Ghost> ghost() const;
     std::vector<WaypointMark> marks() const;
 
@@ -62,6 +66,8 @@ public Q_SLOTS:
     void touchUp();
     void selectWaypoint(const QUuid& id);
     void selectRow(int row);
+    /// The speed that "Go to" keeps below is another one.
+    void followSpeed();
     /// accept  label of the key that runs `accepted`; empty for a warning that only needs to be put away
     void showNotice(const QString& title, const QString& text, const QString& accept = {},
                     const std::function<void()>& accepted = {});
@@ -85,14 +91,17 @@ private:
     void updateAvailability();
     QString goToObstacle() const;
     Result<MoveRequest> goToRequest();
+    Result<MoveRequest> moveToSelected() const;
     void replaceByTouchUp(const QUuid& id, const project::Waypoint& taught);
     QString teachObstacle() const;
+    void showSpeed();
     void showProblem(const QString& text, const QString& details = {});
     QAction* addCommand(const QString& name, const QString& text, const QKeySequence& shortcut,
                         std::function<void()> run);
 
     RobotSession& session_;
     std::function<control::MotionLimits()> limits_;
+    std::function<HeldSpeed()> heldSpeed_ = [] { return HeldSpeed(); };
     SessionState state_;
     ProjectDocument& document_;
     std::unique_ptr<WaypointModel> model_;

@@ -18,7 +18,7 @@ struct Arm {
     double speed = 0.35;
     QList<StopCause> ends;
     MotionPort port;
-    BackTrack track{port, [this] { return speed; }};
+    BackTrack track{port, [this](const JointPositions&, const JointPositions&) { return speed; }};
     HoldMotion motion = track.motion();
 
     Arm() {

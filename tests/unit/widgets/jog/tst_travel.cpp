@@ -173,9 +173,12 @@ private Q_SLOTS:
     void sizesEnteredByHandCount() {
         JogSelection selection;
         selection.motion = MotionChoice::CoarseStep;
-        QVERIFY(stepRunsToEnd(selection));
+        QVERIFY(stepRunsToEnd(selection, false) && stepRunsToEnd(selection, true));
         selection.step = StepSize{0.05, 15 * kDeg};
-        QVERIFY2(!stepRunsToEnd(selection), "above 10 mm only while held");
+        QVERIFY2(!stepRunsToEnd(selection, false), "above 10 mm only while held");
+        QVERIFY2(!stepRunsToEnd(selection, true), "above 10° too");
+        selection.step = StepSize{0.05, 1 * kDeg};
+        QVERIFY2(stepRunsToEnd(selection, true), "a turn is judged by its angle");
         QCOMPARE(chosenStep(selection).length, 0.05);
         selection.motion = MotionChoice::FineStep;
         QCOMPARE(chosenStep(selection).length, 0.0001);
