@@ -2,6 +2,8 @@
 #include "widgets/common/figure_box.h"
 
 #include <QAccessible>
+#include <QApplication>
+#include <QClipboard>
 #include <QCoreApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -9,6 +11,13 @@
 #include <QWheelEvent>
 
 namespace tiller {
+
+namespace {
+
+constexpr QChar kMinus(0x2212);
+constexpr QLatin1Char kHyphen('-');
+
+}  // namespace
 
 FigureBox::FigureBox(QWidget* parent) : QDoubleSpinBox(parent) {
     setFocusPolicy(Qt::StrongFocus);
@@ -27,8 +36,9 @@ bool FigureBox::isRefused() const {
 
 void FigureBox::explainRefusal() {
     const auto with = [this](double figure) { return textFromValue(figure) + suffix(); };
-    const QString text = tr("“%1” was not taken: %2 to %3. Nothing was changed.")
-                             .arg(bare(lineEdit()->text()), with(minimum()), with(maximum()));
+    const QString text =
+        tr("“%1” was not taken: %2 to %3. Nothing was changed.")
+            .arg(bare(lineEdit()->text()).replace(kHyphen, kMinus), with(minimum()), with(maximum()));
     QToolTip::showText(mapToGlobal(QPoint(0, height())), text, this);
     setAccessibleDescription(text);
     QAccessibleEvent event(this, QAccessible::DescriptionChanged);
@@ -38,22 +48,31 @@ void FigureBox::explainRefusal() {
 // What is out of the range is let stand while it is typed: to swallow a digit would make another figure of it.
 // More decimals than are shown are rounded.
 QValidator::State FigureBox::validate(QString& text, int& position) const {
-    text.replace(QLatin1Char(','), QLatin1Char('.')).replace(QChar(0x2212), QLatin1Char('-'));
+    text.replace(QLatin1Char(','), QLatin1Char('.')).replace(kHyphen, kMinus);
     bool isNumber = false;
     const double figure = locale().toDouble(bare(text), &isNumber);
     if (!isNumber) {
-        return QDoubleSpinBox::validate(text, position);
+        QString read = text;  // the base class knows the hyphen only
+        read.replace(kMinus, kHyphen);
+        return QDoubleSpinBox::validate(read, position);
     }
     return figure >= minimum() && figure <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+}
+
+QString FigureBox::textFromValue(double value) const {
+    return QDoubleSpinBox::textFromValue(value).replace(kHyphen, kMinus);
 }
 
 double FigureBox::valueFromText(const QString& text) const {
     bool isNumber = false;
     const double figure = locale().toDouble(bare(text), &isNumber);
-    return isNumber ? figure : QDoubleSpinBox::valueFromText(text);
+    return isNumber ? figure : QDoubleSpinBox::valueFromText(QString(text).replace(kMinus, kHyphen));
 }
 
 void FigureBox::keyPressEvent(QKeyEvent* event) {
+    if (copies(*event)) {
+        return;
+    }
     const bool finishes = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (finishes && isRefused()) {
         explainRefusal();
@@ -90,7 +109,20 @@ QString FigureBox::bare(QString text) const {
     if (!suffix().isEmpty() && text.endsWith(suffix())) {
         text.chop(suffix().size());
     }
-    return text.trimmed();
+    return text.trimmed().replace(kMinus, kHyphen);
+}
+
+/// Copy and cut: no spreadsheet and no script knows the minus of the screen.
+bool FigureBox::copies(const QKeyEvent& event) {
+    const bool cut = event.matches(QKeySequence::Cut);
+    if ((!cut && !event.matches(QKeySequence::Copy)) || !lineEdit()->hasSelectedText()) {
+        return false;
+    }
+    QApplication::clipboard()->setText(lineEdit()->selectedText().replace(kMinus, kHyphen));
+    if (cut) {
+        lineEdit()->del();
+    }
+    return true;
 }
 
 void FigureBox::restore() {

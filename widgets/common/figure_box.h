@@ -4,7 +4,7 @@
 // A figure to be typed, with its unit behind it. The wheel never changes it, a comma is a decimal point, and
 // it is told of only when it is finished: by Return, or when the focus goes on. Whatever is typed stands as it
 // was typed; what is outside the range is refused, with the range, and changes nothing. Esc brings the last
-// figure back.
+// figure back. A minus is shown as in all figures, and copied as spreadsheets and scripts read it.
 
 #include <QDoubleSpinBox>
 
@@ -23,6 +23,8 @@ public:
 
     QValidator::State validate(QString& text, int& position) const override;
     double valueFromText(const QString& text) const override;
+    /// With the minus sign that all figures of the window have.
+    QString textFromValue(double value) const override;
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -30,8 +32,9 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
 
 private:
-    /// Without the unit.
+    /// Without the unit, as a number is read: with a hyphen for the minus.
     QString bare(QString text) const;
+    bool copies(const QKeyEvent& event);
     void restore();
 };
 

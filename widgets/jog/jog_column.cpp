@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/jog/jog_column.h"
 
+#include <QAbstractButton>
+#include <QApplication>
 #include <QEvent>
 #include <QGuiApplication>
 #include <QHBoxLayout>
@@ -14,6 +16,8 @@
 #include "widgets/common/hold_button.h"
 #include "widgets/common/notation.h"
 #include "widgets/common/segmented_control.h"
+#include "widgets/common/text_entry.h"
+#include "widgets/jog/arm_key.h"
 #include "widgets/jog/axis_jog.h"
 #include "widgets/jog/back_track.h"
 #include "widgets/jog/jog_pad.h"
@@ -71,7 +75,10 @@ bool near(const JointPositions& a, const JointPositions& b, double distance) {
 
 JogColumn::JogColumn(MotionPort port, QWidget* parent) : Panel(tr("Jog"), parent), port_(std::move(port)) {
     setObjectName(QStringLiteral("jogColumn"));
-    setHint(tr("Hold to move · release to stop"));
+    setHint(tr("Hold to move"));
+    armKey_ = new ArmKey(this);
+    armKey_->hide();  // until there is a keyboard that it arms
+    addHeaderWidget(armKey_);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
 
     auto* body = new QWidget(this);
@@ -590,6 +597,15 @@ void JogColumn::addHoldKeys(KeyboardJog& keyboard) {
     keyboard.addHoldKey(Qt::Key_Home, homeKey_->guard());
     keyboard.addHoldKey(Qt::Key_End, align_->guard());
     keyboard.addHoldKey(Qt::Key_Backspace, back_->guard());
+    armKey_->show();
+    connect(armKey_, &QAbstractButton::clicked, &keyboard, [&keyboard] {
+        // A field that takes text would take the keys as well.
+        if (QWidget* focus = QApplication::focusWidget(); takesText(focus)) {
+            focus->clearFocus();
+        }
+        keyboard.setArmed(!keyboard.isArmed());
+    });
+    connect(&keyboard, &KeyboardJog::armedChanged, armKey_, &ArmKey::setArmed);
 }
 
 Result<RobotSession::MotionId> JogColumn::beginJog(const control::JogTarget& target) {

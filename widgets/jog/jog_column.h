@@ -23,6 +23,7 @@ class QVBoxLayout;
 
 namespace tiller {
 
+class ArmKey;
 class AxisJog;
 class BackTrack;
 class HoldButton;
@@ -78,7 +79,7 @@ public:
     bool isHolding() const;
     /// For devices: the same frame, speed and rules as the keys of the column.
     AxisJog& axisJog() { return *axisJog_; }
-    /// While the keyboard is armed: F freedrive, Home home, End align, Backspace back, each held.
+    /// The column's key arms this keyboard. While it is armed: F freedrive, Home home, End align, Backspace back, each held.
     void addHoldKeys(KeyboardJog& keyboard);
     /// Every key that moves the arm, for a test clock or a test's pump.
     QVector<HoldButton*> holdKeys() const;
@@ -170,6 +171,7 @@ private:
     HoldButton* back_ = nullptr;
     std::unique_ptr<BackTrack> track_;
     AxisJog* axisJog_ = nullptr;
+    ArmKey* armKey_ = nullptr;
 
     KeyGhosts* ghosts_ = nullptr;
     TravelWatch* travel_ = nullptr;

@@ -70,6 +70,9 @@ LaneEntry laneEntry(const SessionState& state, const QString& jogLabel) {
     if (state.robotMode != RobotMode::Running) {
         return {LaneKind::Off, robotModeWord(state.robotMode)};
     }
+    if (state.freedriveActive) {
+        return {LaneKind::Moving, StateLaneText::tr("Freedrive")};
+    }
     if (state.moving && state.jogActive) {
         return {LaneKind::Moving,
                 jogLabel.isEmpty() ? StateLaneText::tr("Jog") : StateLaneText::tr("Jog %1").arg(jogLabel)};

@@ -279,6 +279,7 @@ Result<RobotSession::MotionId> RobotSession::beginFreedrive(const control::Freed
         return motion.error();
     }
     d_->link->move = *motion;
+    d_->link->freedrive = motion->id();
     return motion->id();
 }
 

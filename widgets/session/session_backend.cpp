@@ -137,6 +137,7 @@ void SessionBackend::readControl() {
     noteStop(link->foreignStop->last(), foreignStops);
     state.motionActive = status.motion != control::kNoMotion;
     state.jogActive = status.motion != control::kNoMotion && status.motion == link->jog.id();
+    state.freedriveActive = status.motion != control::kNoMotion && status.motion == link->freedrive;
     // Standing still is judged by the robot's own data, with or without control: 0.1 deg/s is above its
     // noise.
     constexpr double kStandstill = 0.0017;

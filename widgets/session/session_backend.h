@@ -33,6 +33,7 @@ struct RobotLink {
     std::shared_ptr<control::Controller> controller;
     control::Jog jog;      ///< the newest one
     control::Motion move;  ///< the newest motion that is none: a move or freedrive
+    control::MotionId freedrive = control::kNoMotion;  ///< the newest freedrive
     std::shared_ptr<io::Outputs> outputs;
     std::unique_ptr<dashboard::ServiceWorker> service;
     std::unique_ptr<dashboard::ServiceWorker> watch;  ///< only looks: never behind a command

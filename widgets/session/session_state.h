@@ -86,10 +86,11 @@ struct SessionState {
     QString controlReason;  ///< why the arm cannot be moved now, as a sentence; empty when it can
 
     // motion
-    bool moving = false;         ///< what the robot confirmed, not what was asked
-    bool motionActive = false;   ///< a motion of ours is commanded, whether or not the arm moves yet
-    bool jogActive = false;      ///< and it is a jog
-    double speedFraction = 1.0;  ///< speed slider 0..1
+    bool moving = false;           ///< what the robot confirmed, not what was asked
+    bool motionActive = false;     ///< a motion of ours is commanded, whether or not the arm moves yet
+    bool jogActive = false;        ///< and it is a jog
+    bool freedriveActive = false;  ///< and it is freedrive: the hand moves the arm
+    double speedFraction = 1.0;    ///< speed slider 0..1
     double speedScaling = 1.0;
     JointPositions q;
     JointVelocities qd;

@@ -144,7 +144,7 @@ void HeaderBar::applyState(const SessionState& state) {
                      StateChip::Emphasis::Normal, robotAdvice);
     simulation_->setVisible(connected && state.simulated);
     if (hasData) {
-        showOn(*mode_, robotModeLook(state.robotMode, state.moving));
+        showOn(*mode_, robotModeLook(state.robotMode, state.moving, state.freedriveActive));
         showOn(*safety_, safetyModeLook(state.safety()));
     } else {
         const QString text = connected ? tr("NO DATA") : QStringLiteral("–");

@@ -90,7 +90,14 @@ ModeLook lookOf(const std::array<Row<Mode>, N>& table, Mode mode, const ModeWord
 
 }  // namespace
 
-ModeLook robotModeLook(RobotMode mode, bool moving) {
+ModeLook robotModeLook(RobotMode mode, bool moving, bool freedrive) {
+    if (mode == RobotMode::Running && freedrive) {
+        return {ModeLookText::tr("FREEDRIVE"),
+                Shape::Hand,
+                Emphasis::OperatorNeeded,
+                ModeLookText::tr("The arm follows the hand that moves it."),
+                {}};
+    }
     if (mode == RobotMode::Running && moving) {
         return {ModeLookText::tr("MOVING"),
                 Shape::Triangle,
@@ -132,9 +139,10 @@ ModeLook controlLook(const SessionState& state) {
         case ControlState::Taking:
             return {ModeLookText::tr("Taking control…"), Shape::Bars, Emphasis::Normal, {}};
         case ControlState::InControl: {
-            const QString what = state.jogActive ? ModeLookText::tr("Jog")
-                                 : state.moving  ? ModeLookText::tr("Move")
-                                                 : ModeLookText::tr("Ready");
+            const QString what = state.freedriveActive ? ModeLookText::tr("Freedrive")
+                                 : state.jogActive     ? ModeLookText::tr("Jog")
+                                 : state.moving        ? ModeLookText::tr("Move")
+                                                       : ModeLookText::tr("Ready");
             return {(state.remoteControl ? place : ModeLookText::tr("In control")) + dot + what, Shape::None,
                     Emphasis::Normal, state.controlReason};
         }

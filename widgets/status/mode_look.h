@@ -20,8 +20,9 @@ struct ModeLook {
     QString mark{};  ///< tells shapes of one kind apart
 };
 
-/// moving  the robot confirms motion; counts only in Running
-ModeLook robotModeLook(RobotMode mode, bool moving);
+/// moving     the robot confirms motion; counts only in Running
+/// freedrive  the hand may move the arm; so does this
+ModeLook robotModeLook(RobotMode mode, bool moving, bool freedrive = false);
 ModeLook safetyModeLook(SafetyStatus status);
 /// What runs on the robot.
 ModeLook runtimeLook(RuntimeState state);

@@ -3,6 +3,7 @@
 // Lengths, speeds and orientations in the units the operator chose: what is shown, and what is typed.
 
 #include <QApplication>
+#include <QClipboard>
 #include <QLineEdit>
 #include <QTest>
 #include <QWheelEvent>
@@ -83,7 +84,11 @@ private Q_SLOTS:
         QCOMPARE(told, 0);  // not before it is finished
         QTest::keyClick(&box, Qt::Key_Return);
         QCOMPARE(box.value(), -12.5);
-        QCOMPARE(box.text(), QStringLiteral("-12.50 mm"));
+        QCOMPARE(box.text(), QStringLiteral("−12.50 mm"));
+        // Spreadsheets and scripts know the hyphen only; both are taken.
+        box.selectAll();
+        QTest::keyClick(&box, Qt::Key_C, Qt::ControlModifier);
+        QCOMPARE(QApplication::clipboard()->text(), QStringLiteral("-12.50"));
         turnWheel(box);
         QCOMPARE(box.value(), -12.5);
         QCOMPARE(told, 1);

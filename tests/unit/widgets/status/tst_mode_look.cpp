@@ -208,6 +208,11 @@ private Q_SLOTS:
         QCOMPARE(controlLook(state).text, QStringLiteral("Remote · Ready"));
         state.jogActive = true;
         QCOMPARE(controlLook(state).text, QStringLiteral("Remote · Jog"));
+        state.jogActive = false;
+        state.freedriveActive = state.moving = true;
+        QCOMPARE(controlLook(state).text, QStringLiteral("Remote · Freedrive"));
+        QCOMPARE(robotModeLook(RobotMode::Running, true, true).text, QStringLiteral("FREEDRIVE"));
+        state.freedriveActive = state.moving = false;
         state.control = ControlState::None;
         QCOMPARE(controlLook(state).text, QStringLiteral("Not in control"));
         state.remoteControl = false;

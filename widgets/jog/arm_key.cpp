@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/jog/arm_key.h"
+
+#include <QFocusEvent>
+#include <QPainter>
+#include <algorithm>
+
+#include "widgets/common/shapes.h"
+#include "widgets/common/theme.h"
+
+namespace tiller {
+
+namespace {
+
+constexpr int kHeight = 26;  // in a title bar
+constexpr int kShape = 12;   // [px] of the hand, beside the word
+
+}  // namespace
+
+ArmKey::ArmKey(QWidget* parent) : QAbstractButton(parent) {
+    setObjectName(QStringLiteral("jog.armKeyboard"));
+    setCheckable(true);
+    setFocusPolicy(Qt::TabFocus);  // a click leaves the focus where the hand is
+    setAttribute(Qt::WA_Hover);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    setArmed(false);
+}
+
+void ArmKey::setArmed(bool armed) {
+    setChecked(armed);
+    setText(armed ? tr("Keyboard armed") : tr("Arm keyboard"));
+    setAccessibleName(text());
+    setToolTip(
+        armed
+            ? tr("Arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn "
+                 "a joint. Space and Esc stop. Click, or wait half a minute: the keyboard is disarmed.")
+            : tr("Then the arrow keys move the arm while they are held; a frame stands around the window."));
+}
+
+QSize ArmKey::sizeHint() const {
+    const QFontMetrics metrics(textFont(13, QFont::Bold));
+    const int words = std::max(metrics.horizontalAdvance(tr("Keyboard armed")),
+                               metrics.horizontalAdvance(tr("Arm keyboard")));
+    return {words + kShape + 20, kHeight};
+}
+
+void ArmKey::paintEvent(QPaintEvent*) {
+    const Theme& theme = Theme::current();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const bool armed = isArmed();
+    const QColor fill = armed ? theme.operatorNeeded : isDown() || underMouse() ? theme.hover : theme.raised;
+    const QColor ink = armed ? theme.operatorNeededText : theme.text;
+    painter.setPen(armed ? theme.operatorNeeded : theme.border);
+    painter.setBrush(fill);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), kCornerRadius - 1,
+                            kCornerRadius - 1);
+    if (hasFocus() && focusByKey_) {
+        painter.setPen(QPen(armed ? ink : theme.moving, 2));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRoundedRect(QRectF(rect()).adjusted(2, 2, -2, -2), kCornerRadius - 2, kCornerRadius - 2);
+    }
+    drawShape(painter, StateChip::Shape::Hand, QRectF(7, (height() - kShape) / 2.0, kShape, kShape), ink,
+              fill);
+    painter.setFont(textFont(13, armed ? QFont::Bold : QFont::Normal));
+    painter.setPen(ink);
+    painter.drawText(rect().adjusted(kShape + 12, 0, -6, 0), Qt::AlignLeft | Qt::AlignVCenter, text());
+}
+
+void ArmKey::focusInEvent(QFocusEvent* event) {
+    focusByKey_ = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
+    QAbstractButton::focusInEvent(event);
+}
+
+}  // namespace tiller

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The key in the title bar of the jog column that arms the keyboard and shows that it is armed, in the colour of the
+// frame around the window. It moves nothing.
+
+#include <QAbstractButton>
+
+namespace tiller {
+
+class ArmKey : public QAbstractButton {
+    Q_OBJECT
+
+public:
+    explicit ArmKey(QWidget* parent = nullptr);
+
+    void setArmed(bool armed);
+    bool isArmed() const { return isChecked(); }
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    void nextCheckState() override {}  // the keyboard says whether it is armed, not the click
+    void paintEvent(QPaintEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+
+private:
+    bool focusByKey_ = false;
+};
+
+}  // namespace tiller
