@@ -4,6 +4,7 @@
 
 #include <QFile>
 #include <QInputDialog>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
 #include <optional>
@@ -50,7 +51,8 @@ private:
     }
 
     /// A robot with this software, or the usual one, and a window connected to it.
-    void begin(const std::optional<SoftwareVersion>& software) {
+    /// local  as the simulated controller is with --local
+    void begin(const std::optional<SoftwareVersion>& software, bool local = false) {
         window_.reset();
         robot_.reset();
         errors_.clear();
@@ -60,6 +62,8 @@ private:
             options.portOffset = 20'000;  // port 80 is not everybody's
         }
         options.listenAddress = QStringLiteral("127.79.%1.1").arg(QCoreApplication::applicationPid() % 250);
+        options.remoteControl = !local;
+        options.gateLocalControl = options.gateLoopbackClients = local;
         options.poweredOn = true;
         options.fastTransitions = true;
         options.programsFolder = folder_.path();
@@ -75,7 +79,7 @@ private:
                 });
         window_->session().connectTo({"Virtual UR5e", options.listenAddress, options.portOffset, true});
         QTRY_COMPARE_WITH_TIMEOUT(state().link, LinkState::Live, 20'000);
-        QTRY_VERIFY_WITH_TIMEOUT(state().remoteControl, 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(state().remoteControl || local, 20'000);
     }
 
 private Q_SLOTS:
@@ -103,6 +107,32 @@ private Q_SLOTS:
                  qPrintable(action("control.take")->toolTip()));
         robot_->setRemoteControl(true);
         QTRY_VERIFY_WITH_TIMEOUT(action("control.take")->isEnabled(), 20'000);
+    }
+
+    // Whether Local means that remote control is switched off, or that nothing is taken, shows at the first attempt.
+    void startedInLocalControlIsNotTakenAndNotOfferedAgain() {
+        begin({}, true);
+        bool wasInControl = false;
+        connect(&window_->session(), &RobotSession::stateChanged, window_.get(),
+                [&wasInControl](const SessionState& now) {
+                    wasInControl = wasInControl || now.control == ControlState::InControl;
+                });
+        auto* key = window_->findChild<QPushButton*>("nextStepButton");
+        QTRY_VERIFY_WITH_TIMEOUT(state().service == dashboard::ServiceKind::Dashboard, 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(key->isVisible() && key->isEnabled(), 20'000);
+        QTest::mouseClick(key, Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(state().control, ControlState::Refused, 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!key->isEnabled() && key->toolTip().contains("Switch the robot to Remote"),
+                                 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!action("control.take")->isEnabled(), 20'000);
+        QTest::mouseClick(key, Qt::LeftButton);
+        action("control.take")->trigger();
+        QTest::qWait(200);
+        QVERIFY2(!wasInControl, "a robot in Local was controlled");
+        robot_->setRemoteControl(true);
+        QTRY_VERIFY_WITH_TIMEOUT(key->isVisible() && key->isEnabled(), 20'000);
+        QTest::mouseClick(key, Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(state().control, ControlState::InControl, 20'000);
     }
 
     void aProgramIsLoadedPlayedPausedResumedAndStopped() {

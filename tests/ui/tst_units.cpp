@@ -198,6 +198,29 @@ private Q_SLOTS:
         QCOMPARE(window.actions().find("jog.speed.2")->text(), QStringLiteral("Jog speed 50 mm/s"));
     }
 
+    // In labels, tables and fields alike; a figure copied from a field is another matter.
+    void everyMinusIsTheSameSign() {
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.window.waypoints().teach();
+        bench.window.frames().teachFromTcp();
+        bench.cell.advanceMs(200);
+        const QRegularExpression hyphen(QStringLiteral(R"((?<![\w./:-])-\s?\d)"));
+        const QRegularExpression minus(QStringLiteral("−\\d"));
+        QVERIFY(QStringLiteral("X -12.5").contains(hyphen) && !QStringLiteral("2-100 %").contains(hyphen));
+        // The arm stands at negative X and Y: fields and tables show it.
+        for (const char* place : {"\"waypoint.details.x\"", "\"frame.details.x\"", "\"frame.table\""}) {
+            QTRY_VERIFY2(!figuresIn(minus, bench.window).filter(QLatin1String(place)).isEmpty(), place);
+        }
+        QTRY_VERIFY2(figuresIn(hyphen, bench.window).isEmpty(),
+                     qPrintable(figuresIn(hyphen, bench.window).join('\n')));
+        const auto* pose = bench.window.findChild<PoseView*>();
+        QVERIFY2(pose->positionText(0).startsWith(QChar(0x2212)), qPrintable(pose->positionText(0)));
+        for (const JogKey* key : bench.window.findChildren<JogKey*>()) {
+            QVERIFY2(!key->text().contains(QLatin1Char('-')), qPrintable(key->text()));
+        }
+    }
+
     void whatIsTypedIsInTheUnitToo() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
