@@ -169,6 +169,12 @@ JogColumn::~JogColumn() {
     stopMotion(StopCause::WindowClosed);
 }
 
+void JogColumn::setHome(const JointPositions& home) {
+    home_ = home;
+    speedsKnown_ = false;
+    showSpeeds();
+}
+
 QVector<HoldButton*> JogColumn::holdKeys() const {
     QVector<HoldButton*> keys;
     for (JogKey* key : pad_->keys()) {

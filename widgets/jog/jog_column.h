@@ -62,7 +62,7 @@ public:
     const JogSelection& selection() const;
     /// The chosen speed: the fastest that any motion held by a key may be.
     HeldSpeed heldSpeed() const;
-    void setHome(const JointPositions& home) { home_ = home; }
+    void setHome(const JointPositions& home);
     /// What freedrive leaves free.
     void setFreedriveAxes(FreedriveAxes axes);
     /// Counts the way from here; once more: since the press again.

@@ -409,7 +409,7 @@ void JogSelectors::askFor(Entry entry) {
                          coarse ? 4 : 2, [this, unit](double value) { setStepLength(value * unit); });
             break;
         case Entry::Turn:
-            askForNumber(tr("Turn in degrees"), 2, 0.01, 180, 2,
+            askForNumber(tr("Turn in degrees"), 2, 0.01, 179, 2,
                          [this](double value) { setStepAngle(toRadians(value)); });
             break;
         case Entry::Speed:
