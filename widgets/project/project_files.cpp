@@ -4,6 +4,8 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QStandardPaths>
 
 #include "widgets/session/texts.h"
@@ -34,6 +36,9 @@ void ProjectFiles::warn(const QString& title, const Error& error) {
 }
 
 QString ProjectFiles::startingPlace() const {
+    if (!store_.copyName().isEmpty()) {
+        return QDir(projectFolder()).filePath(store_.copyName() + QStringLiteral(".tiller"));
+    }
     return store_.path().isEmpty() ? projectFolder() : store_.path();
 }
 
@@ -46,6 +51,9 @@ void ProjectFiles::askToOpen(QWidget* over) {
 }
 
 void ProjectFiles::askToSave(QWidget* over) {
+    if (store_.path().isEmpty()) {
+        QDir().mkpath(projectFolder());
+    }
     const QString path = QFileDialog::getSaveFileName(over, tr("Save project"), startingPlace(),
                                                       tr("Tiller projects (*.tiller)"));
     if (!path.isEmpty()) {
@@ -65,6 +73,38 @@ void ProjectFiles::open(const QString& path) {
     } else {
         warn(tr("The project could not be opened"), error);
     }
+}
+
+void ProjectFiles::openCopy(const QString& path, const QString& name) {
+    if (const Result<void> opened = store_.openCopy(path, name); !opened) {
+        warn(tr("The project could not be opened"), opened.error());
+        return;
+    }
+    Q_EMIT message(Severity::Info, tr("Opened a copy of “%1”. Save it to a file to keep changes.").arg(name));
+}
+
+bool ProjectFiles::mayLeave(QWidget* over) {
+    if (!store_.isUnsavedCopy()) {
+        return true;
+    }
+    QMessageBox question(QMessageBox::Question, tr("Save project"),
+                         tr("“%1” is a copy and has changes that are in no file.").arg(store_.copyName()),
+                         QMessageBox::NoButton, over);
+    question.setObjectName(QStringLiteral("unsavedCopy"));
+    QPushButton* save = question.addButton(tr("Save as…"), QMessageBox::AcceptRole);
+    save->setObjectName(QStringLiteral("unsavedCopy.save"));
+    QPushButton* drop = question.addButton(tr("Drop the changes"), QMessageBox::DestructiveRole);
+    drop->setObjectName(QStringLiteral("unsavedCopy.drop"));
+    QPushButton* stay = question.addButton(tr("Cancel"), QMessageBox::RejectRole);
+    stay->setObjectName(QStringLiteral("unsavedCopy.stay"));
+    question.setDefaultButton(save);
+    question.setEscapeButton(stay);
+    question.exec();
+    if (question.clickedButton() == save) {
+        askToSave(over);
+        return !store_.isUnsavedCopy();
+    }
+    return question.clickedButton() == drop;
 }
 
 void ProjectFiles::offerRecovery(const QString& path, const Error& error) {

@@ -40,6 +40,13 @@ public:
     /// Opens the file; where there is none yet, an empty project that will be saved there. A damaged file is
     /// named with its fault, and what can be read of it is offered.
     void open(const QString& path);
+    /// Opens what is in the file as a project without a file; saving asks for one.
+    /// name  what the copy is called until then
+    void openCopy(const QString& path, const QString& name);
+    /// Asks what becomes of a changed copy, which nothing saves by itself; everything else may be left at once.
+    /// over  the window the question stands in front of
+    /// Returns  false when the operator wants to stay
+    bool mayLeave(QWidget* over);
     /// path  gets the extension .tiller where it has none
     void saveAs(const QString& path);
 

@@ -29,6 +29,9 @@ ProjectStore::~ProjectStore() {
 }
 
 QString ProjectStore::statusText() const {
+    if (!copyName_.isEmpty()) {
+        return tr("%1 — a copy, not saved to a file").arg(copyName_);
+    }
     if (path_.isEmpty()) {
         return modified_ ? tr("project not saved to a file") : QString();
     }
@@ -54,12 +57,13 @@ void ProjectStore::onChange() {
     Q_EMIT statusChanged(statusText());
 }
 
-void ProjectStore::show(const project::Project& project, const QString& path) {
+void ProjectStore::show(const project::Project& project, const QString& path, const QString& copyName) {
     autosave_.stop();
     loading_ = true;
     document_.setProject(project);
     loading_ = false;
     path_ = path;
+    copyName_ = copyName;
     modified_ = false;
     lastError_ = {};
     Q_EMIT statusChanged(statusText());
@@ -71,22 +75,34 @@ Result<void> ProjectStore::open(const QString& path) {
     if (!loaded) {
         return loaded.error();
     }
-    if (modified_ && !path_.isEmpty()) {
-        if (const Result<void> saved = saveNow(); !saved) {
-            return saved;
-        }
+    if (const Result<void> saved = saveLast(); !saved) {
+        return saved;
     }
     show(*loaded, path);
     return {};
 }
 
+Result<void> ProjectStore::openCopy(const QString& path, const QString& name) {
+    const Result<project::Project> loaded = project::loadProject(path);
+    if (!loaded) {
+        return loaded.error();
+    }
+    if (const Result<void> saved = saveLast(); !saved) {
+        return saved;
+    }
+    show(*loaded, {}, name);
+    return {};
+}
+
+Result<void> ProjectStore::saveLast() {
+    return modified_ && !path_.isEmpty() ? saveNow() : Result<void>();
+}
+
 Result<project::RecoveredProject> ProjectStore::openRecovered(const QString& path) {
     Result<project::RecoveredProject> recovered = project::recoverProject(path);
     if (recovered) {
-        if (modified_ && !path_.isEmpty()) {
-            if (const Result<void> saved = saveNow(); !saved) {
-                return saved.error();
-            }
+        if (const Result<void> saved = saveLast(); !saved) {
+            return saved.error();
         }
         show(recovered->document, path);
         // Not saved until something is done with it: the damaged file is still the only whole one.
@@ -104,6 +120,8 @@ Result<void> ProjectStore::saveAs(const QString& path) {
         path_ = before;
         Q_EMIT statusChanged(statusText());
     } else if (path_ != before) {
+        copyName_.clear();
+        Q_EMIT statusChanged(statusText());
         Q_EMIT pathChanged(path_);
     }
     return saved;

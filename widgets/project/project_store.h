@@ -25,6 +25,10 @@ public:
 
     QString path() const { return path_; }
     bool isModified() const { return modified_; }
+    /// Of a project that was opened as a copy and has no file yet; empty otherwise.
+    QString copyName() const { return copyName_; }
+    /// A copy with changes, which nothing saves by itself.
+    bool isUnsavedCopy() const { return modified_ && !copyName_.isEmpty(); }
     /// For the status line: "cell-7.tiller — saved", "cell-7.tiller — not saved: disk full".
     QString statusText() const;
 
@@ -32,6 +36,9 @@ public:
     Result<void> open(const QString& path);
     /// What can be read of a damaged file is shown; the first save puts the damaged one aside.
     Result<project::RecoveredProject> openRecovered(const QString& path);
+    /// Shows what is in the file as a project without a file: nothing is saved before saveAs().
+    /// name  what the copy is called until then
+    Result<void> openCopy(const QString& path, const QString& name);
     /// Saves to this file now and from now on.
     Result<void> saveAs(const QString& path);
     /// As open(); where there is no such file yet, an empty project that will be saved there. For the start
@@ -44,7 +51,7 @@ public:
 
 Q_SIGNALS:
     void statusChanged(const QString& text);
-    /// Another file is behind the project.
+    /// Another file is behind the project; none (empty) is behind a copy.
     void pathChanged(const QString& path);
     /// A damaged file was put aside as `copy`.
     void keptAside(const QString& copy);
@@ -56,10 +63,13 @@ private:
     void autosave();
     project::Project snapshot() const;
     void settle(std::uint64_t revision, const Result<project::SaveReport>& saved);
-    void show(const project::Project& project, const QString& path);
+    /// What is open now shall not lose its last changes, if it has a file.
+    Result<void> saveLast();
+    void show(const project::Project& project, const QString& path, const QString& copyName = {});
 
     ProjectDocument& document_;
     QString path_;
+    QString copyName_;
     QTimer autosave_;
     Error lastError_;
     bool modified_ = false;

@@ -53,6 +53,45 @@ private Q_SLOTS:
         QCOMPARE(project::loadProject(path_)->waypoints.at(0).name, QString("home"));
     }
 
+    void aCopyHasNoFileUntilItIsSavedToOne() {
+        project::Project sample;
+        sample.waypoints.append(named("pick"));
+        QVERIFY(project::saveProject(path_, sample).ok());
+        const QByteArray before = contentOf(path_);
+        QSignalSpy other(store_.get(), &ProjectStore::pathChanged);
+        QVERIFY(store_->openCopy(path_, "Sample").ok());
+        QCOMPARE(document_->waypoints().size(), 1);
+        QVERIFY(store_->path().isEmpty() && store_->copyName() == "Sample");
+        QVERIFY(!store_->isModified() && !store_->isUnsavedCopy());
+        QCOMPARE(other.count(), 1);
+        document_->insertWaypoints(1, {named("place")}, "Teach");
+        QVERIFY(store_->isUnsavedCopy());
+        QVERIFY2(store_->statusText().contains("not saved"), qPrintable(store_->statusText()));
+        QVERIFY(!store_->saveNow().ok());
+        const QString mine = directory_->filePath("mine.tiller");
+        QVERIFY(store_->saveAs(mine).ok());
+        QVERIFY(store_->copyName().isEmpty() && !store_->isUnsavedCopy());
+        QCOMPARE(store_->statusText(), QString("mine.tiller — saved"));
+        QCOMPARE(project::loadProject(mine)->waypoints.size(), 2);
+        // From here on it is saved by itself, and the file it came from is as it was.
+        document_->insertWaypoints(2, {named("home")}, "Teach");
+        QTRY_VERIFY(!store_->isModified());
+        QCOMPARE(project::loadProject(mine)->waypoints.size(), 3);
+        QCOMPARE(contentOf(path_), before);
+    }
+
+    void openingACopyLosesNothingOfTheProjectBefore() {
+        const QString sample = directory_->filePath("sample.tiller");
+        QVERIFY(project::saveProject(sample, {}).ok());
+        QVERIFY(store_->openOrStart(path_).ok());
+        document_->insertWaypoints(0, {named("home")}, "Teach");
+        QVERIFY(store_->openCopy(sample, "Sample").ok());
+        QCOMPARE(project::loadProject(path_)->waypoints.size(), 1);
+        // One that cannot be read changes nothing.
+        QVERIFY(!store_->openCopy(directory_->filePath("nothing.tiller"), "Nothing").ok());
+        QCOMPARE(store_->copyName(), QString("Sample"));
+    }
+
     void whatIsNotSavedYetIsSavedAtTheEnd() {
         QVERIFY(store_->openOrStart(path_).ok());
         document_->insertWaypoints(0, {named("home")}, "Teach");
