@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/practice/practice_card.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "widgets/common/theme.h"
+#include "widgets/practice/practice.h"
+#include "widgets/practice/tick_line.h"
+
+namespace tiller {
+namespace {
+
+constexpr int kHeight = 330;  // [px] the longest task with its check
+
+}  // namespace
+
+PracticeCard::PracticeCard(Practice& practice, QWidget& view)
+    : ViewCard(QStringLiteral("practice"), tr("Practice"), kHeight, view)
+    , practice_(practice)
+    , name_(new QLabel)
+    , text_(new QLabel)
+    , answerRow_(new QWidget)
+    , answer_(new QLineEdit)
+    , check_(new TickLine({}))
+    , start_(new QPushButton(tr("Start")))
+    , done_(new QPushButton(tr("Done"))) {
+    name_->setObjectName(QStringLiteral("practice.name"));
+    name_->setProperty("role", QStringLiteral("strong"));
+    name_->setWordWrap(true);
+    text_->setObjectName(QStringLiteral("practice.what"));
+    text_->setWordWrap(true);
+    check_->setObjectName(QStringLiteral("practice.check"));
+    check_->reserveLines(3);
+
+    answer_->setObjectName(QStringLiteral("practice.answer"));
+    answer_->setAccessibleName(tr("Force Fz in newtons"));
+    answer_->setMaxLength(12);
+    answer_->setPlaceholderText(tr("figure, then Return"));
+    auto* unit = new QLabel(tr("Fz [N]"));
+    auto* answer = new QHBoxLayout(answerRow_);
+    answer->setContentsMargins(0, 0, 0, 0);
+    answer->addWidget(unit);
+    answer->addWidget(answer_, 1);
+
+    content().addWidget(name_);
+    content().addWidget(text_);
+    content().addStretch(1);
+    addAboveKeys(answerRow_);
+    addAboveKeys(check_);
+
+    const auto turnKey = [this](const char* name, const QString& sign, const QString& text, int by) {
+        auto* key = new QToolButton(this);
+        key->setObjectName(QLatin1String(name));
+        key->setText(sign);
+        key->setAccessibleName(text);
+        key->setToolTip(text);
+        key->setFocusPolicy(Qt::TabFocus);
+        connect(key, &QToolButton::clicked, this, [this, by] { practice_.turn(by); });
+        return key;
+    };
+    start_->setObjectName(QStringLiteral("practice.start"));
+    done_->setObjectName(QStringLiteral("practice.done"));
+    done_->setProperty("primary", true);
+    keys().addWidget(turnKey("practice.back", QStringLiteral("‹"), tr("The task before"), -1));
+    keys().addWidget(turnKey("practice.next", QStringLiteral("›"), tr("The next task"), 1));
+    keys().addWidget(start_, 1);
+    keys().addWidget(done_, 1);
+    for (QPushButton* key : {start_, done_}) {
+        key->setFocusPolicy(Qt::TabFocus);
+    }
+    connect(start_, &QPushButton::clicked, this, [this] {
+        answer_->clear();
+        practice_.start();
+    });
+    connect(done_, &QPushButton::clicked, &practice_, &Practice::finish);
+    connect(answer_, &QLineEdit::editingFinished, this, &PracticeCard::readAnswer);
+    connect(&practice_, &Practice::changed, this, &PracticeCard::showTask);
+    showTask();
+}
+
+void PracticeCard::readAnswer() {
+    QString typed = answer_->text().trimmed();
+    typed.replace(QLatin1Char(','), QLatin1Char('.')).replace(QChar(0x2212), QLatin1Char('-'));
+    bool ok = false;
+    const double figure = typed.toDouble(&ok);
+    practice_.setAnswer(ok ? std::optional(figure) : std::nullopt);
+}
+
+void PracticeCard::showTask() {
+    const PracticeTask task = practice_.task();
+    if (task_ != static_cast<int>(task)) {
+        task_ = static_cast<int>(task);
+        answer_->clear();
+        name_->setText(practiceTitle(task));
+        setUsable(*answer_, false);
+        answerRow_->setVisible(task == PracticeTask::Measure);
+        setTitle(tr("Practice · %1 of %2").arg(task_ + 1).arg(kPracticeTasks.size()));
+    }
+    // In the operator's units, which may change.
+    text_->setText(practiceText(task));
+    check_->setText(practice_.text());
+    check_->setDone(practice_.passed() || (!practice_.isRunning() && practice_.isDone(task)));
+    const QString why = practice_.obstacle();
+    setUsable(*start_, why.isEmpty());
+    start_->setToolTip(why.isEmpty() ? tr("Begins the task, or begins it anew") : why);
+    setUsable(*done_, practice_.passed());
+    done_->setToolTip(practice_.passed() ? tr("Goes on to the next task")
+                                         : tr("Possible once the check above says so"));
+    setUsable(*answer_, practice_.isRunning());
+}
+
+}  // namespace tiller

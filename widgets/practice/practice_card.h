@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// One practice task at a time: what to do, Start, what its check says, Done.
+
+#include "widgets/practice/view_card.h"
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QToolButton;
+
+namespace tiller {
+
+class Practice;
+class TickLine;
+
+class PracticeCard : public ViewCard {
+    Q_OBJECT
+
+public:
+    /// practice, view  must outlive it
+    PracticeCard(Practice& practice, QWidget& view);
+
+private:
+    void showTask();
+    void readAnswer();
+
+    Practice& practice_;
+    QLabel* name_;
+    QLabel* text_;
+    QWidget* answerRow_;
+    QLineEdit* answer_;
+    TickLine* check_;
+    QPushButton* start_;
+    QPushButton* done_;
+    int task_ = -1;  ///< the one shown
+};
+
+}  // namespace tiller

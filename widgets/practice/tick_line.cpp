@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/practice/tick_line.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+
+#include "widgets/common/icons.h"
+#include "widgets/common/theme.h"
+
+namespace tiller {
+namespace {
+
+constexpr int kMark = 16;  // [px]
+constexpr int kGap = 8;
+
+}  // namespace
+
+TickLine::TickLine(const QString& text, QWidget* parent) : QWidget(parent), text_(new QLabel(text, this)) {
+    text_->setTextFormat(Qt::PlainText);
+    text_->setWordWrap(true);
+    text_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(kMark + kGap, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(text_);
+    describe();
+}
+
+void TickLine::setText(const QString& text) {
+    if (text != text_->text()) {
+        text_->setText(text);
+        describe();
+    }
+}
+
+QString TickLine::text() const {
+    return text_->text();
+}
+
+void TickLine::setDone(bool done) {
+    if (done != done_) {
+        done_ = done;
+        describe();
+        update();
+    }
+}
+
+void TickLine::reserveLines(int lines) {
+    text_->ensurePolished();
+    text_->setMinimumHeight(lines * text_->fontMetrics().lineSpacing());
+}
+
+void TickLine::describe() {
+    setAccessibleName(text_->text());
+    setAccessibleDescription(done_ ? tr("done") : tr("not done yet"));
+}
+
+void TickLine::paintEvent(QPaintEvent*) {
+    const Theme& theme = Theme::current();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    // Beside the first line of the words.
+    const QRectF mark(0, (text_->fontMetrics().height() - kMark) / 2.0, kMark, kMark);
+    if (done_) {
+        themedIcon(QStringLiteral("check"), theme.text).paint(&painter, mark.toRect());
+        return;
+    }
+    painter.setPen(QPen(theme.secondary, 1.4));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(mark.adjusted(3, 3, -3, -3));
+}
+
+}  // namespace tiller

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/practice/view_card.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/common/icons.h"
+#include "widgets/common/theme.h"
+
+namespace tiller {
+namespace {
+
+constexpr int kGap = 8;            // between the card and the edges of the view [px]
+constexpr int kMargin = 10;        // inside
+constexpr int kLeastContent = 44;  // below this it is folded
+
+QToolButton* quietKey(const QString& name, const QString& text, QWidget* parent) {
+    auto* key = new QToolButton(parent);
+    key->setObjectName(name);
+    key->setAccessibleName(text);
+    key->setToolTip(text);
+    key->setProperty("quiet", true);
+    key->setFocusPolicy(Qt::TabFocus);  // a click leaves the focus where the hand works
+    return key;
+}
+
+}  // namespace
+
+ViewCard::ViewCard(const QString& name, const QString& title, int height, QWidget& view)
+    : QFrame(&view)
+    , view_(view)
+    , height_(height)
+    , title_(new QLabel(title, this))
+    , fold_(quietKey(name + QStringLiteral(".fold"), tr("Fold"), this))
+    , close_(quietKey(name + QStringLiteral(".close"), tr("Close"), this))
+    , scroll_(new QScrollArea(this))
+    , inside_(new QWidget)
+    , foot_(new QWidget(this)) {
+    setObjectName(name);
+    setAccessibleName(title);
+    hide();
+    title_->setFont(textFont(15, QFont::Bold));
+    title_->setTextFormat(Qt::PlainText);
+    // "Fold" and "×" as drawings: the same width in every language.
+    close_->setText(QStringLiteral("×"));
+    fold_->setCheckable(true);
+
+    contentLayout_ = new QVBoxLayout(inside_);
+    contentLayout_->setContentsMargins(0, 0, 0, 0);
+    contentLayout_->setSpacing(5);
+    scroll_->setObjectName(name + QStringLiteral(".text"));
+    scroll_->setAccessibleName(title);
+    scroll_->setFrameShape(QFrame::NoFrame);
+    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll_->setWidgetResizable(true);
+    scroll_->setWidget(inside_);
+    scroll_->setMinimumHeight(kLeastContent);
+    scroll_->viewport()->setAutoFillBackground(false);
+    inside_->setAutoFillBackground(false);
+    footLayout_ = new QVBoxLayout(foot_);
+    footLayout_->setContentsMargins(0, 0, 0, 0);
+    footLayout_->setSpacing(6);
+    keyLayout_ = new QHBoxLayout;
+    keyLayout_->setSpacing(6);
+    footLayout_->addLayout(keyLayout_);
+
+    auto* head = new QHBoxLayout;
+    head->setSpacing(2);
+    head->addWidget(title_, 1);
+    head->addWidget(fold_);
+    head->addWidget(close_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(kMargin, 6, kMargin, kMargin);
+    layout->setSpacing(6);
+    layout->addLayout(head);
+    layout->addWidget(scroll_, 1);
+    layout->addWidget(foot_);
+
+    connect(fold_, &QToolButton::clicked, this, [this] { setFolded(!folded_); });
+    connect(close_, &QToolButton::clicked, this, &ViewCard::closeRequested);
+    view_.installEventFilter(this);
+}
+
+void ViewCard::setTitle(const QString& title) {
+    title_->setText(title);
+    setAccessibleName(title);
+    scroll_->setAccessibleName(title);
+}
+
+QString ViewCard::title() const {
+    return title_->text();
+}
+
+bool ViewCard::isFolded() const {
+    return folded_ || noRoom_;
+}
+
+void ViewCard::setFolded(bool folded) {
+    folded_ = folded;
+    place();
+}
+
+void ViewCard::open() {
+    show();
+    place();
+    raise();
+}
+
+void ViewCard::putAway() {
+    // Hidden, it would hand the focus on to whatever comes next: a key, or the robot's speed.
+    if (isAncestorOf(window()->focusWidget())) {
+        view_.setFocus(Qt::OtherFocusReason);
+    }
+    hide();
+}
+
+void ViewCard::addAboveKeys(QWidget* widget) {
+    footLayout_->insertWidget(footLayout_->count() - 1, widget);
+}
+
+void ViewCard::setUsable(QWidget& control, bool usable) {
+    if (!usable && control.hasFocus()) {
+        view_.setFocus(Qt::OtherFocusReason);
+    }
+    control.setEnabled(usable);
+}
+
+int ViewCard::footHeight() const {
+    constexpr int kInside = kWidth - 2 * kMargin;
+    return footLayout_->hasHeightForWidth() ? footLayout_->totalHeightForWidth(kInside)
+                                            : footLayout_->totalSizeHint().height();
+}
+
+int ViewCard::wantedHeight() const {
+    if (height_ > 0) {
+        return height_;
+    }
+    const int width = kWidth - 2 * kMargin;
+    const int content = contentLayout_->hasHeightForWidth() ? contentLayout_->totalHeightForWidth(width)
+                                                            : contentLayout_->totalSizeHint().height();
+    const QMargins margins = layout()->contentsMargins();
+    return margins.top() + fold_->sizeHint().height() + layout()->spacing() + content + layout()->spacing() +
+           footHeight() + margins.bottom();
+}
+
+void ViewCard::place() {
+    const int width = std::min(kWidth, view_.width() - 2 * kGap);
+    const int room = view_.height() - 2 * kGap;
+    const QMargins margins = layout()->contentsMargins();
+    const int head = margins.top() + fold_->sizeHint().height() + margins.bottom();
+    const int least = head + kLeastContent + 2 * layout()->spacing() + footHeight();
+    noRoom_ = room < least || width < kWidth;
+    const bool folded = isFolded();
+    const QWidget* focus = window()->focusWidget();
+    if ((folded && (scroll_->isAncestorOf(focus) || foot_->isAncestorOf(focus) || focus == scroll_)) ||
+        (noRoom_ && focus == fold_)) {
+        view_.setFocus(Qt::OtherFocusReason);
+    }
+    scroll_->setVisible(!folded);
+    foot_->setVisible(!folded);
+    fold_->setChecked(folded);
+    fold_->setEnabled(!noRoom_);
+    fold_->setIcon(themedIcon(folded ? QStringLiteral("up") : QStringLiteral("down")));
+    const QString what = noRoom_  ? tr("The view is too small to unfold this")
+                         : folded ? tr("Unfold")
+                                  : tr("Fold");
+    fold_->setAccessibleName(what);
+    fold_->setToolTip(what);
+    const int height = folded ? head : std::min(wantedHeight(), room);
+    // The upper edge stays when it folds: the key that was pressed keeps its place.
+    const int full = noRoom_ ? head : std::min(wantedHeight(), room);
+    setGeometry(kGap, view_.height() - kGap - full, width, height);
+}
+
+bool ViewCard::event(QEvent* event) {
+    switch (event->type()) {
+        // What is done on the card is not done to the view below it.
+        case QEvent::MouseButtonPress:
+        case QEvent::MouseButtonRelease:
+        case QEvent::MouseButtonDblClick:
+        case QEvent::MouseMove:
+        case QEvent::Wheel:
+            event->accept();
+            return true;
+        case QEvent::StyleChange:
+        case QEvent::LanguageChange:
+            if (isVisible()) {
+                place();
+            }
+            break;
+        default:
+            break;
+    }
+    return QFrame::event(event);
+}
+
+bool ViewCard::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == &view_ && event->type() == QEvent::Resize && isVisible()) {
+        place();
+    }
+    return QFrame::eventFilter(watched, event);
+}
+
+void ViewCard::paintEvent(QPaintEvent*) {
+    const Theme& theme = Theme::current();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(theme.border);
+    painter.setBrush(theme.raised);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), kCornerRadius, kCornerRadius);
+}
+
+}  // namespace tiller
