@@ -42,6 +42,7 @@ ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* p
     , list_(new QListWidget)
     , forget_(new QPushButton(tr("Forget")))
     , simulator_(new QPushButton(tr("Start the simulated robot")))
+    , sample_(new QPushButton(tr("With a sample project…")))
     , connect_(new QPushButton(tr("Connect")))
     , hint_(new QLabel) {
     setObjectName("connectDialog");
@@ -72,7 +73,7 @@ ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* p
     auto* project = new QPushButton(tr("Open a project…"));
     project->setObjectName("openProject");
     project->setToolTip(tr("Waypoints from a file, without a robot: everything but moving works."));
-    for (QPushButton* button : {project, cancel, connect_, simulator_, forget_}) {
+    for (QPushButton* button : {project, cancel, connect_, simulator_, sample_, forget_}) {
         button->setAutoDefault(false);  // the focus does not make a key the one for Return
     }
     buttons->addWidget(project);
@@ -82,6 +83,7 @@ ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* p
     layout->addLayout(buttons);
 
     connect(simulator_, &QPushButton::clicked, this, [this] { choose(Choice::Simulator); });
+    connect(sample_, &QPushButton::clicked, this, [this] { choose(Choice::Sample); });
     connect(project, &QPushButton::clicked, this, [this] { choose(Choice::Project); });
     connect(connect_, &QPushButton::clicked, this, [this] { choose(Choice::Robot); });
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
@@ -108,9 +110,16 @@ QWidget* ConnectDialog::simulatorPart() {
     text->setWordWrap(true);
     simulator_->setObjectName("startSimulator");
     simulator_->setMinimumHeight(44);
+    sample_->setObjectName("startSample");
+    sample_->setMinimumHeight(44);
+    sample_->setToolTip(tr("Starts the simulated robot, and opens a project that is taught already."));
     layout->addWidget(title);
     layout->addWidget(text);
-    layout->addWidget(simulator_);
+    auto* keys = new QHBoxLayout;
+    keys->setSpacing(8);
+    keys->addWidget(simulator_, 3);
+    keys->addWidget(sample_, 2);
+    layout->addLayout(keys);
     return part;
 }
 

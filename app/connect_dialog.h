@@ -18,7 +18,7 @@ class ConnectDialog : public QDialog {
     Q_OBJECT
 
 public:
-    enum class Choice { Simulator, Robot, Project };
+    enum class Choice { Simulator, Sample, Robot, Project };
 
     /// remembered  newest first
     explicit ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* parent = nullptr);
@@ -52,6 +52,7 @@ private:
     QListWidget* list_;
     QPushButton* forget_;
     QPushButton* simulator_;
+    QPushButton* sample_;
     QPushButton* connect_;
     QLabel* hint_;
     bool nameTyped_ = false;

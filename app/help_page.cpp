@@ -2,6 +2,7 @@
 #include "app/help_page.h"
 
 #include <QDialogButtonBox>
+#include <QPushButton>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
@@ -43,6 +44,13 @@ HelpPage::HelpPage(int longestHold, const QString& commands, QWidget* parent) : 
             .arg(longestHold) +
         commands);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    auto* practice = buttons->addButton(tr("Practice tasks"), QDialogButtonBox::ActionRole);
+    practice->setObjectName("help.practice");
+    practice->setAutoDefault(false);
+    connect(practice, &QPushButton::clicked, this, [this] {
+        Q_EMIT practiceRequested();
+        close();
+    });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     layout->addWidget(text);
     layout->addWidget(buttons);

@@ -13,6 +13,10 @@ class HelpPage : public QDialog {
 public:
     /// longestHold  after this time a held jog needs a new press [s]; commands  as HTML
     HelpPage(int longestHold, const QString& commands, QWidget* parent = nullptr);
+
+Q_SIGNALS:
+    /// The practice tasks are wanted; the page closes.
+    void practiceRequested();
 };
 
 }  // namespace tiller::app

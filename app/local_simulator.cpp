@@ -31,6 +31,29 @@ Result<RobotAddress> LocalSimulator::start() {
     return lastError;
 }
 
+QList<simulator::Simulator*> LocalSimulator::controllers() const {
+    QList<simulator::Simulator*> running;
+    for (simulator::Simulator* controller : {controller_.get(), borrowed_}) {
+        if (controller != nullptr && controller->isRunning()) {
+            running.append(controller);
+        }
+    }
+    return running;
+}
+
+simulator::Simulator* LocalSimulator::controllerOf(const SessionState& state) const {
+    if (!state.simulated || !state.hasData()) {
+        return nullptr;
+    }
+    for (simulator::Simulator* controller : controllers()) {
+        if (controller->listenAddress() == state.address &&
+            controller->options().portOffset == state.portOffset) {
+            return controller;
+        }
+    }
+    return nullptr;
+}
+
 void LocalSimulator::stop() {
     controller_.reset();
 }

@@ -4,6 +4,7 @@
 // The simulated robot inside the application: the first of 127.0.0.1, 127.0.0.2 ... whose standard ports are
 // free, so that several windows and `tiller-cli simulate` live side by side.
 
+#include <QList>
 #include <memory>
 
 #include "robot/core/result.h"
@@ -20,9 +21,17 @@ public:
     Result<RobotAddress> start();
     void stop();
     simulator::Simulator* controller() { return controller_.get(); }
+    /// Counts another controller of this process as one of its own, until it is null again or this ends; it
+    /// must run so long.
+    void borrow(simulator::Simulator* controller) { borrowed_ = controller; }
+    /// Those that run.
+    QList<simulator::Simulator*> controllers() const;
+    /// The one of them that a session is connected to; null when it is none of them.
+    simulator::Simulator* controllerOf(const SessionState& state) const;
 
 private:
     std::unique_ptr<simulator::Simulator> controller_;
+    simulator::Simulator* borrowed_ = nullptr;
     RobotAddress address_;
 };
 

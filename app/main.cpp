@@ -110,8 +110,10 @@ int main(int argc, char* argv[]) {
     initResources();
     const bool demonstration = !line->demoDirectory.isEmpty();
     // The demonstration shows the default layout and leaves no traces in the user's settings.
-    const app::Settings settings(demonstration ? line->demoDirectory + QStringLiteral("/settings.ini")
-                                               : QString());
+    app::Settings settings(demonstration ? line->demoDirectory + QStringLiteral("/settings.ini") : QString());
+    if (demonstration) {
+        settings.setLearned({.dismissed = true, .firstSteps = {}, .practice = {}});
+    }
     app::MainWindow window(settings);
     const QString theme = line->theme.isEmpty() ? settings.theme() : line->theme;
     window.setTheme(theme.isEmpty() ? QStringLiteral("light") : theme);

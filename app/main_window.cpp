@@ -20,7 +20,9 @@
 #include "app/connect_dialog.h"
 #include "app/help_page.h"
 #include "app/jog_actions.h"
+#include "app/lessons.h"
 #include "app/robot_actions.h"
+#include "app/sample_projects.h"
 #include "app/scene_actions.h"
 #include "app/settings_page.h"
 #include "app/sleep_watch.h"
@@ -155,6 +157,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     connect(new SleepWatch(this), &SleepWatch::operatorLeaves, this,
             [this] { stopMotion(control::StopCause::Sleep); });
 
+    lessons_ = std::make_unique<Lessons>(*session_, *document_, simulator_, settings_, scene_->view());
     buildDocks();
     buildActions();
     connectParts();
@@ -171,6 +174,7 @@ MainWindow::~MainWindow() {
     qDeleteAll(open);
     // While all parts still live: the session tells them that it ends. Then they go, and it goes last.
     session_->shutDown();
+    lessons_.reset();
     delete keyboard_;
     delete devices_;
     // What is not saved yet is saved while the store goes: nothing of it is shown any more.
@@ -282,12 +286,16 @@ void MainWindow::connectParts() {
 void MainWindow::connectProject() {
     const auto showFile = [this] {
         const ProjectStore& store = files_->store();
-        status_->setProjectFile(QFileInfo(store.path()).fileName(), !store.isModified());
+        const QString copy = store.copyName();
+        status_->setProjectFile(copy.isEmpty() ? QFileInfo(store.path()).fileName() : copy,
+                                copy.isEmpty() && !store.isModified());
     };
     connect(&files_->store(), &ProjectStore::statusChanged, this, showFile);
     showFile();
     connect(&files_->store(), &ProjectStore::pathChanged, this, [this](const QString& path) {
-        settings_.rememberProject(path);
+        if (!path.isEmpty()) {
+            settings_.rememberProject(path);
+        }
         listProjects();
     });
     connect(files_.get(), &ProjectFiles::message, this,
@@ -439,6 +447,10 @@ void MainWindow::askForRobot() {
             case ConnectDialog::Choice::Simulator:
                 connectSimulator();
                 break;
+            case ConnectDialog::Choice::Sample:
+                connectSimulator();
+                showSamples();
+                break;
             case ConnectDialog::Choice::Robot:
                 showPreflight(dialog->address());
                 break;
@@ -492,7 +504,9 @@ void MainWindow::listProjects() {
         action->setObjectName("project.recent." + path);
         connect(action, &QAction::triggered, this, [this, path] {
             stopMotion(control::StopCause::DialogOpened);
-            files_->open(path);
+            if (files_->mayLeave(this)) {
+                files_->open(path);
+            }
         });
     }
     recentProjects_->setEnabled(!recentProjects_->isEmpty());
@@ -539,6 +553,10 @@ void MainWindow::changeEvent(QEvent* event) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     stopMotion(control::StopCause::WindowClosed);
+    if (!files_->mayLeave(this)) {
+        event->ignore();
+        return;
+    }
     settings_.setWindow(saveGeometry(), saveState());
     session_->disconnectFromRobot();
     QMainWindow::closeEvent(event);
@@ -613,8 +631,15 @@ void MainWindow::addProjectActions() {
     actions_->add({"project.open", tr("Open project…"), tr("Opens waypoints and frames from a file."),
                    QKeySequence(QKeySequence::Open), [this] {
                        stopMotion(control::StopCause::DialogOpened);
-                       files_->askToOpen(this);
+                       if (files_->mayLeave(this)) {
+                           files_->askToOpen(this);
+                       }
                    }});
+    actions_->add({"project.sample",
+                   tr("Open sample project…"),
+                   tr("A copy of one of three projects, to try on the simulated robot."),
+                   {},
+                   [this] { showSamples(); }});
     actions_->add({"project.saveAs", tr("Save project as…"),
                    tr("Saves to this file now, and every change from now on."),
                    QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] {
@@ -684,10 +709,14 @@ void MainWindow::addViewActions() {
     actions_->add({"app.settings", tr("Settings…"),
                    tr("Colours, sizes, units, the speed cap, devices, and the key of every command."),
                    QKeySequence(Qt::CTRL | Qt::Key_Comma), [this] { showSettings(); }});
+    lessons_->addTo(*actions_);
     actions_->add({"app.help", tr("Help"), tr("All commands with their keys, and the rules of jogging."),
                    QKeySequence(Qt::Key_F1), [this] {
                        stopMotion(control::StopCause::DialogOpened);
-                       (new HelpPage(preferences_.longestHold, actions_->helpText(), this))->show();
+                       auto* page = new HelpPage(preferences_.longestHold, actions_->helpText(), this);
+                       connect(page, &HelpPage::practiceRequested, this,
+                               [this] { lessons_->showPractice(); });
+                       page->show();
                    }});
     actions_->add({"app.quit", tr("Quit"), tr("Stops the arm, ends the connection and closes the window."),
                    QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); }});
@@ -702,6 +731,18 @@ void MainWindow::showRecovery() {
     }
     // Not modal: STOP and the state stay in reach.
     (new RecoveryPage(*session_, *stops_, this))->show();
+}
+
+void MainWindow::showSamples() {
+    stopMotion(control::StopCause::DialogOpened);
+    auto* dialog = new SampleDialog(this);
+    connect(dialog, &SampleDialog::chosen, this, [this](const QString& path, const QString& title) {
+        if (files_->mayLeave(this)) {
+            files_->openCopy(path, title);
+            showTab("waypoints");
+        }
+    });
+    dialog->open();
 }
 
 void MainWindow::askForProgram() {

@@ -44,6 +44,7 @@ class WaypointsTab;
 namespace app {
 
 class ActionTable;
+class Lessons;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -69,6 +70,9 @@ public:
     /// Starts the simulated robot in this process, unless it runs, and connects to it.
     void connectSimulator();
     void connectRobot(const RobotAddress& address);
+    /// A simulated controller of this process that somebody else has started counts as the window's own: the
+    /// first steps and the practice tasks are for it too. Until null is given; it must run so long.
+    void practiseOn(simulator::Simulator* controller) { simulator_.borrow(controller); }
     /// Asks what to begin with: simulator, robot or project.
     void askForRobot();
     /// Looks at everything between here and the robot, then connects if the operator wants to.
@@ -99,6 +103,7 @@ private:
     void addProjectActions();
     void addViewActions();
     void showRecovery();
+    void showSamples();
     void askForProgram();
     void showSettings();
     void proportion();
@@ -125,6 +130,7 @@ private:
     HoldTerms holdTerms_;
     std::unique_ptr<ProjectDocument> document_;
     std::unique_ptr<ProjectFiles> files_;  ///< saves on its way out what the document holds
+    std::unique_ptr<Lessons> lessons_;
 
     HeaderBar* header_ = nullptr;
     JogColumn* jog_ = nullptr;

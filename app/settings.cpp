@@ -146,4 +146,17 @@ void Settings::rememberProject(const QString& path) {
     openSettings(file_).setValue("projects/recent", projects.mid(0, kProjectsRemembered));
 }
 
+Learned Settings::learned() const {
+    const QSettings settings = openSettings(file_);
+    return {settings.value("learned/dismissed").toBool(), settings.value("learned/firstSteps").toStringList(),
+            settings.value("learned/practice").toStringList()};
+}
+
+void Settings::setLearned(const Learned& learned) {
+    QSettings settings = openSettings(file_);
+    settings.setValue("learned/dismissed", learned.dismissed);
+    settings.setValue("learned/firstSteps", learned.firstSteps);
+    settings.setValue("learned/practice", learned.practice);
+}
+
 }  // namespace tiller::app

@@ -18,6 +18,13 @@ namespace tiller::app {
 /// file  an .ini file; empty: the place the system has for them
 QSettings openSettings(const QString& file);
 
+/// What a newcomer has done so far, by name.
+struct Learned {
+    bool dismissed = false;  ///< the checklist of the first steps does not come by itself any more
+    QStringList firstSteps;
+    QStringList practice;
+};
+
 class Settings {
 public:
     /// file  where they are kept; empty: the place the system has for them
@@ -41,6 +48,9 @@ public:
     /// Absolute paths, the one worked in last first. The files may be gone.
     QStringList recentProjects() const;
     void rememberProject(const QString& path);
+
+    Learned learned() const;
+    void setLearned(const Learned& learned);
 
     /// What the settings page offers.
     Preferences preferences() const { return readPreferences(file_); }

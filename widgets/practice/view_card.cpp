@@ -58,6 +58,7 @@ ViewCard::ViewCard(const QString& name, const QString& title, int height, QWidge
     scroll_->setObjectName(name + QStringLiteral(".text"));
     scroll_->setAccessibleName(title);
     scroll_->setFrameShape(QFrame::NoFrame);
+    scroll_->setFocusPolicy(Qt::TabFocus);
     scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll_->setWidgetResizable(true);
     scroll_->setWidget(inside_);

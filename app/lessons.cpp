@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/lessons.h"
+
+#include <QRandomGenerator>
+
+#include "app/action_table.h"
+#include "app/local_simulator.h"
+#include "app/settings.h"
+#include "widgets/practice/first_steps_card.h"
+#include "widgets/practice/practice_card.h"
+#include "widgets/project/project_document.h"
+
+namespace tiller::app {
+namespace {
+
+// What the hand of the task "record and measure" presses with [N]: felt, and far below a protective stop.
+constexpr int kLeastHand = 25;
+constexpr int kMostHand = 60;
+
+}  // namespace
+
+Lessons::Lessons(RobotSession& session, ProjectDocument& document, LocalSimulator& simulator,
+                 Settings& settings, QWidget& view)
+    : session_(session)
+    , document_(document)
+    , simulator_(simulator)
+    , settings_(settings)
+    , steps_(session, document)
+    , practice_(session, document, hooks())
+    , stepsCard_(new FirstStepsCard(steps_, view))
+    , practiceCard_(new PracticeCard(practice_, view)) {
+    const Learned learned = settings_.learned();
+    steps_.setDone(learned.firstSteps);
+    practice_.setDone(learned.practice);
+    const auto remember = [this] {
+        settings_.setLearned({settings_.learned().dismissed, steps_.done(), practice_.done()});
+    };
+    connect(&steps_, &FirstSteps::changed, this, remember);
+    connect(&practice_, &Practice::taskDone, this, remember);
+    connect(&session_, &RobotSession::stateChanged, this, &Lessons::onState);
+    connect(stepsCard_, &FirstStepsCard::practiceRequested, this, &Lessons::showPractice);
+    connect(stepsCard_, &FirstStepsCard::dismissed, this, [this] {
+        settings_.setLearned({true, steps_.done(), practice_.done()});
+        stepsCard_->putAway();
+    });
+    connect(stepsCard_, &ViewCard::closeRequested, stepsCard_, &ViewCard::putAway);
+    connect(practiceCard_, &ViewCard::closeRequested, this, [this] {
+        practice_.abandon();
+        practiceCard_->putAway();
+    });
+}
+
+Lessons::~Lessons() {
+    delete stepsCard_;
+    delete practiceCard_;
+}
+
+void Lessons::addTo(ActionTable& table) {
+    table.add({"app.firstSteps",
+               tr("First steps"),
+               tr("A checklist in the view: from power on to a recording."),
+               {},
+               [this] { showFirstSteps(); }});
+    table.add({"app.practice",
+               tr("Practice tasks"),
+               tr("Five tasks on the simulated robot, each with a check."),
+               {},
+               [this] { showPractice(); }});
+}
+
+void Lessons::showFirstSteps() {
+    practice_.abandon();
+    practiceCard_->putAway();
+    stepsCard_->setFolded(false);
+    stepsCard_->open();
+}
+
+void Lessons::showPractice() {
+    stepsCard_->putAway();
+    practiceCard_->setFolded(false);
+    practiceCard_->open();
+}
+
+void Lessons::onState(const SessionState& state) {
+    const bool here = simulator_.controllerOf(state) != nullptr;
+    // Between two packets that are late it is still the same robot.
+    if (!here && state.link != LinkState::Disconnected && !state.hasData()) {
+        return;
+    }
+    steps_.setFollowing(here);
+    if (here == here_) {
+        return;
+    }
+    here_ = here;
+    if (!here) {
+        stepsCard_->putAway();
+    } else if (!settings_.learned().dismissed && practiceCard_->isHidden()) {
+        stepsCard_->open();
+    }
+}
+
+PracticeHooks Lessons::hooks() {
+    return {
+        .obstacle =
+            [this](const SessionState& state) {
+                return simulator_.controllerOf(state) != nullptr || state.link == LinkState::Lost ||
+                               state.link == LinkState::Stale
+                           ? QString()
+                           : tr("Practice is for the simulated robot of this program alone. This is “%1”.")
+                                 .arg(state.robotName);
+            },
+        .setUp = [this](PracticeTask task) { setUp(task); },
+        .tidyUp =
+            [this] {
+                for (simulator::Simulator* controller : simulator_.controllers()) {
+                    controller->pressHand({});
+                }
+            },
+        .addWaypoint =
+            [this](const project::Waypoint& point) {
+                steps_.setFollowing(false);  // it was not taught
+                document_.insertWaypoints(document_.waypoints().size(), {point},
+                                          tr("Practice: put “%1”").arg(point.name));
+            }};
+}
+
+void Lessons::setUp(PracticeTask task) {
+    simulator::Simulator* controller = simulator_.controllerOf(session_.state());
+    if (controller == nullptr) {
+        return;
+    }
+    if (task == PracticeTask::Recover) {
+        controller->protectiveStop();
+    } else if (task == PracticeTask::Measure) {
+        const double force = QRandomGenerator::global()->bounded(kLeastHand, kMostHand);
+        controller->pressHand({Eigen::Vector3d(0, 0, -force), Eigen::Vector3d::Zero()});
+    }
+}
+
+}  // namespace tiller::app
