@@ -139,7 +139,7 @@ void Practice::follow() {
     if (check_ && state_.link == LinkState::Live) {
         check_->follow(state_, document_.project());
     }
-    QString now = text() + (passed() ? QLatin1Char('+') : QLatin1Char('-'));
+    QString now = text() + QLatin1Char('\n') + obstacle() + (passed() ? QLatin1Char('+') : QLatin1Char('-'));
     if (now != shown_) {
         shown_ = std::move(now);
         Q_EMIT changed();

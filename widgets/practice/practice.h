@@ -77,7 +77,7 @@ private:
     SessionState state_;
     PracticeTask task_ = PracticeTask::Recover;
     std::unique_ptr<PracticeCheck> check_;
-    QString shown_;  ///< text() and passed() as they were told last
+    QString shown_;  ///< text(), obstacle() and passed() as they were told last
     std::array<bool, kPracticeTasks.size()> done_{};
 };
 
