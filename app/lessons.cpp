@@ -95,7 +95,7 @@ void Lessons::onState(const SessionState& state) {
     if (!here) {
         stepsCard_->putAway();
     } else if (!settings_.learned().dismissed && practiceCard_->isHidden()) {
-        stepsCard_->open();
+        stepsCard_->openQuietly();
     }
 }
 

@@ -76,19 +76,19 @@ void FirstSteps::setDone(const QStringList& names) {
 QString FirstSteps::text(FirstStep step) {
     switch (step) {
         case FirstStep::PowerOn:
-            return tr("Power on, in the header");
+            return tr("Power on (header)");
         case FirstStep::ReleaseBrakes:
-            return tr("Release the brakes, in the header");
+            return tr("Release brakes (header)");
         case FirstStep::Jog:
-            return tr("Take control and hold a key of the pad");
+            return tr("Take control, hold a pad key");
         case FirstStep::Teach:
-            return tr("Teach a waypoint here (T)");
+            return tr("Teach here (T)");
         case FirstStep::GoTo:
-            return tr("Jog away, hold Go to (G) until there");
+            return tr("Jog away, hold Go to (G)");
         case FirstStep::Record:
             break;
     }
-    return tr("Record, above the plots");
+    return tr("Record (above the plots)");
 }
 
 void FirstSteps::tick(FirstStep step) {

@@ -15,7 +15,7 @@
 namespace tiller {
 namespace {
 
-constexpr int kHeight = 330;  // [px] the longest task with its check
+constexpr int kHeight = 370;  // [px] the longest task with its check
 
 }  // namespace
 

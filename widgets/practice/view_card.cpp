@@ -114,6 +114,13 @@ void ViewCard::open() {
     raise();
 }
 
+void ViewCard::openQuietly() {
+    constexpr double kMuch = 0.4;
+    show();
+    folded_ = kWidth * wantedHeight() > kMuch * view_.width() * view_.height();
+    open();
+}
+
 void ViewCard::putAway() {
     // Hidden, it would hand the focus on to whatever comes next: a key, or the robot's speed.
     if (isAncestorOf(window()->focusWidget())) {

@@ -29,6 +29,8 @@ public:
     void setFolded(bool folded);
     /// Shows it in its place; asks for no focus.
     void open();
+    /// As open(), folded where it would hide much of the view: for a card that nobody asked for.
+    void openQuietly();
     /// Hides it. The focus, if it was in the card, goes to the view.
     void putAway();
 

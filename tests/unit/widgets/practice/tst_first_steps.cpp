@@ -215,6 +215,21 @@ private Q_SLOTS:
         QVERIFY(card.isFolded());
     }
 
+    void uninvitedItHidesLittleOfTheView() {
+        QWidget view;
+        view.resize(344, 280);
+        FirstStepsCard card(*steps_, view);
+        view.show();
+        card.openQuietly();
+        QVERIFY(card.isVisible() && card.isFolded());
+        QTest::mouseClick(card.findChild<QToolButton*>("firstSteps.fold"), Qt::LeftButton);
+        QVERIFY(!card.isFolded() && view.rect().contains(card.geometry()));
+        card.putAway();
+        view.resize(900, 600);
+        card.openQuietly();
+        QVERIFY(!card.isFolded());
+    }
+
     void foldingKeepsTheKeyInItsPlace() {
         QWidget view;
         view.resize(480, 400);

@@ -161,7 +161,7 @@ private Q_SLOTS:
 
     void theCardFollowsAndItsKeysStay() {
         QWidget view;
-        view.resize(480, 400);
+        view.resize(480, 500);
         PracticeCard card(*practice_, view);
         view.show();
         card.open();

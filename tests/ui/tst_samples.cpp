@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Something to try: a sample project is offered, opened as a copy, gone through with the simulated robot, and
+// never written to.
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTest>
+#include <QTimer>
+
+#include "app/action_table.h"
+#include "app/command_palette.h"
+#include "app/connect_dialog.h"
+#include "app/sample_projects.h"
+#include "resources/resources.h"
+#include "tests/support/pictures.h"
+#include "tests/support/window_bench.h"
+#include "tests/ui/clipping.h"
+#include "tests/ui/jog_fixture.h"
+#include "widgets/common/theme.h"
+#include "widgets/project/project_document.h"
+#include "widgets/project/project_files.h"
+#include "widgets/waypoints/waypoints_tab.h"
+
+using namespace tiller;
+using namespace tiller::test;
+using app::SampleDialog;
+
+namespace {
+
+struct Bench : WindowBench {
+    Bench() { show(QSize(1600, 900)); }
+    SampleDialog* dialog() { return window.findChild<SampleDialog*>(); }
+    /// As a hand does, through the command.
+    bool open(const QString& id) {
+        window.actions().find("project.sample")->trigger();
+        auto* key = dialog() == nullptr ? nullptr : dialog()->findChild<QPushButton*>("sample." + id);
+        if (key == nullptr) {
+            return false;
+        }
+        QTest::mouseClick(key, Qt::LeftButton);
+        window.activateWindow();
+        // The dialog goes with the next turn of the event loop, and leaves the window to the hand.
+        return QTest::qWaitFor([this] { return dialog() == nullptr; }) &&
+               QTest::qWaitForWindowActive(&window);
+    }
+    void change() {
+        project::Waypoint point = window.document().waypoints().at(0);
+        point.name = QStringLiteral("mine");
+        window.document().changeWaypoint(0, point, "Rename");
+    }
+    const ProjectStore& store() { return window.files().store(); }
+};
+
+/// Presses this key of the question that comes up next.
+class Answer {
+public:
+    explicit Answer(const char* key) {
+        timer_.setInterval(20);
+        QObject::connect(&timer_, &QTimer::timeout, &timer_, [this, key] {
+            auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            if (question == nullptr) {
+                return;
+            }
+            asked_ = true;
+            timer_.stop();
+            if (auto* button = question->findChild<QPushButton*>(QLatin1String(key))) {
+                QTest::mouseClick(button, Qt::LeftButton);
+            } else {
+                question->reject();
+            }
+        });
+        timer_.start();
+    }
+    bool wasAsked() const { return asked_; }
+
+private:
+    QTimer timer_;
+    bool asked_ = false;
+};
+
+}  // namespace
+
+class TestSamples : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() {
+        initResources();
+        applyTheme(*qApp, Theme::light());
+    }
+
+    void theDialogOffersThree() {
+        Bench bench;
+        bench.window.actions().find("project.sample")->trigger();
+        QVERIFY(bench.dialog() != nullptr && bench.dialog()->isVisible());
+        QTest::qWait(50);
+        keepPicture(*bench.dialog(), "samples");
+        QTRY_VERIFY2(clipped(*bench.dialog()).isEmpty(), qPrintable(clipped(*bench.dialog()).join('\n')));
+        QVERIFY(bench.dialog()->height() <= 720 - 40);
+        QCOMPARE(app::sampleProjects().size(), 3);
+        for (const app::SampleProject& sample : app::sampleProjects()) {
+            auto* key = bench.dialog()->findChild<QPushButton*>("sample." + sample.id);
+            QVERIFY2(key != nullptr && key->accessibleName().contains(sample.title), qPrintable(sample.id));
+            QVERIFY2(QFile::exists(sample.path), qPrintable(sample.path));
+        }
+        bench.dialog()->reject();
+        QVERIFY(bench.window.document().waypoints().isEmpty());
+    }
+
+    void thePaletteFindsThem() {
+        Bench bench;
+        app::CommandPalette palette(bench.window.actions());
+        palette.findChild<QLineEdit*>("paletteWords")->setText("sample");
+        QVERIFY(!palette.listed().isEmpty());
+        QCOMPARE(palette.listed().first()->objectName(), QString("project.sample"));
+    }
+
+    void theFirstRunOffersThemToo() {
+        QTemporaryDir folder;
+        app::MainWindow window{app::Settings(folder.filePath("settings.ini"))};
+        window.show();
+        window.askForRobot();
+        auto* connect = window.findChild<app::ConnectDialog*>();
+        QTest::mouseClick(connect->findChild<QPushButton*>("startSample"), Qt::LeftButton);
+        auto* dialog = window.findChild<SampleDialog*>();
+        QVERIFY(dialog != nullptr && dialog->isVisible());
+        QTest::mouseClick(dialog->findChild<QPushButton*>("sample.gluing"), Qt::LeftButton);
+        QVERIFY(window.waypointCount() > 10);
+        QTRY_COMPARE_WITH_TIMEOUT(window.session().state().link, LinkState::Live, 30'000);
+        QVERIFY(window.session().state().simulated);
+    }
+
+    void everySampleOpensAsACopyThatIsReachable_data() {
+        QTest::addColumn<QString>("id");
+        for (const app::SampleProject& sample : app::sampleProjects()) {
+            QTest::newRow(qPrintable(sample.id)) << sample.id;
+        }
+    }
+    void everySampleOpensAsACopyThatIsReachable() {
+        QFETCH(QString, id);
+        Bench bench;
+        QVERIFY(bench.open(id));
+        const ProjectDocument& document = bench.window.document();
+        QVERIFY(document.waypoints().size() >= 10 && !document.frames().isEmpty());
+        for (int row = 0; row < document.waypoints().size(); ++row) {
+            QVERIFY2(document.reach(row).ok(), qPrintable(document.waypoints().at(row).name));
+        }
+        QVERIFY(bench.store().path().isEmpty() && !bench.store().isUnsavedCopy());
+        QVERIFY2(app::Settings(bench.file).recentProjects().isEmpty(), "a copy is no file to come back to");
+        // Unchanged, it is left without a question.
+        const Answer answer("unsavedCopy.stay");
+        QVERIFY(bench.window.close());
+        QVERIFY(!answer.wasAsked());
+    }
+
+    void changesAreKeptInAFileOfOnesOwn() {
+        Bench bench;
+        QVERIFY(bench.open("gluing"));
+        bench.change();
+        QVERIFY(bench.store().isUnsavedCopy());
+        const QString mine = bench.folder.filePath("mine.tiller");
+        bench.window.files().saveAs(mine);
+        QVERIFY(!bench.store().isUnsavedCopy());
+        QCOMPARE(project::loadProject(mine)->waypoints.at(0).name, QString("mine"));
+        QCOMPARE(app::Settings(bench.file).recentProjects(), QStringList{mine});
+        // Opened anew, the sample is as it was.
+        QVERIFY(bench.open("gluing"));
+        QCOMPARE(bench.window.document().waypoints().at(0).name, QString("start"));
+        QVERIFY2(!QFile::exists(bench.folder.filePath("gluing.tiller")), "nothing was saved by itself");
+    }
+
+    void aChangedCopyIsNotLostUnasked() {
+        Bench bench;
+        QVERIFY(bench.open("gluing"));
+        bench.change();
+        {
+            const Answer answer("unsavedCopy.stay");
+            QVERIFY(!bench.window.close());
+            QVERIFY(answer.wasAsked());
+            QVERIFY(bench.window.isVisible());
+        }
+        {
+            const Answer answer("unsavedCopy.stay");
+            QVERIFY(bench.open("pick-and-place"));
+            QVERIFY(answer.wasAsked());
+            QCOMPARE(bench.store().copyName(), QString("Gluing along a path"));
+        }
+        {
+            const Answer answer("unsavedCopy.drop");
+            QVERIFY(bench.open("pick-and-place"));
+            QVERIFY(answer.wasAsked());
+            QCOMPARE(bench.store().copyName(), QString("Pick and place"));
+        }
+        bench.change();
+        const Answer answer("unsavedCopy.drop");
+        QVERIFY(bench.window.close());
+        QVERIFY(answer.wasAsked());
+    }
+
+    void theSimulatedArmGoesThroughTheFirstOnesWhileTheKeyIsHeld() {
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.open("pick-and-place"));
+        auto& goTo = bench.find<HoldButton>("waypoint.goTo");
+        QVector<HoldButton*> keys = bench.window.jogColumn().holdKeys();
+        keys << &goTo;
+        driveKeys(bench.cell, keys);
+        const ProjectDocument& document = bench.window.document();
+        for (int row = 1; row < 4; ++row) {
+            bench.window.selectWaypoint(row);
+            bench.cell.advanceMs(60);
+            QVERIFY2(goTo.isEnabled(), qPrintable(document.waypoints().at(row).name));
+            const std::optional<Pose> target =
+                project::poseInBase(document.waypoints().at(row), document.frames());
+            press(goTo);
+            const bool there = bench.cell.advanceUntil(
+                [&] {
+                    return distanceMm(bench.cell.truth().tcpPose, *target) < 0.5 && standsStill(bench.cell);
+                },
+                30'000);
+            release(goTo);
+            QVERIFY2(there, qPrintable(document.waypoints().at(row).name));
+            bench.cell.advanceMs(200);
+        }
+    }
+};
+
+QTEST_MAIN(TestSamples)
+#include "tst_samples.moc"
