@@ -25,6 +25,7 @@
 #include "app/sample_projects.h"
 #include "app/scene_actions.h"
 #include "app/settings_page.h"
+#include "app/settings_transfer.h"
 #include "app/sleep_watch.h"
 #include "widgets/common/hold_button.h"
 #include "widgets/common/icons.h"
@@ -158,6 +159,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
             [this] { stopMotion(control::StopCause::Sleep); });
 
     lessons_ = std::make_unique<Lessons>(*session_, *document_, simulator_, settings_, scene_->view());
+    transfer_ = new SettingsTransfer(settings_, this);
     buildDocks();
     buildActions();
     connectParts();
@@ -263,6 +265,7 @@ void MainWindow::connectParts() {
     connect(waypoints_, &WaypointsTab::marksChanged, this, &MainWindow::updateScene);
     connectFrames();
     connectProject();
+    connectTransfer();
     connectIo();
     followJog();
 
@@ -710,6 +713,22 @@ void MainWindow::addViewActions() {
                    tr("Colours, sizes, units, the speed cap, devices, and the key of every command."),
                    QKeySequence(Qt::CTRL | Qt::Key_Comma), [this] { showSettings(); }});
     lessons_->addTo(*actions_);
+    actions_->add({"app.exportSettings",
+                   tr("Export settings…"),
+                   tr("One file with everything that is remembered, for another computer or as a copy."),
+                   {},
+                   [this] {
+                       stopMotion(control::StopCause::DialogOpened);
+                       transfer_->askToExport(this);
+                   }});
+    actions_->add({"app.importSettings",
+                   tr("Import settings…"),
+                   tr("Takes over what such a file holds; says first what it replaces."),
+                   {},
+                   [this] {
+                       stopMotion(control::StopCause::DialogOpened);
+                       transfer_->askToImport(this);
+                   }});
     actions_->add({"app.help", tr("Help"), tr("All commands with their keys, and the rules of jogging."),
                    QKeySequence(Qt::Key_F1), [this] {
                        stopMotion(control::StopCause::DialogOpened);
@@ -777,7 +796,31 @@ void MainWindow::showSettings() {
         settings_.setPreferences(chosen);
     });
     connect(page, &SettingsPage::trainerWanted, this, [this, page] { showTrainer(page); });
+    connect(page, &SettingsPage::exportWanted, transfer_, [this, page] { transfer_->askToExport(page); });
+    connect(page, &SettingsPage::importWanted, transfer_, [this, page] { transfer_->askToImport(page); });
+    // It shows what was chosen before.
+    connect(transfer_, &SettingsTransfer::imported, page, &QDialog::close);
     page->open();
+}
+
+void MainWindow::connectTransfer() {
+    connect(transfer_, &SettingsTransfer::upToDateWanted, this,
+            [this] { settings_.setWindow(saveGeometry(), saveState()); });
+    connect(transfer_, &SettingsTransfer::imported, this, &MainWindow::readSettingsAgain);
+    connect(transfer_, &SettingsTransfer::message, this,
+            [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
+}
+
+void MainWindow::readSettingsAgain() {
+    stopMotion(control::StopCause::SelectionChanged);
+    if (const QString theme = settings_.theme(); !theme.isEmpty()) {
+        setTheme(theme);
+    }
+    applyPreferences(settings_.preferences());
+    io_->setNames(settings_.ioNames());
+    session_->outputs().setNames(io_->names());
+    listRobots();
+    layoutRemembered_ = restoreState(settings_.windowState());
 }
 
 void MainWindow::applyPreferences(const Preferences& preferences) {

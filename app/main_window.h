@@ -45,6 +45,7 @@ namespace app {
 
 class ActionTable;
 class Lessons;
+class SettingsTransfer;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -79,6 +80,8 @@ public:
     void showPreflight(const RobotAddress& robot);
     /// Everything the window can do.
     const ActionTable& actions() const { return *actions_; }
+    /// The settings into a file and out of one.
+    SettingsTransfer& transfer() { return *transfer_; }
     /// "light" or "dark"; remembered when the operator chose it.
     void setTheme(const QString& theme);
     void openProject(const QString& path);
@@ -106,6 +109,9 @@ private:
     void showSamples();
     void askForProgram();
     void showSettings();
+    void connectTransfer();
+    /// Settings that came from elsewhere hold at once.
+    void readSettingsAgain();
     void proportion();
     void connectParts();
     void connectProject();
@@ -148,6 +154,7 @@ private:
     DeviceJog* devices_ = nullptr;
     StopRecorder* stops_ = nullptr;
     ActionTable* actions_ = nullptr;
+    SettingsTransfer* transfer_ = nullptr;
     QMap<QString, QMenu*> menus_;
     QMenu* recentProjects_ = nullptr;
     QList<QAction*> robotActions_;  ///< the remembered robots, in the robot menu

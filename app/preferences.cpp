@@ -35,6 +35,10 @@ QString currentName(const QString& id) {
 
 }  // namespace
 
+bool stopsTheArm(const QKeySequence& keys) {
+    return keys == QKeySequence(Qt::Key_Space) || keys == QKeySequence(Qt::Key_Escape);
+}
+
 Preferences readPreferences(const QString& file) {
     Preferences preferences;
     QSettings settings = openSettings(file);
@@ -68,8 +72,11 @@ Preferences readPreferences(const QString& file) {
     settings.beginGroup("shortcuts");
     const QStringList ids = settings.childKeys();
     for (const QString& id : ids) {
-        preferences.shortcuts[currentName(id)] =
+        const QKeySequence keys =
             QKeySequence::fromString(settings.value(id).toString(), QKeySequence::PortableText);
+        if (!stopsTheArm(keys)) {
+            preferences.shortcuts[currentName(id)] = keys;
+        }
     }
     return preferences;
 }

@@ -37,6 +37,8 @@ struct Preferences {
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 
+/// True for the keys that stop the arm everywhere, and so mean nothing else.
+bool stopsTheArm(const QKeySequence& keys);
 /// file  where they are kept; empty: the place the system has for them
 Preferences readPreferences(const QString& file);
 void writePreferences(const QString& file, const Preferences& preferences);

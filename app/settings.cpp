@@ -1,15 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/settings.h"
 
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
 #include <QFileInfo>
 #include <QSettings>
+#include <QStandardPaths>
 #include <algorithm>
+
+#include "tiller_version.h"
 
 namespace tiller::app {
 namespace {
 
 constexpr int kRobotsRemembered = 8;
 constexpr int kProjectsRemembered = 8;
+constexpr qsizetype kLongestIoText = 100;
+/// Beyond these one of the robot's ports would be none.
+constexpr int kLowestPortOffset = -29000;
+constexpr int kHighestPortOffset = 35000;
 /// Raised when the docks change so much that an old layout would not fit.
 constexpr int kLayoutVersion = 1;
 
@@ -34,9 +44,10 @@ QVector<RobotAddress> Settings::rememberedRobots() const {
     for (int i = 0; i < count; ++i) {
         settings.setArrayIndex(i);
         const QString host = settings.value("host").toString();
-        if (!host.isEmpty()) {
+        const int offset = settings.value("portOffset").toInt();
+        if (!host.isEmpty() && offset >= kLowestPortOffset && offset <= kHighestPortOffset) {
             const QString name = settings.value("name").toString();
-            robots.append({name.isEmpty() ? host : name, host, settings.value("portOffset").toInt(), false});
+            robots.append({name.isEmpty() ? host : name, host, offset, false});
         }
     }
     return robots;
@@ -101,7 +112,7 @@ QMap<QString, QString> Settings::ioNames() const {
     settings.beginGroup("io");
     const QStringList terminals = settings.childKeys();
     for (const QString& terminal : terminals) {
-        names[terminal] = settings.value(terminal).toString();
+        names[terminal] = settings.value(terminal).toString().left(kLongestIoText);
     }
     return names;
 }
@@ -157,6 +168,62 @@ void Settings::setLearned(const Learned& learned) {
     settings.setValue("learned/dismissed", learned.dismissed);
     settings.setValue("learned/firstSteps", learned.firstSteps);
     settings.setValue("learned/practice", learned.practice);
+}
+
+SettingsBundle Settings::bundle() const {
+    SettingsBundle bundle;
+    bundle.writtenBy = QStringLiteral(TILLER_VERSION);
+    QSettings settings = openSettings(file_);
+    settings.setFallbacksEnabled(false);  // ours, not those of the system
+    const QStringList keys = settings.allKeys();
+    for (const QString& key : keys) {
+        if (travels(key)) {
+            bundle.values.insert(key, settings.value(key));
+        }
+    }
+    return bundle;
+}
+
+QString Settings::backupPath() const {
+    const QString folder = file_.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)
+                                           : QFileInfo(file_).absolutePath();
+    QDir().mkpath(folder);
+    const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HH-mm-ss-zzz"));
+    return QDir(folder).filePath(QStringLiteral("settings-before-import_%1.json").arg(stamp));
+}
+
+void Settings::writeParts(const SettingsBundle& bundle, const QSet<SettingsPart>& parts) {
+    QSettings settings = openSettings(file_);
+    settings.setFallbacksEnabled(false);
+    const QStringList keys = settings.allKeys();
+    for (const QString& key : keys) {
+        if (travels(key) && parts.contains(partOf(key))) {
+            settings.remove(key);
+        }
+    }
+    for (auto it = bundle.values.constBegin(); it != bundle.values.constEnd(); ++it) {
+        if (travels(it.key()) && parts.contains(partOf(it.key()))) {
+            settings.setValue(it.key(), it.value());
+        }
+    }
+}
+
+Result<QString> Settings::replace(const SettingsBundle& bundle, const QSet<SettingsPart>& parts) {
+    const SettingsBundle before = this->bundle();
+    const QString backup = backupPath();
+    if (const Result<void> kept = writeSettingsFile(backup, before); !kept) {
+        return kept.error();
+    }
+    writeParts(bundle, parts);
+    QSettings settings = openSettings(file_);
+    settings.sync();
+    if (settings.status() != QSettings::NoError) {
+        writeParts(before, parts);
+        return Error{ErrorCode::FileNotWritable,
+                     QCoreApplication::translate("SettingsFile", "write %1").arg(settings.fileName()),
+                     {}};
+    }
+    return backup;
 }
 
 }  // namespace tiller::app

@@ -11,6 +11,7 @@
 #include <QVector>
 
 #include "app/preferences.h"
+#include "app/settings_file.h"
 #include "widgets/session/robot_session.h"
 
 namespace tiller::app {
@@ -56,7 +57,17 @@ public:
     Preferences preferences() const { return readPreferences(file_); }
     void setPreferences(const Preferences& preferences) { writePreferences(file_, preferences); }
 
+    /// Everything that may go to another computer.
+    SettingsBundle bundle() const;
+    /// Replaces these parts as a whole. What is there now is written to a file first, beside the settings; when
+    /// that fails, nothing is changed.
+    /// Returns  the path of that file
+    /// Errors  FileNotWritable, DiskFull
+    Result<QString> replace(const SettingsBundle& bundle, const QSet<SettingsPart>& parts);
+
 private:
+    QString backupPath() const;
+    void writeParts(const SettingsBundle& bundle, const QSet<SettingsPart>& parts);
     void writeRobots(const QVector<RobotAddress>& robots);
 
     QString file_;

@@ -55,6 +55,13 @@ SettingsPage::SettingsPage(const Preferences& preferences, const QString& theme,
     close->setAutoDefault(false);
     connect(close, &QPushButton::clicked, this, &QDialog::close);
     auto* buttons = new QHBoxLayout;
+    buttons->addWidget(
+        fileKey("settingsExport", tr("Export settings…"),
+                tr("One file with everything that is remembered, for another computer or as a copy"),
+                &SettingsPage::exportWanted));
+    buttons->addWidget(fileKey("settingsImport", tr("Import settings…"),
+                               tr("Takes over what such a file holds; says first what it replaces"),
+                               &SettingsPage::importWanted));
     buttons->addStretch(1);
     buttons->addWidget(close);
     auto* layout = new QVBoxLayout(this);
@@ -62,6 +69,16 @@ SettingsPage::SettingsPage(const Preferences& preferences, const QString& theme,
     layout->setSpacing(12);
     layout->addWidget(pages, 1);
     layout->addLayout(buttons);
+}
+
+QPushButton* SettingsPage::fileKey(const QString& name, const QString& text, const QString& tip,
+                                   void (SettingsPage::*wanted)()) {
+    auto* key = new QPushButton(text);
+    key->setObjectName(name);
+    key->setToolTip(tip);
+    key->setAutoDefault(false);
+    connect(key, &QPushButton::clicked, this, wanted);
+    return key;
 }
 
 QComboBox* SettingsPage::choice(const QString& name, const QString& accessible, const QStringList& texts,
@@ -269,13 +286,9 @@ void SettingsPage::showCommandNames() {
 }
 
 bool SettingsPage::setShortcut(const QString& id, const QKeySequence& keys) {
-    const QKeySequence reserved[] = {QKeySequence(Qt::Key_Space), QKeySequence(Qt::Key_Escape)};
-    for (const QKeySequence& stop : reserved) {
-        if (keys == stop) {
-            hint_->setText(
-                tr("%1 stops the arm and nothing else.").arg(keys.toString(QKeySequence::NativeText)));
-            return false;
-        }
+    if (stopsTheArm(keys)) {
+        hint_->setText(tr("%1 stops the arm and nothing else.").arg(keys.toString(QKeySequence::NativeText)));
+        return false;
     }
     const QAction* action = actions_.find(id);
     if (action == nullptr) {

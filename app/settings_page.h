@@ -10,6 +10,7 @@
 
 class QComboBox;
 class QLabel;
+class QPushButton;
 class QTableWidget;
 
 namespace tiller {
@@ -46,11 +47,16 @@ Q_SIGNALS:
     void themeChosen(const QString& theme);
     /// The page on which a device is tried out, in front of this one.
     void trainerWanted();
+    /// The questions for a file, in front of this page.
+    void exportWanted();
+    void importWanted();
 
 private:
     QWidget* buildLook(const QString& theme);
     QWidget* buildShortcuts();
     QWidget* buildDevices(DeviceJog& devices);
+    QPushButton* fileKey(const QString& name, const QString& text, const QString& tip,
+                         void (SettingsPage::*wanted)());
     QComboBox* choice(const QString& name, const QString& accessible, const QStringList& texts, int current);
     void showShortcuts();
     void showCommandNames();

@@ -221,6 +221,10 @@ private Q_SLOTS:
                                    << "nan";
         QTest::newRow("curve") << "devices/spaceMouse/exponent"
                                << "-3";
+        QTest::newRow("a key that stops") << "shortcuts/app.help"
+                                          << "Space";
+        QTest::newRow("another that stops") << "shortcuts/app.help"
+                                            << "Esc";
         QTest::newRow("rotations") << "look/rotations"
                                    << "17";
     }
@@ -241,6 +245,7 @@ private Q_SLOTS:
             QVERIFY(tuning.exponent >= 1);
         }
         QVERIFY(static_cast<int>(read.notation.rotation) <= 1);
+        QVERIFY2(read.shortcuts.isEmpty(), "Space and Esc stop the arm and nothing else");
     }
 
     void aKeyIsChangedTakenAwayAndNeverGivenTwice() {
