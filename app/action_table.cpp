@@ -38,6 +38,9 @@ QList<QPair<QString, QString>> actionMenus() {
             {"jog", MenuText::tr("Jog")},
             {"waypoint", MenuText::tr("Waypoints")},
             {"frame", MenuText::tr("Frames")},
+            {"io", MenuText::tr("I/O")},
+            {"log", MenuText::tr("Log")},
+            {"plots", MenuText::tr("Plots")},
             {"view", MenuText::tr("View")},
             {"app", MenuText::tr("Program Tiller")}};
 }

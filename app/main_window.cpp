@@ -21,6 +21,7 @@
 #include "app/help_page.h"
 #include "app/jog_actions.h"
 #include "app/lessons.h"
+#include "app/panel_actions.h"
 #include "app/robot_actions.h"
 #include "app/sample_projects.h"
 #include "app/scene_actions.h"
@@ -578,6 +579,9 @@ void MainWindow::buildActions() {
                          .stop = [this] { stopMotion(control::StopCause::StopButton); }});
     addProjectActions();
     JogActions::addTo(*actions_, *jog_, *keyboard_, [this] { showTrainer(this); });
+    PanelActions::addIo(*actions_, *io_, [this] { showTab("io"); });
+    PanelActions::addLog(*actions_, *log_, [this] { showTab("log"); });
+    PanelActions::addPlots(*actions_, *plots_);
     addViewActions();
     SceneActions::addTo(*actions_, scene_->view());
     for (QAction* action : waypoints_->commandActions()) {

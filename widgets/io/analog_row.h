@@ -51,6 +51,8 @@ public:
     void setObstacle(const QString& why);
     /// "12.00 mA · 5.0 bar"
     QString valueText() const;
+    /// Opens the question for the name.
+    void askForName();
 
     /// The ends of a domain's range [mA or V].
     static double lowest(Domain domain) { return domain == Domain::Current ? 4 : 0; }
@@ -67,7 +69,6 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    void askForName();
     void askForScale();
     void describe();
     Domain wantedDomain() const;

@@ -166,6 +166,55 @@ void IoTab::pulse(int output) {
     QTimer::singleShot(kPulseMs, this, [this, output] { ask(output, false); });
 }
 
+void IoTab::focusSearch() {
+    search_->setFocus(Qt::ShortcutFocusReason);
+    search_->selectAll();
+}
+
+void IoTab::sayNothingChosen() {
+    Q_EMIT session_.message(Severity::Info, tr("Go to a row of the tab I/O with the key Tab first."));
+}
+
+int IoTab::chosenOutput() {
+    for (int channel = 0; channel < kChannels; ++channel) {
+        const IoChannel* row = outputs_[channel];
+        // Of the window, not of the application: a palette may still stand in front of it.
+        if (row != window()->focusWidget()) {
+            continue;
+        }
+        if (!row->obstacle().isEmpty()) {
+            Q_EMIT session_.message(Severity::Warning, row->obstacle());
+            return -1;
+        }
+        return channel;
+    }
+    sayNothingChosen();
+    return -1;
+}
+
+void IoTab::switchChosen() {
+    if (const int output = chosenOutput(); output >= 0) {
+        toggle(output);
+    }
+}
+
+void IoTab::pulseChosen() {
+    if (const int output = chosenOutput(); output >= 0) {
+        pulse(output);
+    }
+}
+
+void IoTab::renameChosen() {
+    QWidget* focus = window()->focusWidget();
+    if (auto* row = qobject_cast<IoChannel*>(focus)) {
+        row->rename();
+    } else if (auto* analog = qobject_cast<AnalogRow*>(focus)) {
+        analog->askForName();
+    } else {
+        sayNothingChosen();
+    }
+}
+
 void IoTab::search(const QString& text) {
     const QString wanted = text.trimmed();
     const auto matches = [&wanted](const QString& terminal, const QString& name) {

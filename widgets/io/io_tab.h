@@ -44,7 +44,13 @@ public:
     RegisterPanel* registers() const { return registers_; }
     /// Shows only what has this in its terminal or name.
     void search(const QString& text);
+    void focusSearch();
     static constexpr int kPulseMs = 500;
+
+    /// What the row that has the focus does with its own keys; says what to do where there is none.
+    void renameChosen();
+    void switchChosen();
+    void pulseChosen();
 
     /// The operator's own names, by "DI 0", "CI 3", "TO 1" and so on.
     QMap<QString, QString> names() const;
@@ -61,6 +67,9 @@ private:
     void toggle(int output);
     void pulse(int output);
     void ask(int output, bool on);
+    /// The output that has the focus and can be switched; -1: none, which is said.
+    int chosenOutput();
+    void sayNothingChosen();
     void buildAnalog(QVBoxLayout* layout);
     void refreshAnalog(bool known, bool stale);
 

@@ -179,6 +179,15 @@ Result<void> LogTab::exportTo(const QString& path) const {
     return {};
 }
 
+void LogTab::focusSearch() {
+    search_->setFocus(Qt::ShortcutFocusReason);
+    search_->selectAll();
+}
+
+void LogTab::showFrom(Severity severity) {
+    severity_->setCurrentIndex(static_cast<int>(severity));
+}
+
 void LogTab::exportToFile() {
     const QString path = QFileDialog::getSaveFileName(this, tr("Export the log"),
                                                       QStringLiteral("tiller-log.txt"), tr("Text (*.txt)"));

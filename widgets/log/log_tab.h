@@ -43,13 +43,17 @@ public Q_SLOTS:
                 tiller::Origin origin = tiller::Origin::Tiller, const QString& detail = {});
     /// Copies the selected rows, or all that are shown when none is selected.
     void copy();
+    /// Asks for a file and writes the rows that are shown.
+    void exportToFile();
+    void focusSearch();
+    /// Only rows of this severity and above.
+    void showFrom(tiller::Severity severity);
 
 protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
 
 private:
-    void exportToFile();
     void showDetails();
     QString textOf(const QList<int>& rows) const;
 

@@ -111,8 +111,8 @@ void PlotDock::buildHeader() {
     span_->setPopupMode(QToolButton::InstantPopup);
     auto* menu = new QMenu(span_);
     menu->setObjectName(QStringLiteral("plots.span.menu"));
-    for (const SpanChoice& choice : kSpans) {
-        QAction* action = menu->addAction(tr(choice.text));
+    for (const Span& choice : spans()) {
+        QAction* action = menu->addAction(choice.text);
         action->setData(choice.seconds);
         connect(action, &QAction::triggered, this,
                 [this, seconds = choice.seconds] { view_->setSpan(seconds); });
@@ -142,6 +142,14 @@ void PlotDock::buildHeader() {
     addHeaderWidget(record_);
     styleHeader();
     updateHeader();
+}
+
+QVector<PlotDock::Span> PlotDock::spans() {
+    QVector<Span> all;
+    for (const SpanChoice& choice : kSpans) {
+        all.append({choice.seconds, tr(choice.text)});
+    }
+    return all;
 }
 
 void PlotDock::setPaused(bool paused) {

@@ -5,6 +5,7 @@
 // controls in its title bar. It takes from the session, once a frame, every sample since the last one and the state.
 
 #include <QString>
+#include <QVector>
 #include <memory>
 
 #include "robot/core/result.h"
@@ -43,12 +44,23 @@ public:
     /// By the ending of the name; tells the operator how it went.
     bool exportTo(const QString& path);
 
+    /// How much time the plots can show, as the menu offers it.
+    struct Span {
+        double seconds = 0;
+        QString text;  ///< "2 min"
+    };
+    static QVector<Span> spans();
+
 public Q_SLOTS:
     /// The jog key that is held, "X+" or "Wrist 2−": names the stretch in the lane. Empty: none.
     void setJogLabel(const QString& label);
     void setPaused(bool paused);
     /// Counts the force shown from what it is now; what is recorded and exported stays as measured.
     void setForceZeroed(bool zeroed);
+    /// Begins a recording, or ends the one that runs.
+    void toggleRecording();
+    /// Asks where the shown range shall be saved.
+    void askExport();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -58,9 +70,7 @@ private:
     void styleHeader();
     void onState(const SessionState& state);
     void updateHeader();
-    void askExport();
     void sayNothingToExport();
-    void toggleRecording();
 
     RobotSession& session_;
     std::unique_ptr<SeriesBuffer> history_;

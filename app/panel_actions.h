@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The commands of the plots and of the tabs I/O and Log, so that menus and palette have what their keys have.
+
+#include <QCoreApplication>
+#include <functional>
+
+namespace tiller {
+class IoTab;
+class LogTab;
+class PlotDock;
+}  // namespace tiller
+
+namespace tiller::app {
+
+class ActionTable;
+
+struct PanelActions {
+    Q_DECLARE_TR_FUNCTIONS(PanelActions)
+
+public:
+    static void addPlots(ActionTable& table, PlotDock& plots);
+    static void addIo(ActionTable& table, IoTab& io, const std::function<void()>& bringToFront);
+    static void addLog(ActionTable& table, LogTab& log, const std::function<void()>& bringToFront);
+};
+
+}  // namespace tiller::app
