@@ -111,12 +111,15 @@ ImportDialog::ImportDialog(const QString& path, const Result<SettingsBundle>& fo
         note_->setProperty("role", QStringLiteral("alarm"));
         parts_->hide();
         replace_->hide();
+        replace_->setDefault(false);
+        cancel->setDefault(true);
         return;
     }
     head_->setText(found->writtenBy.isEmpty() ? tr("What is ticked is replaced by what %1 holds:").arg(name)
                                               : tr("What is ticked is replaced by what %1, written by Tiller "
                                                    "%2, holds:")
                                                     .arg(name, found->writtenBy));
+    head_->setToolTip(head_->text());
     listParts(*found, present);
 }
 
@@ -125,12 +128,14 @@ void ImportDialog::listParts(const SettingsBundle& found, const SettingsBundle& 
     layout->setContentsMargins(0, 0, 0, 0);
     bool any = false;
     for (const SettingsPart part : kSettingsParts) {
-        if (found.part(part).isEmpty()) {
+        const bool none = found.part(part).isEmpty();
+        if (none && present.part(part).isEmpty()) {
             continue;
         }
         const bool same = found.saysTheSame(present, part);
         const int count = countOf(found, part);
         auto* box = new QCheckBox(same        ? tr("%1: the same already").arg(titleOf(part))
+                                  : none      ? tr("%1: none in the file").arg(titleOf(part))
                                   : count < 0 ? titleOf(part)
                                               : tr("%1: %2 here, %3 in the file")
                                                     .arg(titleOf(part))
@@ -138,7 +143,8 @@ void ImportDialog::listParts(const SettingsBundle& found, const SettingsBundle& 
                                                     .arg(count));
         box->setObjectName(QStringLiteral("importSettings.part.%1").arg(static_cast<int>(part)));
         box->setProperty(kPart, static_cast<int>(part));
-        box->setChecked(!same);
+        // A file of a few settings shall not wipe out the others by itself.
+        box->setChecked(!same && !none);
         box->setEnabled(!same);
         connect(box, &QCheckBox::toggled, this, &ImportDialog::updateKey);
         layout->addWidget(box);
@@ -203,9 +209,10 @@ void SettingsTransfer::exportTo(const QString& path) {
 }
 
 void SettingsTransfer::importFrom(const QString& path, QWidget* over) {
-    Q_EMIT upToDateWanted();
     const Result<SettingsBundle> found = readSettingsFile(path);
-    if (!found) {
+    if (found) {
+        Q_EMIT upToDateWanted();  // for the copy of what is here
+    } else {
         Q_EMIT message(Severity::Error, tr("%1 was not imported. Nothing was changed. %2")
                                             .arg(QFileInfo(path).fileName(), textOf(found.error())));
     }

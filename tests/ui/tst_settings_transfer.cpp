@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Everything that is remembered goes from one cell to the next in one file: the operator sees what is replaced
+// before it is, it holds at once, and a file that is broken or too new changes nothing.
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTabBar>
+#include <QTest>
+#include <QTimer>
+
+#include "app/action_table.h"
+#include "app/settings_page.h"
+#include "app/settings_transfer.h"
+#include "resources/resources.h"
+#include "tests/support/window_bench.h"
+#include "tests/ui/clipping.h"
+#include "widgets/common/density.h"
+#include "widgets/common/theme.h"
+#include "widgets/io/io_channel.h"
+
+using namespace tiller;
+using namespace tiller::test;
+using app::SettingsPart;
+
+namespace {
+
+struct Bench : WindowBench {
+    Bench() { show(QSize(1280, 720)); }
+
+    app::SettingsPage* openSettings() {
+        QTest::keyClick(&window, Qt::Key_Comma, Qt::ControlModifier);
+        return window.findChild<app::SettingsPage*>();
+    }
+    app::ImportDialog* ask(const QString& path) {
+        window.transfer().importFrom(path, &window);
+        return window.findChild<app::ImportDialog*>();
+    }
+    QString robotsInTheMenu() {
+        QStringList names;
+        for (const QAction* action : find<QMenu>("mainMenu").actions()) {
+            if (action->objectName().startsWith("robot.remembered.")) {
+                names << action->text();
+            }
+        }
+        return names.join('\n');
+    }
+};
+
+/// The settings of a cell where much was chosen, as a file.
+QString fileOfACell(const QTemporaryDir& folder) {
+    app::Settings settings(folder.filePath("cell.ini"));
+    settings.setTheme("dark");
+    settings.rememberRobot({"Lab UR5e", "10.0.0.7", 0, false});
+    settings.setIoNames({{"DO 0", "gripper, left"}});
+    app::Preferences chosen;
+    chosen.density = Density::Touch;
+    chosen.longestHold = 40;
+    chosen.shortcuts["app.help"] = QKeySequence(Qt::CTRL | Qt::Key_H);
+    settings.setPreferences(chosen);
+    const QString path = folder.filePath("cell.json");
+    return app::writeSettingsFile(path, settings.bundle()) ? path : QString();
+}
+
+/// Answers the next question for a file, which holds its caller up.
+struct FileAnswer {
+    explicit FileAnswer(QString path) {
+        QObject::connect(&timer, &QTimer::timeout, &timer, [this, path = std::move(path)] {
+            if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+                timer.stop();
+                asked = true;
+                // As typed: a selection is ignored while the field has the focus.
+                dialog->findChild<QLineEdit*>("fileNameEdit")->setText(path);
+                static_cast<QDialog*>(dialog)->accept();
+            }
+        });
+        timer.start(10);
+    }
+    QTimer timer;
+    bool asked = false;
+};
+
+void write(const QString& path, const QByteArray& bytes) {
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QCOMPARE(file.write(bytes), bytes.size());
+}
+
+}  // namespace
+
+class TestSettingsTransfer : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { initResources(); }
+    void init() {
+        applyTheme(*qApp, Theme::light());
+        applyDensity(*qApp, Density::Mouse);
+    }
+    void cleanupTestCase() { applyDensity(*qApp, Density::Mouse); }
+
+    void theKeyOfThePageExports() {
+        Bench bench;
+        app::Settings(bench.file).rememberRobot({"Lab UR5e", "10.0.0.7", 0, false});
+        app::SettingsPage* page = bench.openSettings();
+        QVERIFY(page != nullptr);
+        QSignalSpy said(&bench.window.session(), &RobotSession::message);
+        const QString path = bench.folder.filePath("exported.json");
+        FileAnswer answer(path);
+        QTest::mouseClick(page->findChild<QPushButton*>("settingsExport"), Qt::LeftButton);
+        QVERIFY(answer.asked);
+        const Result<app::SettingsBundle> read = app::readSettingsFile(path);
+        QVERIFY2(read.ok(), qPrintable(read.error().toString()));
+        QCOMPARE(read->values.value("robots/1/host").toString(), QString("10.0.0.7"));
+        QVERIFY2(!read->part(SettingsPart::Layout).isEmpty(), "the layout as it is now");
+        QVERIFY(!said.isEmpty() && said.last()[1].toString().contains(path));
+    }
+
+    void importSaysWhatItReplacesAndHoldsAtOnce() {
+        Bench bench;
+        app::Settings(bench.file).rememberRobot({"old", "10.0.0.1", 0, false});
+        app::Settings(bench.file).rememberRobot({"older", "10.0.0.2", 0, false});
+        const QString path = fileOfACell(bench.folder);
+        QVERIFY(!path.isEmpty());
+        app::SettingsPage* page = bench.openSettings();
+        FileAnswer answer(path);
+        QTest::mouseClick(page->findChild<QPushButton*>("settingsImport"), Qt::LeftButton);
+        QVERIFY(answer.asked);
+        auto* dialog = page->findChild<app::ImportDialog*>();
+        QVERIFY(dialog != nullptr && dialog->isVisible());
+        const auto* robots = dialog->findChild<QCheckBox*>(
+            QStringLiteral("importSettings.part.%1").arg(static_cast<int>(SettingsPart::Robots)));
+        QVERIFY(robots != nullptr && robots->isChecked());
+        QVERIFY2(robots->text().contains("2 here") && robots->text().contains("1 in the file"),
+                 qPrintable(robots->text()));
+        QTRY_VERIFY2(clipped(*dialog).isEmpty(), qPrintable(clipped(*dialog).join('\n')));
+        QVERIFY2(!Theme::current().isDark(), "not before the key is pressed");
+
+        QSignalSpy said(&bench.window.session(), &RobotSession::message);
+        QTest::mouseClick(dialog->findChild<QPushButton*>("importSettings.replace"), Qt::LeftButton);
+        QTRY_VERIFY(bench.window.findChild<app::SettingsPage*>() == nullptr);
+        QVERIFY(Theme::current().isDark());
+        QCOMPARE(currentDensity(), Density::Touch);
+        QCOMPARE(bench.find<IoChannel>("io.DO0").name(), QString("gripper, left"));
+        QCOMPARE(bench.window.actions().find("app.help")->shortcut(), QKeySequence(Qt::CTRL | Qt::Key_H));
+        QVERIFY2(
+            bench.robotsInTheMenu().contains("10.0.0.7") && !bench.robotsInTheMenu().contains("10.0.0.1"),
+            qPrintable(bench.robotsInTheMenu()));
+        const QStringList kept = QDir(bench.folder.path()).entryList({"settings-before-import_*.json"});
+        QCOMPARE(kept.size(), 1);
+        const bool told = std::any_of(said.begin(), said.end(), [&kept](const QList<QVariant>& message) {
+            return message[1].toString().contains(kept.first());
+        });
+        QVERIFY2(told, "where the copy is");
+
+        // The same at the next start, and the copy leads back.
+        VirtualClock clock;
+        const app::MainWindow next(app::Settings(bench.file), clock);
+        QCOMPARE(currentDensity(), Density::Touch);
+        QCOMPARE(app::Settings(bench.file).preferences().longestHold, 40);
+        app::ImportDialog* back = bench.ask(bench.folder.filePath(kept.first()));
+        QVERIFY(back != nullptr);
+        QTest::mouseClick(back->findChild<QPushButton*>("importSettings.replace"), Qt::LeftButton);
+        QVERIFY(bench.robotsInTheMenu().contains("10.0.0.1"));
+    }
+
+    void whatTheFileDoesNotHaveIsReplacedOnlyWhenTicked() {
+        Bench bench;
+        app::Settings(bench.file).rememberRobot({"old", "10.0.0.1", 0, false});
+        const QString path = bench.folder.filePath("keys.json");
+        app::SettingsBundle few;
+        few.values["look/theme"] = "dark";
+        QVERIFY(app::writeSettingsFile(path, few).ok());
+        app::ImportDialog* dialog = bench.ask(path);
+        QVERIFY(dialog != nullptr);
+        QCOMPARE(dialog->chosen(), QSet<SettingsPart>{SettingsPart::Look});
+        auto* robots = dialog->findChild<QCheckBox*>(
+            QStringLiteral("importSettings.part.%1").arg(static_cast<int>(SettingsPart::Robots)));
+        QVERIFY(robots != nullptr && robots->isEnabled());
+        robots->setFocus();
+        QTest::keyClick(robots, Qt::Key_Space);
+        QTest::mouseClick(dialog->findChild<QPushButton*>("importSettings.replace"), Qt::LeftButton);
+        QVERIFY(Theme::current().isDark());
+        QVERIFY(app::Settings(bench.file).rememberedRobots().isEmpty());
+    }
+
+    void whatIsNotTickedStays() {
+        Bench bench;
+        app::Settings(bench.file).rememberRobot({"old", "10.0.0.1", 0, false});
+        app::ImportDialog* dialog = bench.ask(fileOfACell(bench.folder));
+        QVERIFY(dialog != nullptr);
+        auto* replace = dialog->findChild<QPushButton*>("importSettings.replace");
+        const QList<QCheckBox*> boxes = dialog->findChildren<QCheckBox*>();
+        QVERIFY(boxes.size() > 3);
+        for (QCheckBox* box : boxes) {
+            if (box->isChecked()) {
+                box->setFocus();
+                QTest::keyClick(box, Qt::Key_Space);
+            }
+        }
+        QVERIFY2(!replace->isEnabled(), "nothing is left to replace");
+        auto* look = dialog->findChild<QCheckBox*>(
+            QStringLiteral("importSettings.part.%1").arg(static_cast<int>(SettingsPart::Look)));
+        look->setFocus();
+        QTest::keyClick(look, Qt::Key_Space);
+        QTest::mouseClick(replace, Qt::LeftButton);
+        QVERIFY(Theme::current().isDark());
+        QCOMPARE(app::Settings(bench.file).rememberedRobots().first().host, QString("10.0.0.1"));
+        QVERIFY(bench.find<IoChannel>("io.DO0").name().isEmpty());
+    }
+
+    void cancelChangesNothing() {
+        Bench bench;
+        app::ImportDialog* dialog = bench.ask(fileOfACell(bench.folder));
+        QVERIFY(dialog != nullptr);
+        QTest::keyClick(dialog, Qt::Key_Escape);
+        QTRY_VERIFY(bench.window.findChild<app::ImportDialog*>() == nullptr);
+        QVERIFY(!Theme::current().isDark());
+        QVERIFY(app::Settings(bench.file).theme().isEmpty());
+        QVERIFY(QDir(bench.folder.path()).entryList({"settings-before-import_*"}).isEmpty());
+    }
+
+    void aFileThatCannotBeTakenChangesNothingAndSaysWhy_data() {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("newer") << QByteArray(R"({"format": "tiller-settings", "version": 99, "values": {}})")
+                               << "Update Tiller";
+        QTest::newRow("a project") << QByteArray(R"({"format": "tiller-project", "version": 1})")
+                                   << "no settings";
+        QTest::newRow("cut off") << QByteArray(R"({"format": "tiller-settings", "vers)") << "damaged";
+    }
+    void aFileThatCannotBeTakenChangesNothingAndSaysWhy() {
+        QFETCH(QByteArray, bytes);
+        QFETCH(QString, words);
+        Bench bench;
+        app::Settings(bench.file).setTheme("light");
+        QFile settings(bench.file);
+        QVERIFY(settings.open(QIODevice::ReadOnly));
+        const QByteArray before = settings.readAll();
+        settings.close();
+        const QString path = bench.folder.filePath("other.json");
+        write(path, bytes);
+        app::ImportDialog* dialog = bench.ask(path);
+        QVERIFY(dialog != nullptr);
+        const QString said = dialog->findChild<QLabel*>("importSettings.note")->text();
+        QVERIFY2(said.contains(words), qPrintable(said));
+        QVERIFY2(!said.contains("robot", Qt::CaseInsensitive), qPrintable(said));
+        QVERIFY(!dialog->findChild<QPushButton*>("importSettings.replace")->isVisible());
+        QTRY_VERIFY2(clipped(*dialog).isEmpty(), qPrintable(clipped(*dialog).join('\n')));
+        QTest::keyClick(dialog, Qt::Key_Return);
+        QTRY_VERIFY(bench.window.findChild<app::ImportDialog*>() == nullptr);
+        QVERIFY(settings.open(QIODevice::ReadOnly));
+        QCOMPARE(settings.readAll(), before);
+    }
+};
+
+QTEST_MAIN(TestSettingsTransfer)
+#include "tst_settings_transfer.moc"
