@@ -12,6 +12,7 @@
 
 #include "app/command_line.h"
 #include "app/demonstration.h"
+#include "app/interface_size.h"
 #include "app/main_window.h"
 #include "app/start_project.h"
 #include "resources/resources.h"
@@ -56,6 +57,24 @@ bool withoutDisplay(const QStringList& arguments) {
 #endif
 }
 
+/// The demonstration is the same on every computer.
+int sizeFor(const QStringList& arguments) {
+    const bool demonstrates = std::ranges::any_of(
+        arguments, [](const QString& word) { return word.startsWith(QLatin1String("--demo")); });
+    return demonstrates ? app::kInterfaceSizes.front() : app::readInterfaceSize({});
+}
+
+/// Once: where any setting was chosen, this one was seen too.
+void tellOfSize(app::MainWindow& window) {
+    if (app::looksSmall(*window.screen()) && !app::openSettings({}).contains(QStringLiteral("look/size"))) {
+        Q_EMIT window.session().message(
+            Severity::Info,
+            QCoreApplication::translate("InterfaceSize",
+                                        "This screen has small pixels. \"Size of everything\" in Settings "
+                                        "makes text, keys and plots larger."));
+    }
+}
+
 int runDemonstration(QApplication& application, app::MainWindow& window, const QString& folder) {
     app::Demonstration demonstration(window, folder);
     QObject::connect(&demonstration, &app::Demonstration::finished, &application, [&](bool succeeded) {
@@ -69,11 +88,13 @@ int runDemonstration(QApplication& application, app::MainWindow& window, const Q
 }  // namespace
 
 int main(int argc, char* argv[]) {
-    const bool unseen = withoutDisplay(QStringList(argv, argv + argc));
+    const QStringList words(argv, argv + argc);
+    const bool unseen = withoutDisplay(words);
     if (unseen) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
     }
-    QApplication application(argc, argv);
+    app::SizedApplication sized(argc, argv, sizeFor(words));
+    QApplication& application = sized.application();
     QApplication::setApplicationName(QStringLiteral("Tiller"));
     QApplication::setOrganizationName(QStringLiteral("Tiller"));
     QApplication::setApplicationVersion(QStringLiteral(TILLER_VERSION));
@@ -131,6 +152,7 @@ int main(int argc, char* argv[]) {
         // It connects by itself, so that it hears of what goes wrong on the way.
         return runDemonstration(application, window, line->demoDirectory);
     }
+    tellOfSize(window);
     window.lookForDevices();
     switch (line->start) {
         case app::CommandLine::Start::Simulator:

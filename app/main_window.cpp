@@ -19,6 +19,7 @@
 #include "app/command_palette.h"
 #include "app/connect_dialog.h"
 #include "app/help_page.h"
+#include "app/interface_size.h"
 #include "app/jog_actions.h"
 #include "app/lessons.h"
 #include "app/panel_actions.h"
@@ -62,7 +63,6 @@
 namespace tiller::app {
 namespace {
 
-constexpr QSize kSmallest{1264, 672};  // a screen of 1280 x 720 less title bar and borders
 constexpr QSize kStart{1600, 900};
 /// Between panels [px].
 constexpr int kGap = 10;
@@ -120,7 +120,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     setObjectName("mainWindow");
     setWindowTitle(tr("Tiller"));
     setWindowIcon(applicationIcon());
-    setMinimumSize(kSmallest);
+    setMinimumSize(kSmallestWindow);
     resize(startSize());
     setDockOptions(QMainWindow::AllowTabbedDocks | QMainWindow::AnimatedDocks);
     setContextMenuPolicy(Qt::NoContextMenu);

@@ -6,6 +6,7 @@
 
 #include <QSettings>
 
+#include "app/interface_size.h"
 #include "app/settings.h"
 
 namespace tiller::app {
@@ -39,11 +40,16 @@ bool stopsTheArm(const QKeySequence& keys) {
     return keys == QKeySequence(Qt::Key_Space) || keys == QKeySequence(Qt::Key_Escape);
 }
 
+int readInterfaceSize(const QString& file) {
+    return saneInterfaceSize(openSettings(file).value("look/size", kInterfaceSizes.front()).toInt());
+}
+
 Preferences readPreferences(const QString& file) {
     Preferences preferences;
     QSettings settings = openSettings(file);
     const QString density = settings.value("look/density", kDensities[1]).toString();
     preferences.density = choiceOf<Density>(density, kDensities);
+    preferences.interfaceSize = readInterfaceSize(file);
     preferences.notation.length = choiceOf<LengthUnit>(settings.value("look/lengths").toString(), kLengths);
     preferences.notation.rotation =
         choiceOf<RotationNotation>(settings.value("look/rotations").toString(), kRotations);
@@ -84,6 +90,7 @@ Preferences readPreferences(const QString& file) {
 void writePreferences(const QString& file, const Preferences& preferences) {
     QSettings settings = openSettings(file);
     settings.setValue("look/density", kDensities[static_cast<int>(preferences.density)]);
+    settings.setValue("look/size", preferences.interfaceSize);
     settings.setValue("look/lengths", kLengths[static_cast<int>(preferences.notation.length)]);
     settings.setValue("look/rotations", kRotations[static_cast<int>(preferences.notation.rotation)]);
     settings.setValue("motion/speedCap", std::min(preferences.speedCap, Preferences::kOrdinaryCap));

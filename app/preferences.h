@@ -16,6 +16,8 @@ namespace tiller::app {
 
 struct Preferences {
     Density density = Density::Mouse;
+    /// Of everything in the window [%]; holds from the next start on.
+    int interfaceSize = 100;
     Notation notation;
     /// Of the TCP and the elbow [m/s]. Above kOrdinaryCap it holds until the program ends and is not written.
     double speedCap = kOrdinaryCap;
@@ -40,6 +42,8 @@ struct Preferences {
 /// True for the keys that stop the arm everywhere, and so mean nothing else.
 bool stopsTheArm(const QKeySequence& keys);
 /// file  where they are kept; empty: the place the system has for them
+/// The one value that is needed before there is an application [%].
+int readInterfaceSize(const QString& file);
 Preferences readPreferences(const QString& file);
 void writePreferences(const QString& file, const Preferences& preferences);
 

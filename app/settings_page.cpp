@@ -10,13 +10,18 @@
 #include <QKeySequenceEdit>
 #include <QLabel>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/action_table.h"
 #include "app/device_settings.h"
+#include "app/interface_size.h"
+#include "widgets/common/choice_box.h"
 #include "widgets/common/figure_box.h"
 #include "widgets/jog/device_jog.h"
 
@@ -25,6 +30,19 @@ namespace {
 
 QString plain(const QAction& action) {
     return QString(action.text()).remove(QLatin1Char('&'));
+}
+
+/// In large rows there is more than fits on the smallest screen.
+QWidget* scrolling(QWidget* page, const QString& name) {
+    auto* area = new QScrollArea;
+    area->setAccessibleName(name);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setWidget(page);
+    area->viewport()->setAutoFillBackground(false);
+    page->setAutoFillBackground(false);
+    return area;
 }
 
 QLabel* note(const QString& text, const char* role) {
@@ -47,7 +65,7 @@ SettingsPage::SettingsPage(const Preferences& preferences, const QString& theme,
     pages->setAccessibleName(tr("Settings"));
     pages->tabBar()->setAccessibleName(tr("Settings"));
     pages->tabBar()->setDrawBase(false);
-    pages->addTab(buildLook(theme), tr("Look and motion"));
+    pages->addTab(scrolling(buildLook(theme), tr("Look and motion")), tr("Look and motion"));
     pages->addTab(buildDevices(devices), tr("Devices"));
     pages->addTab(buildShortcuts(), tr("Keys"));
     auto* close = new QPushButton(tr("Close"));
@@ -83,7 +101,7 @@ QPushButton* SettingsPage::fileKey(const QString& name, const QString& text, con
 
 QComboBox* SettingsPage::choice(const QString& name, const QString& accessible, const QStringList& texts,
                                 int current) {
-    auto* box = new QComboBox;
+    auto* box = new ChoiceBox;
     box->setObjectName(name);
     box->setAccessibleName(accessible);
     box->addItems(texts);
@@ -96,6 +114,16 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
     theme_ = choice("settings.theme", tr("Colours"), {tr("Light"), tr("Dark")}, theme == "dark" ? 1 : 0);
     density_ = choice("settings.density", tr("Size of keys and rows"),
                       {tr("Compact"), tr("Mouse"), tr("Touch")}, static_cast<int>(preferences_.density));
+    QStringList sizes;
+    for (const int size : kInterfaceSizes) {
+        sizes << tr("%1 %").arg(size);
+    }
+    const auto chosen = std::find(kInterfaceSizes.begin(), kInterfaceSizes.end(), preferences_.interfaceSize);
+    size_ = choice("settings.size", tr("Size of everything"), sizes,
+                   static_cast<int>(chosen - kInterfaceSizes.begin()));
+    sizeNote_ = note({}, "secondary");
+    sizeNote_->setObjectName("settings.sizeNote");
+    showSizeNote();
     lengths_ = choice("settings.lengths", tr("Lengths"), {tr("Millimetres"), tr("Inches")},
                       static_cast<int>(preferences_.notation.length));
     rotations_ =
@@ -128,6 +156,8 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
     form->setVerticalSpacing(12);
     form->setHorizontalSpacing(20);
     form->addRow(tr("Colours"), theme_);
+    form->addRow(tr("Size of everything"), size_);
+    form->addRow(QString(), sizeNote_);
     form->addRow(tr("Size of keys and rows"), density_);
     form->addRow(tr("Lengths"), lengths_);
     form->addRow(tr("Rotations"), rotations_);
@@ -143,6 +173,11 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
 
     connect(theme_, &QComboBox::activated, this,
             [this](int index) { Q_EMIT themeChosen(index == 1 ? "dark" : "light"); });
+    connect(size_, &QComboBox::activated, this, [this](int index) {
+        preferences_.interfaceSize = kInterfaceSizes.at(static_cast<std::size_t>(index));
+        showSizeNote();
+        Q_EMIT preferencesChanged(preferences_);
+    });
     connect(density_, &QComboBox::activated, this, [this](int index) {
         preferences_.density = static_cast<Density>(index);
         Q_EMIT preferencesChanged(preferences_);
@@ -166,6 +201,17 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
         Q_EMIT preferencesChanged(preferences_);
     });
     return page;
+}
+
+void SettingsPage::showSizeNote() {
+    const int chosen = preferences_.interfaceSize;
+    const int fitting = fittingInterfaceSize(chosen, availableAtNormalSize(*screen()));
+    sizeNote_->setText(chosen == interfaceSize() ? tr("Text, keys, rows, plots and the view, all alike.")
+                       : fitting < chosen
+                           ? tr("Holds at the next start of Tiller. The screen has room for %1 % only, which "
+                                "it will have there.")
+                                 .arg(fitting)
+                           : tr("Holds at the next start of Tiller."));
 }
 
 void SettingsPage::showCapFigure() {

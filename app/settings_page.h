@@ -61,12 +61,15 @@ private:
     void showShortcuts();
     void showCommandNames();
     void showCap();
+    void showSizeNote();
     void showCapFigure();
 
     Preferences preferences_;
     const ActionTable& actions_;
     QComboBox* theme_ = nullptr;
     QComboBox* density_ = nullptr;
+    QComboBox* size_ = nullptr;
+    QLabel* sizeNote_ = nullptr;
     QComboBox* lengths_ = nullptr;
     QComboBox* rotations_ = nullptr;
     FigureBox* cap_ = nullptr;

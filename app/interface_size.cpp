@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/interface_size.h"
+
+#include <QApplication>
+#include <QScreen>
+#include <algorithm>
+
+namespace tiller::app {
+namespace {
+
+constexpr char kFactor[] = "QT_SCALE_FACTOR";
+constexpr char kProperty[] = "tillerInterfaceSize";
+/// Above this a key of 72 px is smaller than 13 mm.
+constexpr double kDensePixels = 140;  // per inch
+
+double factorOfTheEnvironment() {
+    bool isNumber = false;
+    const double factor = qEnvironmentVariable(kFactor).toDouble(&isNumber);
+    return isNumber && factor > 0 ? factor : 1;
+}
+
+}  // namespace
+
+int saneInterfaceSize(int percent) {
+    int sane = kInterfaceSizes.front();
+    for (const int size : kInterfaceSizes) {
+        sane = size <= percent ? size : sane;
+    }
+    return sane;
+}
+
+int fittingInterfaceSize(int wanted, QSize available) {
+    int fitting = kInterfaceSizes.front();
+    for (const int size : kInterfaceSizes) {
+        const bool fits = kSmallestWindow.width() * size <= available.width() * 100 &&
+                          kSmallestWindow.height() * size <= available.height() * 100;
+        fitting = size <= wanted && fits ? size : fitting;
+    }
+    return fitting;
+}
+
+int interfaceSize() {
+    const auto* application = QCoreApplication::instance();
+    const QVariant set = application == nullptr ? QVariant() : application->property(kProperty);
+    return set.isValid() ? set.toInt() : kInterfaceSizes.front();
+}
+
+QSize availableAtNormalSize(const QScreen& screen) {
+    return screen.availableSize() * interfaceSize() / 100;
+}
+
+bool looksSmall(const QScreen& screen) {
+    return screen.physicalDotsPerInch() > kDensePixels &&
+           fittingInterfaceSize(kInterfaceSizes.back(), availableAtNormalSize(screen)) > interfaceSize();
+}
+
+SizedApplication::SizedApplication(int argc, char** argv, int percent)
+    : given_(argv, argv + argc), desktopFactor_(factorOfTheEnvironment()) {
+    const int wanted = saneInterfaceSize(percent);
+    begin(wanted);
+    const QScreen* screen = QGuiApplication::primaryScreen();
+    if (wanted == kInterfaceSizes.front() || screen == nullptr) {
+        return;
+    }
+    // The screen is known only now; another one than yesterday may be smaller.
+    if (const int fitting = fittingInterfaceSize(wanted, availableAtNormalSize(*screen)); fitting != wanted) {
+        application_.reset();
+        begin(fitting);
+    }
+}
+
+SizedApplication::~SizedApplication() = default;
+
+void SizedApplication::begin(int percent) {
+    const double factor = desktopFactor_ * percent / 100;
+    const bool told = percent != kInterfaceSizes.front() || qEnvironmentVariableIsSet(kFactor);
+    if (told) {
+        qputenv(kFactor, QByteArray::number(factor));
+    }
+    arguments_ = given_;
+    count_ = static_cast<int>(arguments_.size());
+    arguments_.push_back(nullptr);
+    application_ = std::make_unique<QApplication>(count_, arguments_.data());
+    application_->setProperty(kProperty, percent);
+    if (told) {
+        // For us alone: a program that is started from here begins in its own size.
+        qputenv(kFactor, QByteArray::number(desktopFactor_));
+    }
+}
+
+}  // namespace tiller::app
