@@ -11,6 +11,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "widgets/common/choice_box.h"
 #include "widgets/common/figure_box.h"
 #include "widgets/jog/device_jog.h"
 
@@ -48,7 +49,7 @@ FigureBox* numberField(const QString& name, const QString& accessible, double le
 }  // namespace
 
 DeviceSettings::DeviceSettings(DeviceJog& devices, const QMap<QString, DeviceTuning>& chosen, QWidget* parent)
-    : QWidget(parent), devices_(devices), chosen_(chosen), used_(new QComboBox), there_(secondary({})) {
+    : QWidget(parent), devices_(devices), chosen_(chosen), used_(new ChoiceBox), there_(secondary({})) {
     used_->setObjectName("settings.device");
     used_->setAccessibleName(tr("Device that moves the arm"));
     there_->setObjectName("settings.deviceNote");

@@ -29,6 +29,7 @@
 #include "app/settings_page.h"
 #include "app/settings_transfer.h"
 #include "app/sleep_watch.h"
+#include "widgets/common/density.h"
 #include "widgets/common/hold_button.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/panel.h"
@@ -224,6 +225,7 @@ void MainWindow::proportion() {
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
+    setRoomForTouch(*qApp, height() >= kRoomForTouch);
     proportion();
 }
 

@@ -22,6 +22,7 @@
 #include "app/device_settings.h"
 #include "app/interface_size.h"
 #include "widgets/common/choice_box.h"
+#include "widgets/common/density.h"
 #include "widgets/common/figure_box.h"
 #include "widgets/jog/device_jog.h"
 
@@ -30,6 +31,11 @@ namespace {
 
 QString plain(const QAction& action) {
     return QString(action.text()).remove(QLatin1Char('&'));
+}
+
+/// Room for a field in each.
+int keyRowHeight() {
+    return std::max(40, keyHeight(currentDensity()) + 4);
 }
 
 /// In large rows there is more than fits on the smallest screen.
@@ -66,7 +72,7 @@ SettingsPage::SettingsPage(const Preferences& preferences, const QString& theme,
     pages->tabBar()->setAccessibleName(tr("Settings"));
     pages->tabBar()->setDrawBase(false);
     pages->addTab(scrolling(buildLook(theme), tr("Look and motion")), tr("Look and motion"));
-    pages->addTab(buildDevices(devices), tr("Devices"));
+    pages->addTab(scrolling(buildDevices(devices), tr("Devices")), tr("Devices"));
     pages->addTab(buildShortcuts(), tr("Keys"));
     auto* close = new QPushButton(tr("Close"));
     close->setObjectName("settingsClose");
@@ -159,6 +165,11 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
     form->addRow(tr("Size of everything"), size_);
     form->addRow(QString(), sizeNote_);
     form->addRow(tr("Size of keys and rows"), density_);
+    form->addRow(QString(),
+                 note(tr("Touch: as high as a finger needs. In a window lower than %1 px the keys of joints, "
+                         "tabs and title bars stay smaller.")
+                          .arg(kRoomForTouch),
+                      "secondary"));
     form->addRow(tr("Lengths"), lengths_);
     form->addRow(tr("Rotations"), rotations_);
     form->addRow(QString(),
@@ -225,9 +236,10 @@ void SettingsPage::showCapFigure() {
 }
 
 void SettingsPage::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::StyleChange && capNote_ != nullptr) {
+    if (event->type() == QEvent::StyleChange && shortcuts_ != nullptr) {
         showCapFigure();  // other units
         showCap();
+        shortcuts_->verticalHeader()->setDefaultSectionSize(keyRowHeight());
     }
     QDialog::changeEvent(event);
 }
@@ -265,7 +277,7 @@ QWidget* SettingsPage::buildShortcuts() {
     shortcuts_->setAccessibleName(tr("Keys of the commands"));
     shortcuts_->setHorizontalHeaderLabels({tr("Command"), tr("Key")});
     shortcuts_->verticalHeader()->hide();
-    shortcuts_->verticalHeader()->setDefaultSectionSize(40);
+    shortcuts_->verticalHeader()->setDefaultSectionSize(keyRowHeight());
     shortcuts_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     shortcuts_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     shortcuts_->setColumnWidth(1, 190);

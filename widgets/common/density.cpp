@@ -12,6 +12,7 @@ namespace tiller {
 namespace {
 
 constexpr char kDensityProperty[] = "tillerDensity";
+constexpr char kCrampedProperty[] = "tillerCramped";
 
 class RowHeight : public QObject {
 public:
@@ -53,6 +54,22 @@ int rowHeight(Density density) {
 
 int keyHeight(Density density) {
     return density == Density::Compact ? 32 : density == Density::Mouse ? 38 : 48;
+}
+
+int touchHeight() {
+    const auto* app = QCoreApplication::instance();
+    const bool room = app == nullptr || !app->property(kCrampedProperty).toBool();
+    return currentDensity() == Density::Touch && room ? keyHeight(Density::Touch) : 0;
+}
+
+void setRoomForTouch(QApplication& application, bool room) {
+    if (application.property(kCrampedProperty).toBool() == !room) {
+        return;
+    }
+    application.setProperty(kCrampedProperty, !room);
+    if (currentDensity() == Density::Touch) {
+        applyTheme(application, Theme::current());
+    }
 }
 
 void followDensity(QTableView& table) {

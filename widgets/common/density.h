@@ -28,6 +28,17 @@ int rowHeight(Density density);
 /// Of keys outside the jog column [px].
 int keyHeight(Density density);
 
+/// The least height of what a finger touches and what is small for a mouse: tabs, joint keys, the keys in title
+/// bars [px]. 0 where they keep the size that they have for a mouse, which is everywhere but in Touch, and there
+/// too in a window that has no room for more.
+int touchHeight();
+/// Whether the window has room for that; true until told otherwise. Lays the application out anew when it changes
+/// in Touch.
+/// Threads  GUI
+void setRoomForTouch(QApplication& application, bool room);
+/// A window of this height has it [px].
+inline constexpr int kRoomForTouch = 870;
+
 /// Gives the table's rows the height of the density, now and whenever it changes.
 void followDensity(QTableView& table);
 

@@ -23,7 +23,9 @@ Panel::Panel(const QString& title, QWidget* parent)
     setAccessibleName(title);
     layout_->setContentsMargins(1, 1, 1, 1);
     layout_->setSpacing(0);
-    header_->setFixedHeight(kHeaderHeight);
+    // As high as what is in it, which grows with the density.
+    header_->setMinimumHeight(kHeaderHeight);
+    header_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     headerLayout_->setContentsMargins(12, 0, 12, 0);
     headerLayout_->setSpacing(10);
 
@@ -72,7 +74,6 @@ void Panel::setHeaderWidget(QWidget* widget) {
     hint_->hide();
     headerLayout_->setContentsMargins(0, 0, 0, 0);
     headerLayout_->insertWidget(0, widget, 1);
-    header_->setFixedHeight(std::max(kHeaderHeight, widget->sizeHint().height()));
 }
 
 void Panel::setContent(QWidget* content) {

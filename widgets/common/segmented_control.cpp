@@ -8,7 +8,9 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QWheelEvent>
+#include <algorithm>
 
+#include "widgets/common/density.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
@@ -30,11 +32,11 @@ public:
     QSize sizeHint() const override {
         // Measured bold, so that choosing a key does not move its neighbours.
         const QFontMetrics metrics(textFont(15, QFont::Bold));
-        return {metrics.horizontalAdvance(text()) + 16, 38};
+        return {metrics.horizontalAdvance(text()) + 16, std::max(38, touchHeight())};
     }
     QSize minimumSizeHint() const override {
         const QFontMetrics metrics(textFont(15));
-        return {metrics.horizontalAdvance(text()) + 6, 30};
+        return {metrics.horizontalAdvance(text()) + 6, std::max(30, touchHeight())};
     }
 
 protected:

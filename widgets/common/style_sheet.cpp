@@ -40,6 +40,7 @@ QToolButton[quiet="true"], QPushButton[quiet="true"] { background: transparent; 
     border-radius: 4px; padding: 0 5px; min-height: 22px; font-size: 14px; }
 QToolButton[quiet="true"]:focus, QPushButton[quiet="true"]:focus { border-color: @moving; }
 QToolButton[quiet="true"]:hover, QPushButton[quiet="true"]:hover { background: @hover; border-radius: 4px; }
+QPushButton[dense="true"] { min-height: 28px; padding: 0 10px; }
 QToolButton::menu-indicator, QPushButton::menu-indicator { image: none; width: 0; }
 
 QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox, QPlainTextEdit, QTextEdit { background: @raised; color: @text;
@@ -103,6 +104,21 @@ QGroupBox::title { subcontrol-origin: margin; left: 8px; color: @secondary; }
 QDockWidget { titlebar-close-icon: none; titlebar-normal-icon: none; }
 )";
 
+// What is small for a mouse and has room for a finger everywhere: it scrolls, or it stands in front.
+constexpr char kTouch[] = R"(
+QCheckBox, QRadioButton { min-height: @touch; spacing: 12px; }
+QCheckBox::indicator, QRadioButton::indicator { width: 24px; height: 24px; }
+QListView::item, QTreeView::item { min-height: @touch; }
+QComboBox QAbstractItemView::item { min-height: @touch; }
+QPushButton[dense="true"] { min-height: @keyHeight; }
+)";
+
+// What stands in the window at all times.
+constexpr char kRoomyTouch[] = R"(
+QTabBar::tab { min-height: 36px; }
+QToolButton[quiet="true"], QPushButton[quiet="true"] { min-height: @keyHeight; }
+)";
+
 }  // namespace
 
 QString styleSheet(const Theme& t) {
@@ -118,17 +134,26 @@ QString styleSheet(const Theme& t) {
         {QStringLiteral("stopText"), t.stopText},
     };
     const int key = keyHeight(currentDensity());
+    const bool touch = currentDensity() == Density::Touch;
     const auto pixels = [](int number) { return QString::number(number) + QStringLiteral("px"); };
     const QHash<QString, QString> words = {
         {QStringLiteral("scheme"), t.isDark() ? QStringLiteral("dark") : QStringLiteral("light")},
         {QStringLiteral("keyHeight"), pixels(key)},
-        {QStringLiteral("fieldHeight"), pixels(key - 10)},
+        {QStringLiteral("fieldHeight"),
+         pixels(touchHeight() > 0 ? key - 6 : key - 10)},  // and padding and border
+        {QStringLiteral("touch"), pixels(key)},
         // Six of them have to find room beside a table in the smallest window.
-        {QStringLiteral("denseHeight"), pixels(std::min(key - 10, 28))},
-        {QStringLiteral("menuPadding"), pixels((key - 24) / 2)},
+        {QStringLiteral("denseHeight"), pixels(touchHeight() > 0 ? key - 6 : std::min(key - 10, 28))},
+        {QStringLiteral("menuPadding"), pixels(touch ? 16 : (key - 24) / 2)},
     };
     QString out;
-    const QString source = QString::fromLatin1(kTemplate);
+    QString source = QString::fromLatin1(kTemplate);
+    if (touch) {
+        source += QLatin1String(kTouch);
+    }
+    if (touchHeight() > 0) {
+        source += QLatin1String(kRoomyTouch);
+    }
     out.reserve(source.size() + 512);
     for (qsizetype i = 0; i < source.size(); ++i) {
         if (source[i] != QLatin1Char('@')) {

@@ -17,6 +17,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/common/choice_box.h"
 #include "widgets/common/figure_box.h"
 #include "widgets/common/format.h"
 #include "widgets/common/theme.h"
@@ -72,7 +73,7 @@ AnalogRow::AnalogRow(const QString& terminal, bool output, QWidget* parent)
     layout->addWidget(valueLabel_);
     if (output) {
         const QString id = QStringLiteral("io.") + QString(terminal).remove(QLatin1Char(' '));
-        domain_ = new QComboBox;
+        domain_ = new ChoiceBox;
         domain_->addItems({tr("4–20 mA"), tr("0–10 V")});
         domain_->setObjectName(id + QStringLiteral(".domain"));
         domain_->setAccessibleName(tr("%1 domain").arg(terminal));
@@ -90,7 +91,7 @@ AnalogRow::AnalogRow(const QString& terminal, bool output, QWidget* parent)
         // Narrow enough for the tab in the smallest window.
         domain_->setFixedWidth(106);
         wanted_->setFixedWidth(92);
-        set_->setStyleSheet(QStringLiteral("min-height: 28px; padding: 0 10px;"));
+        set_->setProperty("dense", true);
         fit();
         connect(domain_, &QComboBox::currentIndexChanged, this, fit);
         connect(set_, &QPushButton::clicked, this, [this] {

@@ -7,6 +7,7 @@
 #include <QMenu>
 #include <QPainter>
 
+#include "widgets/common/density.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
@@ -15,6 +16,10 @@ namespace {
 constexpr int kTerminalWidth = 46;
 constexpr int kStateWidth = 98;
 constexpr int kLamp = 12;
+
+int rowHeightNow() {
+    return currentDensity() == Density::Touch ? keyHeight(Density::Touch) : IoChannel::kHeight;
+}
 
 }  // namespace
 
@@ -89,6 +94,13 @@ void IoChannel::describe() {
     setToolTip(tip);
 }
 
+void IoChannel::changeEvent(QEvent* event) {
+    QAbstractButton::changeEvent(event);
+    if (event->type() == QEvent::StyleChange) {
+        updateGeometry();  // another density
+    }
+}
+
 bool IoChannel::hitButton(const QPoint& position) const {
     // Not disabled while data are old: it can still be renamed.
     return output_ && !stale_ && obstacle_.isEmpty() && QAbstractButton::hitButton(position);
@@ -99,11 +111,11 @@ QRect IoChannel::nameRect() const {
 }
 
 QSize IoChannel::sizeHint() const {
-    return {250, kHeight};
+    return {250, rowHeightNow()};
 }
 
 QSize IoChannel::minimumSizeHint() const {
-    return {170, kHeight};
+    return {170, rowHeightNow()};
 }
 
 void IoChannel::paintEvent(QPaintEvent*) {

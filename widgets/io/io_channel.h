@@ -39,7 +39,7 @@ public:
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
-    static constexpr int kHeight = 30;
+    static constexpr int kHeight = 30;  ///< for a mouse; for a finger as high as a key
 
 Q_SIGNALS:
     void nameChanged();
@@ -50,6 +50,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
+    void changeEvent(QEvent* event) override;
     bool hitButton(const QPoint& position) const override;
 
 private:

@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "widgets/common/choice_box.h"
 #include "widgets/common/figure_box.h"
 #include "widgets/common/format.h"
 #include "widgets/common/theme.h"
@@ -24,7 +25,7 @@ constexpr int kUpper = 24;
 }  // namespace
 
 RegisterPanel::RegisterPanel(QWidget* parent)
-    : QWidget(parent), kind_(new QComboBox), number_(new FigureBox), value_(new FigureBox) {
+    : QWidget(parent), kind_(new ChoiceBox), number_(new FigureBox), value_(new FigureBox) {
     setObjectName(QStringLiteral("io.registers"));
     setAccessibleName(tr("General purpose registers"));
     auto* layout = new QVBoxLayout(this);
@@ -73,7 +74,7 @@ RegisterPanel::RegisterPanel(QWidget* parent)
     number_->setFixedWidth(64);
     value_->setMinimumWidth(80);
     value_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    write->setStyleSheet(QStringLiteral("min-height: 28px; padding: 0 10px;"));
+    write->setProperty("dense", true);
     auto* row = new QHBoxLayout;
     row->setContentsMargins(0, 6, 0, 0);
     row->setSpacing(8);

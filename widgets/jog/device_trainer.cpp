@@ -12,6 +12,8 @@
 #include <cmath>
 
 #include "robot/core/angles.h"
+#include "widgets/common/choice_box.h"
+#include "widgets/common/density.h"
 #include "widgets/common/format.h"
 #include "widgets/common/notation.h"
 #include "widgets/common/room.h"
@@ -119,7 +121,7 @@ DeviceTrainer::DeviceTrainer(DeviceJog& devices, std::function<JogSelection()> s
     , devices_(devices)
     , selection_(std::move(selection))
     , limits_(std::move(limits))
-    , list_(new QComboBox)
+    , list_(new ChoiceBox)
     , hint_(new QLabel)
     , bars_(new DeviceBars(this))
     , deadMan_(new QLabel)
@@ -151,8 +153,11 @@ DeviceTrainer::DeviceTrainer(DeviceJog& devices, std::function<JogSelection()> s
     layout->addLayout(form);
     layout->addWidget(bars_);
     layout->addWidget(hint_);
-    layout->addWidget(dominant_);
-    layout->addWidget(use_);
+    auto* boxes = new QVBoxLayout;
+    boxes->setSpacing(currentDensity() == Density::Touch ? 0 : 12);
+    boxes->addWidget(dominant_);
+    boxes->addWidget(use_);
+    layout->addLayout(boxes);
     auto* keyboard =
         new QLabel(tr("Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt they turn, "
                       "1 to 6 with + and − "

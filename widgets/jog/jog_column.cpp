@@ -393,31 +393,45 @@ QSize JogColumn::minimumSizeHint() const {
 JogColumn::Rows JogColumn::rowsFor(Fold fold) const {
     switch (fold) {
         case Fold::Open:
-            return {38, 6};
+        case Fold::Pairs:
+            return {std::max(38, finger_), 6};
         case Fold::Snug:
             return {28, 4};
         case Fold::Folded:
             break;
     }
-    return {height() < kTightBelow ? 26 : 30, 3};
+    return {std::max(height() < kTightBelow ? 26 : 30, finger_), 3};
+}
+
+int JogColumn::keyFor(Fold fold) const {
+    switch (fold) {
+        case Fold::Open:
+        case Fold::Pairs:
+            return kKey;
+        case Fold::Snug:
+            return kSnugKey;
+        case Fold::Folded:
+            break;
+    }
+    return finger_ > 0 ? finger_ : height() < kTightBelow ? kTightKey : kFoldedKey;
 }
 
 int JogColumn::heightFor(Fold fold) const {
-    const bool open = fold == Fold::Open;
     constexpr int kFrame = 3;  // the panel's lines, and the one below its title
     const auto [row, apart] = rowsFor(fold);
+    const int joints = JointRows::heightWhen(fold == Fold::Pairs, fold == Fold::Snug);
     return Panel::kHeaderHeight + kFrame + 2 * kMargin + selectors_->heightWhen(row, apart) + kAbovePad +
-           padHeight(open ? kKey : kSnugKey) + limiter_->sizeHint().height() + 2 * kAroundLimiter +
-           pose_->minimumSizeHint().height() + kBelowPose + JointRows::unfoldedHeight(!open) + kAboveKeys +
-           freedrive_->sizeHint().height();
+           padHeight(keyFor(fold)) + limiter_->sizeHint().height() + 2 * kAroundLimiter +
+           pose_->minimumSizeHint().height() + kBelowPose + joints + kAboveKeys + freedrive_->sizeHint().height();
 }
 
 JogColumn::Fold JogColumn::foldFor(int height) const {
     if (height >= heightFor(Fold::Open)) {
         return Fold::Open;
     }
-    // Under a finger keys do not get smaller: the joints fold instead.
-    return currentDensity() != Density::Touch && height >= heightFor(Fold::Snug) ? Fold::Snug : Fold::Folded;
+    // Under a finger keys do not get smaller: the joints stand in pairs, or fold.
+    const Fold next = currentDensity() == Density::Touch ? Fold::Pairs : Fold::Snug;
+    return height >= heightFor(next) ? next : Fold::Folded;
 }
 
 void JogColumn::resizeEvent(QResizeEvent* event) {
@@ -426,21 +440,19 @@ void JogColumn::resizeEvent(QResizeEvent* event) {
 }
 
 void JogColumn::fold() {
+    finger_ = touchHeight();
     fold_ = foldFor(height());
     arrange();
-    pad_->setMinimumHeight(padHeight(fold_ == Fold::Open      ? kKey
-                                     : fold_ == Fold::Snug    ? kSnugKey
-                                     : height() < kTightBelow ? kTightKey
-                                                              : kFoldedKey));
+    pad_->setMinimumHeight(padHeight(keyFor(fold_)));
 }
 
 void JogColumn::arrange() {
     const bool folded = fold_ == Fold::Folded;
     const bool jointsChosen = detailTab_->currentIndex() == 1;
-    joints_->setCompact(folded);
+    joints_->setCompact(folded || fold_ == Fold::Pairs);
     joints_->setLow(fold_ == Fold::Snug);
     detailTab_->setVisible(folded);
-    detailTab_->setFixedHeight(kDetailTab);
+    detailTab_->setFixedHeight(std::max(kDetailTab, finger_));
     pose_->setVisible(!folded || !jointsChosen);
     joints_->setVisible(!folded || jointsChosen);
     const auto [row, apart] = rowsFor(fold_);

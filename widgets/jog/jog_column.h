@@ -125,6 +125,7 @@ private:
     enum class Fold {
         Open,    ///< everything at its size
         Snug,    ///< joints in low rows, keys a little smaller
+        Pairs,   ///< joints in two columns
         Folded,  ///< pose or joints, by choice
     };
     /// Of the rows of selectors at the top [px].
@@ -133,9 +134,11 @@ private:
         int apart;
     };
     Rows rowsFor(Fold fold) const;
+    /// The least height of a key of the pad [px].
+    int keyFor(Fold fold) const;
     int heightFor(Fold fold) const;
     Fold foldFor(int height) const;
-    /// Shows what there is room for.
+    /// Shows what there is room for, and with the height of a finger where it has to be.
     void fold();
     void arrange();
     void showReason();
@@ -184,6 +187,7 @@ private:
     bool speedsKnown_ = false;  ///< they are those of the selection, the slider and the place now
     QTimer* refusalTimer_ = nullptr;
     Fold fold_ = Fold::Open;
+    int finger_ = 0;  ///< touchHeight() when it was arranged
 };
 
 }  // namespace tiller

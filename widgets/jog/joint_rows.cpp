@@ -7,6 +7,7 @@
 
 #include "robot/core/angles.h"
 #include "robot/core/robot_model.h"
+#include "widgets/common/density.h"
 #include "widgets/common/format.h"
 #include "widgets/common/joint_name.h"
 #include "widgets/common/theme.h"
@@ -80,7 +81,12 @@ JointRow::JointRow(int joint, QWidget* parent)
 }
 
 QSize JointRow::sizeHint() const {
-    return compact_ ? QSize(170, 29) : QSize(330, low_ ? kLowHeight : kHeight);
+    return {compact_ ? 170 : 330, heightWhen(compact_, low_)};
+}
+
+int JointRow::heightWhen(bool compact, bool low) {
+    const int finger = touchHeight() > 0 ? touchHeight() + 2 : 0;
+    return std::max(compact ? 29 : low ? 28 : 40, finger);
 }
 
 QString JointRow::shortName() const {
@@ -118,17 +124,30 @@ void JointRow::setAngle(double angle, bool moving, bool valid, bool stale) {
 
 void JointRow::resizeEvent(QResizeEvent*) {
     const int middle = height() / 2;
+    const int finger = touchHeight();
+    const int high = std::max(26, finger);
     if (compact_) {
-        constexpr int kKey = 26;
-        plus_->setGeometry(width() - kKey, middle - kKey / 2, kKey, kKey);
-        minus_->setGeometry(width() - 2 * kKey - 3, middle - kKey / 2, kKey, kKey);
-        bar_->setGeometry(0, height() - 9, width() - 2 * kKey - 12, 8);
+        // No wider than the angle beside it leaves.
+        const int wide = finger > 0 ? 36 : 26;
+        plus_->setGeometry(width() - wide, middle - high / 2, wide, high);
+        minus_->setGeometry(width() - 2 * wide - 3, middle - high / 2, wide, high);
+        bar_->setGeometry(0, height() - 9, width() - 2 * wide - 12, 8);
         return;
     }
-    plus_->setGeometry(width() - kMargin - 35, middle - 13, 35, 26);
-    const int bar = std::max(40, std::min(94, width() - 2 * kMargin - 86 - 92 - 35 * 2 - 24));
+    const int wide = finger > 0 ? 44 : 35;
+    plus_->setGeometry(width() - kMargin - wide, middle - high / 2, wide, high);
+    const int bar = std::max(40, std::min(94, width() - 2 * kMargin - 86 - 92 - wide * 2 - 24));
     bar_->setGeometry(plus_->x() - 9 - bar, middle - 8, bar, 16);
-    minus_->setGeometry(bar_->x() - 9 - 35, middle - 13, 35, 26);
+    minus_->setGeometry(bar_->x() - 9 - wide, middle - high / 2, wide, high);
+}
+
+void JointRow::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::StyleChange) {
+        updateGeometry();  // another density
+        resizeEvent(nullptr);
+        update();
+    }
 }
 
 void JointRow::paintEvent(QPaintEvent*) {
@@ -137,12 +156,15 @@ void JointRow::paintEvent(QPaintEvent*) {
     const int left = compact_ ? 0 : kMargin;
     const int lower = compact_ ? 9 : 1;
     const QRect text(left, 0, minus_->x() - left - 10, height() - lower);
+    // Beside wide keys there is no room for both in one line, and in high rows there is for two.
+    const bool two = compact_ && touchHeight() > 0;
     painter.setPen(theme.text);
     painter.setFont(textFont(compact_ ? 13 : 15));
-    painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, compact_ ? shortName() : name_);
+    painter.drawText(text, Qt::AlignLeft | (two ? Qt::AlignTop : Qt::AlignVCenter),
+                     compact_ ? shortName() : name_);
     painter.setFont(textFont(compact_ ? 15 : 19));
     painter.setPen(grey_ ? theme.disabledText : theme.text);
-    painter.drawText(text, Qt::AlignRight | Qt::AlignVCenter, value_);
+    painter.drawText(text, Qt::AlignRight | (two ? Qt::AlignBottom : Qt::AlignVCenter), value_);
     if (!compact_) {
         painter.setPen(theme.border);
         painter.drawLine(0, height() - 1, width(), height() - 1);
@@ -182,6 +204,10 @@ void JointRows::setCompact(bool compact) {
         compact_ = compact;
         arrange();
     }
+}
+
+int JointRows::heightWhen(bool pairs, bool low) {
+    return (pairs ? kJointCount / 2 : kJointCount) * JointRow::heightWhen(pairs, low);
 }
 
 void JointRows::setLow(bool low) {

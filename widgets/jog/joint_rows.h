@@ -52,8 +52,7 @@ public:
     void setCompact(bool compact);
     /// A line of full width that is less high.
     void setLow(bool low);
-    static constexpr int kHeight = 40;
-    static constexpr int kLowHeight = 28;
+    static int heightWhen(bool compact, bool low);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
@@ -61,6 +60,7 @@ public:
 protected:
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
 private:
     QString shortName() const;
@@ -86,10 +86,8 @@ public:
     void setJoints(const JointPositions& q, bool moving, bool valid, bool stale);
     void setCompact(bool compact);
     void setLow(bool low);
-    /// Of all rows, below each other.
-    static constexpr int unfoldedHeight(bool low) {
-        return kJointCount * (low ? JointRow::kLowHeight : JointRow::kHeight);
-    }
+    /// Of all rows, below each other or in pairs.
+    static int heightWhen(bool pairs, bool low);
 
 private:
     void arrange();

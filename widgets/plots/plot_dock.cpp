@@ -12,8 +12,10 @@
 #include <QPixmap>
 #include <QStandardPaths>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
 
+#include "widgets/common/density.h"
 #include "widgets/common/elided_label.h"
 #include "widgets/common/format.h"
 #include "widgets/common/theme.h"
@@ -236,12 +238,13 @@ void PlotDock::styleHeader() {
     // Quieter than keys: these controls stand in a title bar. Red only while it records.
     const QString sheet =
         QStringLiteral(
-            "QToolButton { color: %1; font-size: 13px; padding: 0 2px; min-height: 22px; }"
+            "QToolButton { color: %1; font-size: 13px; padding: 0 2px; min-height: %7px; }"
             "QToolButton:checked { color: %4; background: %5; border-color: %6; }"
             "QToolButton#plots\\.record[recording=\"true\"] { color: %2; font-weight: bold; }"
             "QFrame#plots\\.separator { background: %3; border: none; }")
             .arg(theme.secondary.name(), theme.recording.name(), theme.secondary.name(), theme.text.name(),
-                 theme.movingTint.name(), theme.moving.name());
+                 theme.movingTint.name(), theme.moving.name())
+            .arg(std::max(22, touchHeight()));
     for (QWidget* widget :
          {static_cast<QWidget*>(span_), static_cast<QWidget*>(pause_), static_cast<QWidget*>(zero_),
           static_cast<QWidget*>(export_), static_cast<QWidget*>(record_),

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <utility>
 
+#include "widgets/common/density.h"
 #include "widgets/common/format.h"
 #include "widgets/common/joint_name.h"
 #include "widgets/common/notation.h"
@@ -38,6 +39,11 @@ QString signedLength(double metres) {
 StopPlot::StopPlot(const QString& title, QWidget* parent) : QWidget(parent), title_(title) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setAccessibleName(title);
+}
+
+QSize StopPlot::sizeHint() const {
+    // The checks below are as high as a finger then, and the page still has to be whole on a small screen.
+    return {420, currentDensity() == Density::Touch ? 56 : 74};
 }
 
 void StopPlot::show(const StopRecord& record, const Value& value, const std::function<QString(double)>& text,
@@ -153,6 +159,7 @@ void RecoveryPage::build() {
         layout->addWidget(plots_[i]);
     }
     checkLayout_ = new QVBoxLayout;
+    checkLayout_->setSpacing(currentDensity() == Density::Touch ? 0 : 6);
     layout->addLayout(checkLayout_);
     layout->addStretch(1);
     auto* row = new QHBoxLayout;

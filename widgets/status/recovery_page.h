@@ -35,8 +35,8 @@ public:
     const QVector<QPointF>& curve() const { return curve_; }
     QString peakText() const { return peak_; }
 
-    QSize sizeHint() const override { return {420, 74}; }
-    QSize minimumSizeHint() const override { return {240, 60}; }
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return {240, 50}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

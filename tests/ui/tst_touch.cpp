@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// In the density Touch everything that a finger touches is as high as a finger needs: the keys of joints, rows of
+// I/O, tabs, check boxes, fields and menus too. A mouse keeps the sizes it had.
+
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QTest>
+
+#include "app/action_table.h"
+#include "app/settings_page.h"
+#include "resources/resources.h"
+#include "tests/support/window_bench.h"
+#include "tests/ui/clipping.h"
+#include "tests/ui/jog_fixture.h"
+#include "widgets/common/density.h"
+#include "widgets/common/segmented_control.h"
+#include "widgets/common/theme.h"
+#include "widgets/frames/frames_tab.h"
+#include "widgets/io/io_channel.h"
+#include "widgets/waypoints/waypoints_tab.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+namespace {
+
+constexpr int kFinger = 48;
+constexpr QSize kRoomy{1920, 1080};
+
+struct Bench : WindowBench {
+    explicit Bench(QSize size, Density density = Density::Touch) {
+        show(size);
+        app::Preferences preferences;
+        preferences.density = density;
+        window.applyPreferences(preferences);
+        QTest::qWait(50);
+    }
+};
+
+/// The rows of a table are 44 px high, and what stands in one has no more.
+bool standsInARow(const QWidget& widget) {
+    for (const QWidget* up = widget.parentWidget(); up != nullptr; up = up->parentWidget()) {
+        if (up->inherits("QAbstractItemView")) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool isTouched(const QWidget& widget) {
+    return qobject_cast<const QAbstractButton*>(&widget) != nullptr ||
+           qobject_cast<const QLineEdit*>(&widget) != nullptr ||
+           qobject_cast<const QComboBox*>(&widget) != nullptr ||
+           qobject_cast<const QAbstractSpinBox*>(&widget) != nullptr ||
+           qobject_cast<const QTabBar*>(&widget) != nullptr;
+}
+
+/// What is lower than a finger needs, of what is in sight.
+QStringList tooLow(const QWidget& window) {
+    QStringList found;
+    for (const QWidget* widget : window.findChildren<QWidget*>()) {
+        if (!isTouched(*widget) || !widget->isVisible() || widget->window() != &window ||
+            clipping::isInner(*widget) || standsInARow(*widget)) {
+            continue;
+        }
+        if (widget->height() < kFinger) {
+            found << QStringLiteral("%1: %2 px").arg(clipping::nameOf(*widget)).arg(widget->height());
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+class TestTouch : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { initResources(); }
+    void init() {
+        applyTheme(*qApp, Theme::light());
+        applyDensity(*qApp, Density::Mouse);
+    }
+    void cleanupTestCase() {
+        applyDensity(*qApp, Density::Mouse);
+        setRoomForTouch(*qApp, true);
+    }
+
+    void everythingInTheWindowIsAsHighAsAFinger_data() {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("joints below each other") << QSize(1920, 1160);
+        QTest::newRow("joints in pairs") << QSize(1920, 1000);
+        QTest::newRow("joints in a tab") << QSize(1600, 900);
+    }
+    void everythingInTheWindowIsAsHighAsAFinger() {
+        QFETCH(QSize, size);
+        Bench bench(size);
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.window.waypoints().teach();
+        bench.cell.advanceMs(300);
+        bench.window.frames().teachFromTcp();
+        auto& detail = bench.find<SegmentedControl>("jogDetail");
+        for (int shown = 0; shown < 2; ++shown) {
+            detail.setCurrentIndex(shown);
+            for (const char* tab : {"waypoints", "frames", "io", "log"}) {
+                bench.window.showTab(tab);
+                bench.cell.advanceMs(50);
+                QTest::qWait(50);
+                QTRY_VERIFY2(tooLow(bench.window).isEmpty(),
+                             qPrintable(QLatin1String(tab) + ":\n" + tooLow(bench.window).join('\n')));
+                QTRY_VERIFY2(clipped(bench.window).isEmpty(),
+                             qPrintable(QLatin1String(tab) + ":\n" + clipped(bench.window).join('\n')));
+            }
+        }
+    }
+
+    void everyJointHasKeysForAFinger() {
+        Bench bench(kRoomy);
+        for (int joint = 0; joint < 6; ++joint) {
+            for (const char* key : {"minus", "plus"}) {
+                const auto& button = bench.find<QAbstractButton>(
+                    QStringLiteral("joint.%1.%2").arg(joint).arg(QLatin1String(key)).toLatin1().constData());
+                QVERIFY2(button.height() >= kFinger && button.width() >= 36,
+                         qPrintable(QStringLiteral("%1: %2 x %3")
+                                        .arg(button.objectName())
+                                        .arg(button.width())
+                                        .arg(button.height())));
+                QVERIFY(button.parentWidget()->rect().contains(button.geometry()));
+            }
+        }
+    }
+
+    void rowsOfInputsAndOutputsAreAsHighAsAFingerInEveryWindow_data() {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("large") << kRoomy;
+        QTest::newRow("smallest") << QSize(1280, 720);
+    }
+    void rowsOfInputsAndOutputsAreAsHighAsAFingerInEveryWindow() {
+        QFETCH(QSize, size);
+        Bench bench(size);
+        bench.window.showTab("io");
+        QTest::qWait(50);
+        for (const IoChannel* row : bench.window.findChildren<IoChannel*>()) {
+            QVERIFY2(row->height() >= kFinger, qPrintable(row->objectName()));
+        }
+        for (const char* name : {"io.AO0.set", "io.register.write"}) {
+            QVERIFY2(bench.find<QAbstractButton>(name).height() >= kFinger, name);
+        }
+    }
+
+    void menusHaveEntriesForAFinger() {
+        Bench bench(QSize(1280, 720));
+        for (const char* name : {"mainMenu", "waypoint.menu", "plots.span.menu"}) {
+            auto& menu = bench.find<QMenu>(name);
+            menu.popup(QPoint(0, 0));
+            for (const QAction* action : menu.actions()) {
+                if (action->isVisible() && !action->isSeparator()) {
+                    QVERIFY2(menu.actionGeometry(const_cast<QAction*>(action)).height() >= kFinger,
+                             qPrintable(action->text()));
+                }
+            }
+            menu.close();
+        }
+    }
+
+    void checkBoxesFieldsAndTabsOfTheSettingsAreForAFinger() {
+        Bench bench(kRoomy);
+        QTest::keyClick(&bench.window, Qt::Key_Comma, Qt::ControlModifier);
+        auto* page = bench.window.findChild<app::SettingsPage*>();
+        QVERIFY(page != nullptr);
+        auto* pages = page->findChild<QTabWidget*>("settingsPages");
+        for (int i = 0; i < pages->count(); ++i) {
+            pages->setCurrentIndex(i);
+            QTest::qWait(50);
+            QTRY_VERIFY2(tooLow(*page).isEmpty(), qPrintable(tooLow(*page).join('\n')));
+        }
+        const QList<QCheckBox*> boxes = page->findChildren<QCheckBox*>();
+        QVERIFY(!boxes.isEmpty());
+        for (const QCheckBox* box : boxes) {
+            QVERIFY2(box->sizeHint().height() >= kFinger, qPrintable(box->objectName()));
+        }
+    }
+
+    void aFingerHitsACommandOfThePalette() {
+        Bench bench(QSize(1280, 720));
+        QTest::keyClick(&bench.window, Qt::Key_K, Qt::ControlModifier);
+        auto* list = bench.window.findChild<QListWidget*>("paletteList");
+        QVERIFY(list != nullptr);
+        QTRY_VERIFY(list->visualItemRect(list->item(0)).height() >= kFinger);
+    }
+
+    void aWindowThatGetsLowerKeepsEverythingWhole() {
+        Bench bench(kRoomy);
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QCOMPARE(touchHeight(), kFinger);
+        bench.window.resize(1280, 720);
+        QTRY_COMPARE(touchHeight(), 0);
+        QTRY_VERIFY2(clipped(bench.window).isEmpty(), qPrintable(clipped(bench.window).join('\n')));
+        bench.window.resize(kRoomy);
+        QTRY_COMPARE(touchHeight(), kFinger);
+        QTRY_VERIFY2(tooLow(bench.window).isEmpty(), qPrintable(tooLow(bench.window).join('\n')));
+    }
+
+    void aJointIsJoggedByItsLargeKey() {
+        Bench bench(kRoomy);
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        driveKeys(bench.cell, bench.window.jogColumn().holdKeys());
+        auto* key = bench.window.findChild<HoldButton*>("joint.0.plus");
+        QVERIFY(key != nullptr);
+        const double before = bench.cell.truth().q[0];
+        press(*key);
+        bench.cell.advanceMs(500);
+        release(*key);
+        bench.cell.advanceMs(300);
+        QVERIFY(bench.cell.truth().q[0] > before + 0.01);
+        QVERIFY(standsStill(bench.cell));
+    }
+
+    void aMouseKeepsItsSizes() {
+        Bench bench(kRoomy, Density::Mouse);
+        QCOMPARE(touchHeight(), 0);
+        QCOMPARE(bench.find<QAbstractButton>("joint.0.plus").height(), 26);
+        QCOMPARE(bench.find<IoChannel>("io.DO0").sizeHint().height(), 30);
+        QVERIFY(bench.find<QAbstractButton>("plots.pause").height() < 30);
+    }
+};
+
+QTEST_MAIN(TestTouch)
+#include "tst_touch.moc"
