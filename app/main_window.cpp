@@ -826,7 +826,9 @@ void MainWindow::readSettingsAgain() {
     io_->setNames(settings_.ioNames());
     session_->outputs().setNames(io_->names());
     listRobots();
-    layoutRemembered_ = restoreState(settings_.windowState());
+    if (const QByteArray layout = settings_.windowState(); layout != saveState()) {
+        layoutRemembered_ = restoreState(layout) || layoutRemembered_;
+    }
 }
 
 void MainWindow::applyPreferences(const Preferences& preferences) {
