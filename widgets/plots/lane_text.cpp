@@ -60,9 +60,13 @@ QString robotModeWord(RobotMode mode) {
 
 }  // namespace
 
+LaneEntry noDataEntry() {
+    return {LaneKind::NoData, StateLaneText::tr("No data")};
+}
+
 LaneEntry laneEntry(const SessionState& state, const QString& jogLabel) {
     if (!state.hasData()) {
-        return {LaneKind::NoData, StateLaneText::tr("No data")};
+        return noDataEntry();
     }
     if (!allowsMotion(state.safetyMode) && state.safetyMode != SafetyMode::Undefined) {
         return {LaneKind::Stopped, safetyWord(state.safetyMode)};

@@ -17,5 +17,7 @@ struct LaneEntry {
 
 /// jogLabel  the held key, "X+"; empty when not known
 LaneEntry laneEntry(const SessionState& state, const QString& jogLabel);
+/// For a stretch in which the robot told nothing.
+LaneEntry noDataEntry();
 
 }  // namespace tiller

@@ -14,6 +14,7 @@
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "widgets/common/density.h"
 #include "widgets/common/elided_label.h"
@@ -83,8 +84,7 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
         feed_->beginLink();
         view_->clearZero();  // another robot, another tool
     });
-    connect(&session_, &RobotSession::samplesReceived, this,
-            [this](const SampleBatch& batch) { feed_->take(batch); });
+    connect(&session_, &RobotSession::samplesReceived, this, &PlotDock::take);
     connect(&session_, &RobotSession::stateChanged, this, &PlotDock::onState);
     onState(session_.state());
 }
@@ -177,11 +177,32 @@ void PlotDock::setJogLabel(const QString& label) {
     jogLabel_ = label;
 }
 
-void PlotDock::onState(const SessionState& state) {
+void PlotDock::take(const SampleBatch& batch) {
+    feed_->take(batch);
+    const LaneEntry none = noDataEntry();
+    for (const PlotFeed::Silence& silence : feed_->takeSilences()) {
+        lane_->add(silence.from, none.kind, none.label);
+        lane_->add(silence.to, none.kind, none.label);
+        backAt_ = silence.to;
+    }
+}
+
+void PlotDock::followLane(const SessionState& state) {
+    const double shown = feed_->plotTime(state.robotTime);
     if (state.hasData() && state.link != LinkState::Connecting) {
         const LaneEntry entry = laneEntry(state, jogLabel_);
-        lane_->add(feed_->plotTime(state.robotTime), entry.kind, entry.label);
+        lane_->add(std::exchange(backAt_, {}).value_or(shown), entry.kind, entry.label);
+        lane_->add(shown, entry.kind, entry.label);
+    } else if (state.link == LinkState::Lost && state.sequence != 0) {
+        // What the robot did last ended with its last word; the time goes on without it.
+        const LaneEntry none = noDataEntry();
+        lane_->add(shown, none.kind, none.label);
+        lane_->add(shown + state.quality.ageMs / 1e3, none.kind, none.label);
     }
+}
+
+void PlotDock::onState(const SessionState& state) {
+    followLane(state);
     if (!history_->isEmpty()) {
         lane_->forgetBefore(history_->firstTime());
     }

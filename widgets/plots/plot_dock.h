@@ -7,6 +7,7 @@
 #include <QString>
 #include <QVector>
 #include <memory>
+#include <optional>
 
 #include "robot/core/result.h"
 #include "widgets/common/panel.h"
@@ -21,6 +22,7 @@ class ElidedLabel;
 class PlotFeed;
 class PlotView;
 class RobotSession;
+struct SampleBatch;
 class SeriesBuffer;
 class StateLane;
 
@@ -68,7 +70,9 @@ protected:
 private:
     void buildHeader();
     void styleHeader();
+    void take(const SampleBatch& batch);
     void onState(const SessionState& state);
+    void followLane(const SessionState& state);
     void updateHeader();
     void sayNothingToExport();
 
@@ -84,6 +88,7 @@ private:
     QToolButton* export_ = nullptr;
     QToolButton* record_ = nullptr;
     QString jogLabel_;
+    std::optional<double> backAt_;  ///< on the plots' time axis [s]: data came again, not in the lane yet
     QString recordingFolder_;
     bool recording_ = false;
     double recordingSeconds_ = 0;

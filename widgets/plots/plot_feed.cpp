@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/plot_feed.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+
+#include "robot/core/clock.h"
 
 namespace tiller {
 
 namespace {
 
-/// A controller that starts again begins its time anew; its first sample is put this far behind the last. [s]
+/// Where nothing tells how long the silence was, the first sample behind it is put this far behind the last. [s]
 constexpr double kRestartDistance = 0.1;
 /// A hole of more than this many times the last distance is one, whoever counted what.
 constexpr double kHole = 3.5;
@@ -61,12 +64,15 @@ bool PlotFeed::take(const receive::Sample& sample, const Places& places) {
     if (any_) {
         gap = gap || (lastSequence_ != 0 && sample.sequence != lastSequence_ + 1);
         const double forward = robotTime - lastRobotTime_;
-        if (forward <= 0) {
-            if (sample.sequence == lastSequence_) {
-                return false;
-            }
-            // The controller began its time anew.
-            offset_ = history_.lastTime() + kRestartDistance - robotTime;
+        if (forward <= 0 && sample.sequence == lastSequence_) {
+            return false;
+        }
+        if (forward <= 0 || gapPending_) {
+            // The controller began its time anew, or it is the time of another one: only the clock of this
+            // computer knows how long nothing came.
+            const double silence =
+                static_cast<double>(sample.hostTimeNs - lastHostNs_) / static_cast<double>(kNsPerSecond);
+            offset_ = history_.lastTime() + std::max(kRestartDistance, silence) - robotTime;
             gap = true;
         } else if (lastStep_ > 0 && forward > kHole * lastStep_) {
             gap = true;
@@ -77,12 +83,17 @@ bool PlotFeed::take(const receive::Sample& sample, const Places& places) {
     }
     lastRobotTime_ = robotTime;
     lastSequence_ = sample.sequence;
+    lastHostNs_ = sample.hostTimeNs;
+    const double before = history_.lastTime();
     const auto valueOf = [&](std::size_t signal) {
         return signal < places.values.size() ? static_cast<float>(sample.at(places.values[signal]))
                                              : std::numeric_limits<float>::quiet_NaN();
     };
     if (!history_.appendEach(plotTime(robotTime), valueOf, gap)) {
         return false;
+    }
+    if (any_ && plotTime(robotTime) - before > kNoticeableSilence) {
+        silences_.push_back({before, plotTime(robotTime)});
     }
     any_ = true;
     gapPending_ = false;

@@ -2,9 +2,11 @@
 #pragma once
 
 // Writes the samples of each frame into the plots' history. It owns the plots' time axis: the controller's time
-// stamps, made to go forward also over a restart of the controller.
+// stamps, and over a silence in which the controller may have begun its time anew, the time of this computer.
 
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "widgets/plots/plot_signals.h"
 #include "widgets/plots/series_buffer.h"
@@ -17,13 +19,22 @@ class PlotFeed {
 public:
     explicit PlotFeed(SeriesBuffer& history) : history_(history) {}
 
-    /// What comes from now on is another robot's. The history stays, with a gap between.
+    /// What comes from now on is another robot's. The history stays, with a gap between as long as it lasted.
     void beginLink();
     /// Returns  how many rows were added
     int take(const SampleBatch& batch);
 
     /// A time stamp of the controller on the plots' time axis [s].
     double plotTime(double robotTime) const { return robotTime + offset_; }
+    /// A stretch of the plots' time axis without data that the eye can see [s].
+    struct Silence {
+        double from = 0;
+        double to = 0;
+    };
+    static constexpr double kNoticeableSilence = 0.3;  ///< [s]
+    /// Those that ended since the last call.
+    std::vector<Silence> takeSilences() { return std::exchange(silences_, {}); }
+
     /// Rows lost because the screen was too slow for the ring.
     std::uint64_t overrun() const { return overrun_; }
     /// Gaps in the history so far, whatever their cause.
@@ -37,6 +48,8 @@ private:
     double offset_ = 0;
     double lastRobotTime_ = 0;
     double lastStep_ = 0;  // between two samples without a gap [s]
+    std::int64_t lastHostNs_ = 0;
+    std::vector<Silence> silences_;
     std::uint64_t lastSequence_ = 0;
     std::uint64_t connection_ = 0;  // of the last sample; 0: none yet of this link
     bool any_ = false;

@@ -114,10 +114,15 @@ double PlotView::xAt(double time) const {
     return area.left() + (time - window_.start()) / window_.span() * area.width();
 }
 
+void PlotView::measure() {
+    // While no data come the lane goes on alone: the outage is as long as it lasts.
+    window_.setHistory(history_.firstTime(), std::max(history_.lastTime(), lane_.endTime()));
+}
+
 void PlotView::refresh(double seconds) {
-    window_.setHistory(history_.firstTime(), history_.lastTime());
+    measure();
     // What is frozen stays as it is on the screen; only its oldest samples may fall out of the history.
-    if (window_.follows() && shownEnd_ != history_.end()) {
+    if (window_.follows() && (shownEnd_ != history_.end() || shownNewest_ != window_.newest())) {
         show(seconds);
     }
 }
@@ -141,6 +146,7 @@ void PlotView::rewind() {
 
 void PlotView::show(double seconds) {
     shownEnd_ = history_.end();
+    shownNewest_ = window_.newest();
     if (window_.follows()) {
         reference_ = window_.newest();
     }
@@ -214,13 +220,13 @@ void PlotView::pause() {
 }
 
 void PlotView::follow() {
-    window_.setHistory(history_.firstTime(), history_.lastTime());
+    measure();
     window_.follow();
     rewind();
 }
 
 void PlotView::scrollBy(double seconds) {
-    window_.setHistory(history_.firstTime(), history_.lastTime());
+    measure();
     window_.scrollBy(seconds);
     rewind();
 }

@@ -30,7 +30,7 @@ public:
     PlotView(const SeriesBuffer& history, const StateLane& lane, QWidget* parent = nullptr);
     ~PlotView() override;
 
-    /// Data came or the time went on: shows the newest. Cheap when nothing changed.
+    /// Data came or the time went on, with or without data: shows the newest. Cheap when nothing changed.
     /// seconds  since the last call; paces the calm of the scales
     void refresh(double seconds);
 
@@ -93,6 +93,8 @@ private:
     enum class Drag { None, Undecided, Pan, Cursor, Legend };
 
     void layOut();
+    /// Tells the window how far history and lane reach.
+    void measure();
     /// The window changed by hand: shows it at once, with the best scales.
     void rewind();
     void show(double seconds);
@@ -125,6 +127,7 @@ private:
     PlotSignal readoutSignal_ = PlotSignal::ForceZ;
     ColumnGrid grid_;
     std::int64_t shownEnd_ = -1;
+    double shownNewest_ = 0;
     double reference_ = 0;  // what the time labels count from [s]
     double tickSpan_ = -1;
     double tickEnd_ = 0;

@@ -29,6 +29,8 @@ public:
     void clear() { segments_.clear(); }
 
     bool isEmpty() const { return segments_.empty(); }
+    /// Until when it is known what was [s]; 0 while it is empty.
+    double endTime() const { return segments_.empty() ? 0 : segments_.back().end; }
     /// Whole segments, from oldest to newest; the last one ends where it was last confirmed.
     const std::deque<LaneSegment>& segments() const { return segments_; }
     /// The segments inside t0 ... t1, cut to it. Those narrower than `least` [s] are joined to their

@@ -416,6 +416,53 @@ private Q_SLOTS:
         QVERIFY(near(seen[1].end, 50, 1e-6));
     }
 
+    void anOutageIsGreyAndAsLongAsItLasted() {
+        Bench b;
+        Q_EMIT b.session.stateChanged(running(59, true));
+        Q_EMIT b.session.stateChanged(running(60, true));
+        SessionState lost = running(60, true);
+        lost.link = LinkState::Lost;
+        for (int frame = 1; frame <= 100; ++frame) {
+            lost.quality.ageMs = frame * 50;
+            Q_EMIT b.session.stateChanged(lost);
+        }
+        // It goes on while it lasts, and the time axis with it.
+        QVERIFY(near(b.view().window().end(), 65, 0.003));
+        const auto seen = b.view().laneItem().segments();
+        QCOMPARE(seen.size(), std::size_t{2});
+        QVERIFY(seen[0].kind == LaneKind::Moving);
+        QVERIFY(near(seen[0].end, 60, 0.003));
+        QVERIFY(seen[1].kind == LaneKind::NoData);
+        QCOMPARE(seen[1].label, QString("No data"));
+        QVERIFY(near(seen[1].end, 65, 0.003));
+
+        // What comes back stands behind it.
+        b.next = 33'000;
+        b.runTo(66.1);
+        Q_EMIT b.session.stateChanged(running(66.1, false));
+        const auto& after = b.dock.lane().segments();
+        QVERIFY(after.back().kind == LaneKind::Idle);
+        const LaneSegment& outage = after[after.size() - 2];
+        QVERIFY(outage.kind == LaneKind::NoData);
+        QVERIFY(near(outage.start, 60, 0.003));
+        QVERIFY(near(outage.end, 66, 0.003));
+    }
+
+    // Too short for the header to say it, and still not a motion.
+    void aShortSilenceIsNotDrawnAsMotion() {
+        Bench b;
+        Q_EMIT b.session.stateChanged(running(60, true));
+        b.next = 30'400;  // 0.8 s later
+        b.runTo(61);
+        Q_EMIT b.session.stateChanged(running(61, true));
+        const auto& segments = b.dock.lane().segments();
+        QVERIFY(segments.size() >= 2);
+        const LaneSegment& silence = segments[segments.size() - 2];
+        QVERIFY(silence.kind == LaneKind::NoData);
+        QVERIFY(near(silence.start, 60, 0.003));
+        QVERIFY(near(silence.end, 60.8, 0.003));
+    }
+
     void exportsTheShownRangeOnly() {
         Bench b;
         QTemporaryDir folder;

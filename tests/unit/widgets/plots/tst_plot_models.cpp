@@ -10,6 +10,7 @@
 #include <limits>
 #include <utility>
 
+#include "robot/core/clock.h"
 #include "tests/support/sample_stream.h"
 #include "widgets/plots/axis_range.h"
 #include "widgets/plots/lane_text.h"
@@ -304,6 +305,38 @@ private Q_SLOTS:
         QVERIFY(f.history.gapBefore(2));
         QVERIFY(f.history.time(2) > 500.002);
         QCOMPARE(f.feed.plotTime(0.004), f.history.time(3));
+    }
+    // The controller's time says nothing about a silence behind which it began anew, or is another one's.
+    void aSilenceIsAsLongAsItWasOnThisComputer_data() {
+        QTest::addColumn<double>("timeBehind");
+        QTest::addColumn<bool>("newLink");
+        QTest::newRow("restarted") << 0.002 << false;
+        QTest::newRow("another robot, younger") << 3.0 << true;
+        QTest::newRow("another robot, older") << 90'000.0 << true;
+    }
+    void aSilenceIsAsLongAsItWasOnThisComputer() {
+        QFETCH(double, timeBehind);
+        QFETCH(bool, newLink);
+        Fed f;
+        const auto add = [&f](double time, std::uint64_t sequence, std::int64_t hostMs) {
+            f.stream.add(time, sequence).hostTimeNs = hostMs * kNsPerMs;
+        };
+        add(500.000, 1, 10'000);
+        add(500.002, 2, 10'002);
+        f.frame();
+        QVERIFY(f.feed.takeSilences().empty());
+        if (newLink) {
+            f.feed.beginLink();
+        }
+        add(timeBehind, newLink ? 1 : 3, 17'002);
+        add(timeBehind + 0.002, newLink ? 2 : 4, 17'004);
+        f.frame();
+        QVERIFY(std::abs(f.history.time(2) - 507.002) < 1e-6);
+        const auto silences = f.feed.takeSilences();
+        QCOMPARE(silences.size(), std::size_t{1});
+        QVERIFY(std::abs(silences[0].from - 500.002) < 1e-6);
+        QVERIFY(std::abs(silences[0].to - 507.002) < 1e-6);
+        QVERIFY(f.feed.takeSilences().empty());
     }
 
     // ---- CSV

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A robot that falls silent while the arm moves, in front of the whole window: nobody knows what the arm did
+// meanwhile, so nothing in the window may claim to.
+
+#include <QElapsedTimer>
+#include <QTest>
+
+#include "resources/resources.h"
+#include "tests/support/window_bench.h"
+#include "tests/ui/jog_fixture.h"
+#include "widgets/common/state_chip.h"
+#include "widgets/plots/plot_dock.h"
+#include "widgets/plots/plot_overlay.h"
+#include "widgets/plots/plot_view.h"
+#include "widgets/plots/state_lane.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+class TestLostLink : public QObject {
+    Q_OBJECT
+
+private:
+    /// Time goes on for robot and window; whatever comes from the robot is taken in.
+    static void goOn(WindowBench& bench, int ms) {
+        for (int t = 0; t < ms; t += 2) {
+            bench.clock.advanceNs(2 * kNsPerMs);
+            bench.cell.robot.step();
+            if (t % 16 == 0) {
+                bench.window.session().refresh();
+                QTest::qWait(1);
+            }
+        }
+        bench.window.session().refresh();
+    }
+
+private Q_SLOTS:
+    void initTestCase() { initResources(); }
+
+    void anOutageIsToldAsAnOutage() {
+        WindowBench bench;
+        bench.show();
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        const RobotSession& session = bench.window.session();
+        driveKeys(bench.cell, bench.window.jogColumn().holdKeys());
+        auto& key = bench.find<HoldButton>("jog.X+");
+        press(key);
+        bench.cell.advanceMs(400);
+        QVERIFY(!standsStill(bench.cell));
+        const double lostAt = session.state().robotTime;
+
+        bench.cell.robot.silence(true);
+        goOn(bench, 3000);
+        QCOMPARE(session.state().link, LinkState::Lost);
+        for (const char* chip : {"robotModeChip", "safetyChip", "controlChip", "linkChip"}) {
+            QCOMPARE(bench.find<StateChip>(chip).text(), QString("NO DATA"));
+        }
+        QCOMPARE(bench.find<StateChip>("lastStopChip").text(), QString("not seen"));
+        const auto& plots = bench.find<PlotDock>("plots");
+        auto& view = bench.find<PlotView>("plots.view");
+        const auto shown = view.laneItem().segments();
+        QVERIFY(!shown.empty());
+        QVERIFY2(shown.back().kind == LaneKind::NoData, "it shows while it lasts");
+        QVERIFY2(shown.back().end - shown.back().start > 2.5, "as long as it lasted until now");
+        QVERIFY2(view.window().end() - lostAt > 2.5, "the time axis goes on");
+
+        bench.cell.robot.silence(false);
+        QElapsedTimer patience;
+        patience.start();
+        while (session.state().link != LinkState::Live && patience.elapsed() < 60'000) {
+            goOn(bench, 2);
+        }
+        QCOMPARE(session.state().link, LinkState::Live);
+        const double backAt = session.state().robotTime;
+        QVERIFY(backAt - lostAt > 2.5);
+        goOn(bench, 500);
+        bool toldOfTheOutage = false;
+        for (const LaneSegment& segment : plots.lane().segments()) {
+            const bool meanwhile = segment.end > lostAt + 0.1 && segment.start < backAt - 0.1;
+            if (meanwhile) {
+                QVERIFY2(segment.kind == LaneKind::NoData, qPrintable(segment.label));
+                toldOfTheOutage = segment.end - segment.start > 2.5;
+            }
+        }
+        QVERIFY(toldOfTheOutage);
+        QCOMPARE(bench.find<StateChip>("lastStopChip").text(), QString("not seen"));
+    }
+};
+
+QTEST_MAIN(TestLostLink)
+#include "tst_lost_link.moc"
