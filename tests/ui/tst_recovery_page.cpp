@@ -43,6 +43,19 @@ struct Bench : WindowBench {
         }
         return condition();
     }
+    /// The robot says nothing for so long, and goes on saying nothing.
+    void silence(int ms) {
+        cell.robot.silence(true);
+        for (int t = 0; t < ms; t += 2) {
+            clock.advanceNs(2 * kNsPerMs);
+            cell.robot.step();
+            if (t % 16 == 0) {
+                window.session().refresh();
+                QTest::qWait(1);
+            }
+        }
+        window.session().refresh();
+    }
     RecoveryPage* page() { return window.findChild<RecoveryPage*>(); }
     QPushButton* key() { return page()->findChild<QPushButton*>("recoveryKey"); }
     /// Through the header, as a hand would.
@@ -318,6 +331,50 @@ private Q_SLOTS:
         bench.cell.advanceMs(6000);
         QVERIFY(!bench.key()->isEnabled());
         QVERIFY(bench.page()->findChild<QLabel*>("recoveryWaiting")->text().contains("use the tablet"));
+    }
+
+    void ticksAreClearedByANewStopAndByNothingElse() {
+        Bench bench;
+        QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
+        bench.cell.robot.protectiveStop();
+        bench.cell.advanceMs(200);
+        QVERIFY(bench.openPage());
+        bench.cell.advanceMs(5200);
+        bench.tickAll();
+        QVERIFY(bench.key()->isEnabled());
+        const QRect place = bench.key()->geometry();
+        const QPointer<QCheckBox> first = bench.page()->findChild<QCheckBox*>("recoveryCheck0");
+
+        // Less than a second: the page waits as it is.
+        bench.silence(600);
+        QCOMPARE(bench.state().link, LinkState::Stale);
+        QVERIFY(first && first->isVisible() && first->isChecked());
+        QVERIFY(bench.key()->isVisible() && !bench.key()->isEnabled());
+        QCOMPARE(bench.key()->geometry(), place);
+        bench.cell.robot.silence(false);
+        QVERIFY(bench.until([&] { return bench.state().link == LinkState::Live; }));
+        QVERIFY(first && first->isChecked());
+        QVERIFY(bench.until([&] { return bench.key()->isEnabled(); }));
+
+        // No data, and a connection made anew.
+        bench.silence(3000);
+        QCOMPARE(bench.state().link, LinkState::Lost);
+        QVERIFY(first && first->isVisible() && first->isChecked());
+        QVERIFY(!bench.key()->isEnabled());
+        bench.cell.robot.silence(false);
+        QVERIFY(bench.until([&] { return bench.state().link == LinkState::Live; }));
+        QVERIFY(first && first->isChecked());
+        QVERIFY(bench.until([&] { return bench.key()->isEnabled(); }));
+
+        // The same stop for another reason, as far as the words go: it has not been looked at.
+        QTest::mouseClick(bench.key(), Qt::LeftButton);
+        QVERIFY(bench.until([&] { return bench.safety() == SafetyMode::Normal; }));
+        bench.cell.advanceMs(100);
+        bench.cell.robot.protectiveStop();
+        QVERIFY(bench.until([&] { return bench.shows(RecoveryStep::Unlock); }));
+        for (const QCheckBox* box : bench.page()->findChildren<QCheckBox*>()) {
+            QVERIFY(!box->isChecked());
+        }
     }
 
     /// Everything the program can be asked for, in a protective stop older than five seconds: it stays.

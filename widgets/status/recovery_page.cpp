@@ -180,6 +180,12 @@ void RecoveryPage::build() {
 }
 
 void RecoveryPage::applyState(const SessionState& state) {
+    if (state.link == LinkState::Stale && !guide_.title.isEmpty()) {
+        // A gap of less than a second: nothing is known anew, and nothing that was looked at is undone.
+        guide_.waiting = tr("Waiting for data from the robot…");
+        showKey();
+        return;
+    }
     const RecoveryGuide before = std::exchange(guide_, recoveryGuide(state, stops_.secondsSince()));
     if (before.title != guide_.title || before.step != guide_.step ||
         before.takesControl != guide_.takesControl) {
@@ -188,7 +194,11 @@ void RecoveryPage::applyState(const SessionState& state) {
         setAccessibleName(guide_.title);
     }
     what_->setText(guide_.what);
-    if (before.checks != guide_.checks) {
+    // A new stop asks to be looked at anew, a link that was lost does not.
+    const double stoppedAt = stops_.last() ? stops_.last()->stoppedAt : -1;
+    if (state.link == LinkState::Live && (guide_.checks != asked_ || stoppedAt != askedFor_)) {
+        asked_ = guide_.checks;
+        askedFor_ = stoppedAt;
         showChecks();
     }
     showRecord();
@@ -241,7 +251,7 @@ void RecoveryPage::changeEvent(QEvent* event) {
 void RecoveryPage::showChecks() {
     qDeleteAll(checks_);
     checks_.clear();
-    for (const QString& text : guide_.checks) {
+    for (const QString& text : asked_) {
         auto* box = new QCheckBox(text, this);
         box->setObjectName(QStringLiteral("recoveryCheck%1").arg(checks_.size()));
         box->setAccessibleName(text);

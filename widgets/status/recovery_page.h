@@ -74,6 +74,8 @@ private:
     RecoveryGuide guide_;
     bool sent_ = false;  ///< the step was taken; the key waits for the robot to follow
     double recordShown_ = -1;
+    QStringList asked_;     ///< what is to be ticked
+    double askedFor_ = -1;  ///< the stop it is asked for, by the controller's time stamp [s]
 
     QLabel* title_;
     QLabel* what_;
