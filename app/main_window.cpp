@@ -58,6 +58,7 @@
 #include "widgets/status/header_bar.h"
 #include "widgets/status/preflight_page.h"
 #include "widgets/status/recovery_page.h"
+#include "widgets/status/robot_popup.h"
 #include "widgets/status/status_line.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
@@ -164,6 +165,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     transfer_ = new SettingsTransfer(settings_, this);
     buildDocks();
     buildActions();
+    popup_ = new RobotPopup(*session_, *this, *scene_);
     connectParts();
     applyPreferences(preferences_);
 
@@ -181,6 +183,7 @@ MainWindow::~MainWindow() {
     lessons_.reset();
     delete keyboard_;
     delete devices_;
+    delete popup_;
     // What is not saved yet is saved while the store goes: nothing of it is shown any more.
     disconnect(&files_->store(), nullptr, this, nullptr);
     disconnect(files_.get(), nullptr, this, nullptr);

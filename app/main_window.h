@@ -35,6 +35,7 @@ class Panel;
 class ProjectDocument;
 class ProjectFiles;
 class PlotDock;
+class RobotPopup;
 class SceneDock;
 class StatusLine;
 class StopKeys;
@@ -149,6 +150,7 @@ private:
     IoPages* ioPages_ = nullptr;  ///< of these two
     LogTab* log_ = nullptr;
     StatusLine* status_ = nullptr;
+    RobotPopup* popup_ = nullptr;
     StopKeys* stopKeys_ = nullptr;
     KeyboardJog* keyboard_ = nullptr;
     DeviceJog* devices_ = nullptr;

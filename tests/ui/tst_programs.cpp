@@ -4,6 +4,7 @@
 
 #include <QFile>
 #include <QInputDialog>
+#include <QLabel>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
@@ -15,6 +16,8 @@
 #include "robot/simulator/simulator.h"
 #include "widgets/common/state_chip.h"
 #include "widgets/common/theme.h"
+#include "widgets/jog/jog_column.h"
+#include "widgets/status/robot_popup.h"
 
 using namespace tiller;
 
@@ -186,6 +189,76 @@ private Q_SLOTS:
         QVERIFY(run("power.closePopups"));
         QVERIFY(run("control.play"));
         QVERIFY2(reaches(RuntimeState::Playing), qPrintable(errors_.join('\n')));
+    }
+
+    void aPopupIsShownAsTheRobotShowsItAndClosedThere() {
+        QVERIFY(load("wait.urp"));
+        QTRY_VERIFY_WITH_TIMEOUT(state().loadedProgram.contains("wait.urp"), 20'000);
+        auto* card = window_->findChild<RobotPopup*>("robotPopup");
+        QVERIFY(card != nullptr && !card->isVisible());
+        QWidget* focus = QApplication::focusWidget();
+        QVERIFY(robot_->inject("popup Put the part in").ok());
+        QTRY_VERIFY_WITH_TIMEOUT(card->isVisible(), 20'000);
+        QCOMPARE(card->findChild<QLabel*>("robotPopup.text")->text(), QString("Put the part in"));
+        QCOMPARE(card->findChild<QLabel*>("robotPopup.heading")->text(), QString("Message"));
+        QVERIFY2(QApplication::focusWidget() == focus, "it takes the focus from nobody");
+        QVERIFY2(window_->rect().contains(card->geometry()), "whole in the window");
+        const auto* jog = window_->findChild<JogColumn*>();
+        QVERIFY2(!card->geometry().intersects(QRect(jog->mapTo(window_.get(), QPoint()), jog->size())),
+                 "beside the keys that move the arm");
+
+        // A second one lies over the first, as on the pendant.
+        QVERIFY(robot_->inject("popup Close the door").ok());
+        auto* text = card->findChild<QLabel*>("robotPopup.text");
+        QTRY_COMPARE_WITH_TIMEOUT(text->text(), QString("Close the door"), 20'000);
+        auto* key = card->findChild<QPushButton*>("robotPopup.close");
+        QCOMPARE(key->text(), QString("Close"));
+        QTRY_VERIFY_WITH_TIMEOUT(key->isEnabled(), 20'000);
+        QTest::mouseClick(key, Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(text->text(), QString("Put the part in"), 20'000);
+        QVERIFY(card->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(key->isEnabled(), 20'000);
+        QTest::mouseClick(key, Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(!card->isVisible(), 20'000);
+        // Gone from the robot too: nothing holds the program up any more.
+        QVERIFY(run("control.play"));
+        QVERIFY2(reaches(RuntimeState::Playing), qPrintable(errors_.join('\n')));
+    }
+
+    void aClickMeantForWhatAPopupCoversDoesNotCloseIt() {
+        auto* card = window_->findChild<RobotPopup*>("robotPopup");
+        script::ControllerMessage popup;
+        popup.kind = script::MessageKind::Popup;
+        popup.severity = script::MessageSeverity::Warning;
+        popup.text = QStringLiteral("Check the gripper");
+        Q_EMIT window_->session().controllerMessage(popup);
+        QVERIFY(card->isVisible());
+        QCOMPARE(card->findChild<QLabel*>("robotPopup.heading")->text(), QString("Warning"));
+        auto* key = card->findChild<QPushButton*>("robotPopup.close");
+        QVERIFY(!key->isEnabled());
+        QTest::mouseClick(key, Qt::LeftButton);
+        QVERIFY(card->isVisible());
+        QCOMPARE(card->count(), 1);
+        QTRY_VERIFY(key->isEnabled());
+        // Another connection knows nothing of it.
+        window_->session().disconnectFromRobot();
+        QVERIFY(!card->isVisible());
+    }
+
+    void aPopupThatCannotBeClosedFromHereSaysSoAndHides() {
+        begin(SoftwareVersion{10, 12, 0, 0});
+        QTRY_COMPARE_WITH_TIMEOUT(state().service, dashboard::ServiceKind::RobotApi, 20'000);
+        auto* card = window_->findChild<RobotPopup*>("robotPopup");
+        script::ControllerMessage popup;
+        popup.kind = script::MessageKind::Popup;
+        popup.text = QStringLiteral("Check the gripper");
+        Q_EMIT window_->session().controllerMessage(popup);
+        auto* key = card->findChild<QPushButton*>("robotPopup.close");
+        QTRY_COMPARE_WITH_TIMEOUT(key->text(), QString("Hide"), 20'000);
+        QVERIFY(card->findChild<QLabel*>("robotPopup.note")->text().contains("tablet"));
+        QTRY_VERIFY(key->isEnabled());
+        QTest::mouseClick(key, Qt::LeftButton);
+        QVERIFY(!card->isVisible());
     }
 
     void inControlTheRobotsProgramsAreLeftAlone() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/session/robot_services.h"
 
+#include <functional>
 #include <utility>
 
 #include "widgets/session/robot_session.h"
@@ -23,15 +24,19 @@ constexpr std::int64_t kAskEveryNs = kNsPerSecond / 2;
 constexpr std::int64_t kTakenOverNs = 700 * kNsPerMs;
 
 /// Sends one command and reports a refusal.
+/// after  hears whether it was carried out
 template <class Call>
-void send(RobotSession& session, const std::unique_ptr<RobotLink>& link, const QString& what, Call call) {
+void send(
+    RobotSession& session, const std::unique_ptr<RobotLink>& link, const QString& what, Call call,
+    const std::function<void(bool)>& after = [](bool) {}) {
     if (!link) {
         Q_EMIT session.message(Severity::Error, texts::errorText({ErrorCode::NotConnected, what, {}}));
+        after(false);
         return;
     }
     link->service->post(
         std::move(call), &session,
-        [&session, what](const Result<void>& result) {
+        [&session, what, after](const Result<void>& result) {
             if (result) {
                 Q_EMIT session.message(Severity::Info, what, Origin::Operator);
             } else {
@@ -39,6 +44,7 @@ void send(RobotSession& session, const std::unique_ptr<RobotLink>& link, const Q
                     Severity::Error,
                     RobotServices::tr("%1 failed. %2").arg(what, texts::errorText(result.error())));
             }
+            after(result.ok());
         },
         session.state().service == ServiceKind::RobotApi ? kDoneTime : kReplyTime);
 }
@@ -70,13 +76,16 @@ QString commandText(RobotCommand command) {
 void RobotServices::perform(RobotCommand command) {
     if (const QString why = texts::serviceObstacle(d_.state, command); !why.isEmpty()) {
         Q_EMIT session_.message(Severity::Error, tr("%1 failed. %2").arg(commandText(command), why));
+        Q_EMIT session_.commandDone(command, false);
         return;
     }
     if (command == RobotCommand::PowerOff || command == RobotCommand::RestartSafety) {
         session_.stop(control::StopCause::ControlLost);
     }
-    send(session_, d_.link, commandText(command),
-         [command](RobotService& s, const Deadline& d) { return s.perform(command, d); });
+    send(
+        session_, d_.link, commandText(command),
+        [command](RobotService& s, const Deadline& d) { return s.perform(command, d); },
+        [this, command](bool done) { Q_EMIT session_.commandDone(command, done); });
 }
 
 void RobotServices::unlockProtectiveStop(const UnlockConsent&) {

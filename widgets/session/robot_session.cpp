@@ -393,6 +393,12 @@ void RobotSession::reportControllerMessages() {
                 Q_EMIT message(severity, tr("Popup on the robot: %1 %2").arg(m.title, m.text).trimmed(),
                                Origin::Robot);
                 break;
+            case MessageKind::RequestValue:
+                Q_EMIT message(
+                    Severity::Warning,
+                    tr("The program on the robot waits for an answer on the teach pendant: %1").arg(m.text),
+                    Origin::Robot);
+                break;
             default:
                 break;
         }

@@ -13,6 +13,7 @@
 #include "robot/core/clock.h"
 #include "robot/core/result.h"
 #include "robot/script/controller_message.h"
+#include "widgets/session/robot_command.h"
 #include "widgets/session/robot_outputs.h"
 #include "widgets/session/robot_services.h"
 #include "widgets/session/sample_batch.h"
@@ -123,6 +124,8 @@ Q_SIGNALS:
     /// detail  what the text means and what to do, as sentences; may be empty
     void message(tiller::Severity severity, const QString& text,
                  tiller::Origin origin = tiller::Origin::Tiller, const QString& detail = {});
+    /// A command to the robot's service was answered, or could not be asked.
+    void commandDone(tiller::RobotCommand command, bool done);
     /// What the controller itself said, whole; it comes as message too.
     void controllerMessage(const tiller::script::ControllerMessage& message);
 

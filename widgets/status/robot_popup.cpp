@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/status/robot_popup.h"
+
+#include <QAccessible>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/common/shapes.h"
+#include "widgets/common/theme.h"
+#include "widgets/session/texts.h"
+
+namespace tiller {
+
+namespace {
+
+constexpr int kWidth = 460;       // [px]
+constexpr int kLeastMargin = 16;  // [px] to the edges of what it stands over
+constexpr int kMargin = 16;
+constexpr int kSign = 22;
+constexpr qsizetype kLongest = 600;  // [characters]; the log has the rest
+
+using script::MessageSeverity;
+
+QString kindText(MessageSeverity severity) {
+    return severity >= MessageSeverity::Violation ? RobotPopup::tr("Error")
+           : severity == MessageSeverity::Warning ? RobotPopup::tr("Warning")
+                                                  : RobotPopup::tr("Message");
+}
+
+}  // namespace
+
+RobotPopup::RobotPopup(RobotSession& session, QWidget& window, QWidget& over)
+    : QFrame(&window)
+    , session_(session)
+    , over_(over)
+    , heading_(new QLabel)
+    , text_(new QLabel)
+    , note_(new QLabel)
+    , key_(new QPushButton) {
+    setObjectName(QStringLiteral("robotPopup"));
+    setAccessibleName(tr("Popup on the robot"));
+    heading_->setObjectName(QStringLiteral("robotPopup.heading"));
+    heading_->setProperty("role", QStringLiteral("strong"));
+    text_->setObjectName(QStringLiteral("robotPopup.text"));
+    text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    note_->setObjectName(QStringLiteral("robotPopup.note"));
+    note_->setProperty("role", QStringLiteral("secondary"));
+    for (QLabel* label : {heading_, text_, note_}) {
+        label->setWordWrap(true);
+        label->setTextFormat(Qt::PlainText);
+    }
+    key_->setObjectName(QStringLiteral("robotPopup.close"));
+    key_->setProperty("primary", true);
+    key_->setFocusPolicy(Qt::TabFocus);
+
+    auto* top = new QHBoxLayout;
+    top->addSpacing(kSign + 8);
+    top->addWidget(heading_, 1);
+    auto* bottom = new QHBoxLayout;
+    bottom->addWidget(note_, 1);
+    bottom->addWidget(key_, 0, Qt::AlignBottom);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
+    layout->setSpacing(10);
+    layout->addLayout(top);
+    layout->addWidget(text_, 1);
+    layout->addLayout(bottom);
+
+    unread_.setSingleShot(true);
+    unread_.setInterval(kUnreadMs);
+    connect(&unread_, &QTimer::timeout, this, &RobotPopup::showKey);
+    connect(key_, &QPushButton::clicked, this, &RobotPopup::close);
+    connect(&session, &RobotSession::controllerMessage, this, &RobotPopup::hear);
+    connect(&session, &RobotSession::stateChanged, this, &RobotPopup::followState);
+    connect(&session, &RobotSession::commandDone, this, &RobotPopup::followCommand);
+    connect(&session, &RobotSession::linkBegan, this, &RobotPopup::forget);
+    over_.installEventFilter(this);
+    window.installEventFilter(this);
+    hide();
+    showKey();
+}
+
+void RobotPopup::hear(const script::ControllerMessage& message) {
+    if (message.kind != script::MessageKind::Popup) {
+        return;
+    }
+    popups_.append(message);
+    asked_ = false;
+    unread_.start();
+    showNewest();
+}
+
+void RobotPopup::followState(const SessionState& state) {
+    if (popups_.isEmpty()) {
+        return;
+    }
+    if (state.link == LinkState::Disconnected) {
+        forget();
+        return;
+    }
+    const QString obstacle = state.link == LinkState::Live
+                                 ? texts::serviceObstacle(state, RobotCommand::ClosePopups)
+                                 : tr("No data from the robot: close it on the teach pendant.");
+    if (obstacle != obstacle_) {
+        obstacle_ = obstacle;
+        showNewest();
+    }
+}
+
+void RobotPopup::followCommand(RobotCommand command, bool done) {
+    if (command != RobotCommand::ClosePopups || popups_.isEmpty()) {
+        return;
+    }
+    asked_ = false;
+    if (done) {
+        popups_.removeLast();
+    } else {
+        obstacle_ = tr("It could not be closed from here: close it on the teach pendant.");
+    }
+    showNewest();
+}
+
+void RobotPopup::close() {
+    if (!obstacle_.isEmpty()) {
+        popups_.removeLast();
+        showNewest();
+        return;
+    }
+    asked_ = true;
+    showKey();
+    session_.services().perform(RobotCommand::ClosePopups);
+}
+
+void RobotPopup::forget() {
+    popups_.clear();
+    obstacle_.clear();
+    asked_ = false;
+    showNewest();
+}
+
+void RobotPopup::showNewest() {
+    if (popups_.isEmpty()) {
+        hide();
+        return;
+    }
+    const script::ControllerMessage& newest = popups_.last();
+    heading_->setText(newest.title.isEmpty() ? kindText(newest.severity) : newest.title);
+    const bool whole = newest.text.size() <= kLongest;
+    text_->setText(whole ? newest.text : newest.text.left(kLongest) + QChar(0x2026));
+    const int others = count() - 1;
+    const QString more = others > 0 ? tr("%n more on the robot.", nullptr, others) : QString();
+    note_->setText((obstacle_.isEmpty()
+                        ? tr("A program that waits for it goes on once it is closed: keep clear of the arm.")
+                        : obstacle_) +
+                   (more.isEmpty() ? QString() : QLatin1Char(' ') + more));
+    setAccessibleDescription(heading_->text() + QStringLiteral(". ") + newest.text);
+    showKey();
+    show();
+    raise();
+    place();
+    update();
+    QAccessibleEvent alert(this, QAccessible::Alert);
+    QAccessible::updateAccessibility(&alert);
+}
+
+void RobotPopup::showKey() {
+    key_->setText(obstacle_.isEmpty() ? tr("Close") : tr("Hide"));
+    key_->setAccessibleName(obstacle_.isEmpty() ? tr("Close the popup on the robot") : tr("Hide the popup"));
+    key_->setEnabled(!asked_ && !unread_.isActive());
+}
+
+void RobotPopup::place() {
+    const QWidget& window = *parentWidget();
+    const QRect room = over_.isVisible() && over_.window() == &window
+                           ? QRect(over_.mapTo(&window, QPoint(0, 0)), over_.size())
+                           : window.rect();
+    const int width = std::min(kWidth, std::max(240, room.width() - 2 * kLeastMargin));
+    layout()->activate();
+    const int height = std::max(heightForWidth(width), minimumSizeHint().height());
+    setGeometry(room.center().x() - width / 2, room.center().y() - height / 2, width, height);
+}
+
+bool RobotPopup::eventFilter(QObject* watched, QEvent* event) {
+    switch (event->type()) {
+        case QEvent::Resize:
+        case QEvent::Move:
+        case QEvent::Show:
+        case QEvent::Hide:
+        case QEvent::StyleChange:
+            if (isVisible()) {
+                place();
+            }
+            break;
+        default:
+            break;
+    }
+    return QFrame::eventFilter(watched, event);
+}
+
+void RobotPopup::paintEvent(QPaintEvent*) {
+    const Theme& theme = Theme::current();
+    const MessageSeverity severity = popups_.isEmpty() ? MessageSeverity::Info : popups_.last().severity;
+    const bool error = severity >= MessageSeverity::Violation;
+    const bool warning = severity == MessageSeverity::Warning;
+    const QColor ink = error ? theme.alarm : warning ? theme.warning : theme.text;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(ink, 2));
+    painter.setBrush(theme.raised);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), kCornerRadius, kCornerRadius);
+    drawShape(painter,
+              error     ? StateChip::Shape::Octagon
+              : warning ? StateChip::Shape::WarningTriangle
+                        : StateChip::Shape::Circle,
+              QRectF(kMargin, kMargin, kSign, kSign), ink, theme.raised);
+}
+
+}  // namespace tiller
