@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "app/action_table.h"
+#include "widgets/common/nothing_found.h"
 
 namespace tiller::app {
 namespace {
@@ -51,6 +52,7 @@ CommandPalette::CommandPalette(const ActionTable& actions, QWidget* parent)
     list_ = new QListWidget(this);
     list_->setObjectName("paletteList");
     list_->setAccessibleName(tr("Commands found"));
+    nothing_ = new NothingFound(*list_);
     layout->addWidget(words_);
     layout->addWidget(list_);
     connect(words_, &QLineEdit::textChanged, this, &CommandPalette::list);
@@ -89,6 +91,7 @@ void CommandPalette::list(const QString& words) {
         listed_.append(action);
     }
     list_->setCurrentRow(listed_.isEmpty() ? -1 : 0);
+    nothing_->tell(listed_.isEmpty(), words);
 }
 
 void CommandPalette::runCurrent() {

@@ -10,6 +10,10 @@ class QAction;
 class QLineEdit;
 class QListWidget;
 
+namespace tiller {
+class NothingFound;
+}
+
 namespace tiller::app {
 
 class ActionTable;
@@ -33,6 +37,7 @@ private:
     const ActionTable& actions_;
     QLineEdit* words_;
     QListWidget* list_;
+    NothingFound* nothing_;
     QList<QAction*> listed_;
 };
 

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "robot/receive/robot_state.h"
+#include "widgets/common/nothing_found.h"
 #include "widgets/io/analog_row.h"
 #include "widgets/io/io_channel.h"
 #include "widgets/io/register_panel.h"
@@ -76,6 +77,7 @@ IoTab::IoTab(RobotSession& session, QWidget* parent)
     // The panel below shows through.
     scroll->viewport()->setAutoFillBackground(false);
     page->setAutoFillBackground(false);
+    nothing_ = new NothingFound(*scroll);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -222,6 +224,7 @@ void IoTab::search(const QString& text) {
                name.contains(wanted, Qt::CaseInsensitive);
     };
     int heading = 0;
+    bool found = false;
     for (const auto* rows : {&inputs_, &outputs_}) {
         for (int group = 0; group < 3; ++group, ++heading) {
             bool any = false;
@@ -231,6 +234,7 @@ void IoTab::search(const QString& text) {
                 any = any || matches(row->terminal(), row->name());
             }
             headings_[heading]->setVisible(any);
+            found = found || any;
         }
     }
     bool any = false;
@@ -244,6 +248,7 @@ void IoTab::search(const QString& text) {
     const bool registers = registers_->filter(wanted);
     registers_->setVisible(registers);
     registerHeading_->setVisible(registers);
+    nothing_->tell(!found && !any && !registers, wanted);
 }
 
 void IoTab::refresh() {

@@ -22,6 +22,7 @@ namespace tiller {
 
 class AnalogRow;
 class IoChannel;
+class NothingFound;
 class RegisterPanel;
 
 class IoTab : public QWidget {
@@ -88,6 +89,7 @@ private:
     RegisterPanel* registers_ = nullptr;
     QVector<QLabel*> headings_;  ///< of the digital groups, by column and group
     QLineEdit* search_;
+    NothingFound* nothing_ = nullptr;
     QLabel* notice_;
 
     struct Pending {

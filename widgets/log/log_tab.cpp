@@ -17,6 +17,7 @@
 #include <algorithm>
 
 #include "widgets/common/density.h"
+#include "widgets/common/nothing_found.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/log/log_model.h"
 #include "widgets/session/texts.h"
@@ -31,6 +32,7 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     , severity_(new SegmentedControl({tr("All"), tr("Warnings"), tr("Errors")}))
     , search_(new QLineEdit)
     , table_(new QTableView)
+    , nothing_(nullptr)
     , details_(new QLabel) {
     setObjectName(QStringLiteral("log"));
     setAccessibleName(tr("Log"));
@@ -64,6 +66,7 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     table_->setObjectName(QStringLiteral("log.table"));
     table_->setAccessibleName(tr("Log"));
     table_->setModel(filter_);
+    nothing_ = new NothingFound(*table_);
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -106,6 +109,10 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     connect(severity_, &SegmentedControl::currentChanged, this,
             [this](int index) { filter_->setLeastSeverity(static_cast<Severity>(index)); });
     connect(search_, &QLineEdit::textChanged, filter_, &LogFilter::setWords);
+    for (const auto changed : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved}) {
+        connect(filter_, changed, this, &LogTab::showNothingFound);
+    }
+    connect(search_, &QLineEdit::textChanged, this, &LogTab::showNothingFound);
     connect(&session, &RobotSession::message, this, &LogTab::append);
 }
 
@@ -141,6 +148,10 @@ void LogTab::showDetails() {
     if (current.isValid()) {
         details_->setText(model_->details(filter_->mapToSource(current).row()));
     }
+}
+
+void LogTab::showNothingFound() {
+    nothing_->tell(filter_->rowCount() == 0 && model_->rowCount() > 0, search_->text());
 }
 
 QString LogTab::textOf(const QList<int>& rows) const {

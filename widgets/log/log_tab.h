@@ -20,6 +20,7 @@ namespace tiller {
 
 class LogFilter;
 class LogModel;
+class NothingFound;
 class SegmentedControl;
 
 class LogTab : public QWidget {
@@ -55,6 +56,7 @@ protected:
 
 private:
     void showDetails();
+    void showNothingFound();
     QString textOf(const QList<int>& rows) const;
 
     std::function<QDateTime()> now_;
@@ -63,6 +65,7 @@ private:
     SegmentedControl* severity_;
     QLineEdit* search_;
     QTableView* table_;
+    NothingFound* nothing_;
     QLabel* details_;
     bool follows_ = true;  ///< the newest line was in sight when the page was left
 };

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "widgets/common/nothing_found.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/common/theme.h"
 #include "widgets/log/log_model.h"
@@ -129,6 +130,17 @@ private Q_SLOTS:
         QTest::keyClicks(tab_->findChild<QLineEdit*>("log.search"), "PACKETS lost");
         QCOMPARE(rows(), 1);
         QCOMPARE(cell(0, LogModel::Text), QString("Link lost: no packets"));
+    }
+
+    void filtersThatLeaveNothingSaySo() {
+        const auto* nothing = tab_->findChild<NothingFound*>("log.table.nothingFound");
+        QVERIFY2(!nothing->isVisible(), "an empty log has not been searched");
+        tab_->append(Severity::Info, "Jog stopped: released");
+        auto* severity = tab_->findChild<SegmentedControl*>("log.severity");
+        QTest::mouseClick(severity->segment(2), Qt::LeftButton);
+        QVERIFY(nothing->isVisible());
+        tab_->append(Severity::Error, "Link lost");
+        QVERIFY(!nothing->isVisible());
     }
 
     void copyTakesTheSelectionOrEverythingShown() {
