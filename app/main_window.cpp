@@ -31,6 +31,7 @@
 #include "app/sleep_watch.h"
 #include "widgets/common/density.h"
 #include "widgets/common/hold_button.h"
+#include "widgets/common/hover_keeper.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/panel.h"
 #include "widgets/common/theme.h"
@@ -165,6 +166,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     transfer_ = new SettingsTransfer(settings_, this);
     buildDocks();
     buildActions();
+    new HoverKeeper(this);
     popup_ = new RobotPopup(*session_, *this, *scene_);
     connectParts();
     applyPreferences(preferences_);

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A key looks as if the pointer were over it only while it is.
+
+#include <QApplication>
+#include <QCursor>
+#include <QEnterEvent>
+#include <QMenu>
+#include <QPointingDevice>
+#include <QPushButton>
+#include <QTest>
+#include <memory>
+
+#include "widgets/common/hold_button.h"
+#include "widgets/common/hover_keeper.h"
+
+using namespace tiller;
+
+namespace {
+
+struct Bench {
+    QWidget window;
+    QPushButton key{QStringLiteral("Teach here"), &window};
+    HoldButton hold{QStringLiteral("Home"), &window};
+    HoverKeeper keeper;
+
+    Bench() {
+        window.setGeometry(0, 0, 400, 300);
+        key.setGeometry(20, 20, 120, 40);
+        hold.setGeometry(20, 80, 120, 40);
+        QCursor::setPos(390, 290);
+        window.show();
+        if (!QTest::qWaitForWindowExposed(&window)) {
+            qFatal("the window was not shown");
+        }
+    }
+    /// As the window system tells it.
+    static void enter(QWidget& widget) {
+        const QPointF at = QRectF(widget.rect()).center();
+        QEnterEvent event(at, widget.mapTo(widget.window(), at), widget.mapToGlobal(at));
+        QApplication::sendEvent(&widget, &event);
+        QVERIFY(widget.underMouse());
+    }
+};
+
+}  // namespace
+
+class TestHoverKeeper : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aFingerLeavesNoPointerBehind() {
+        const std::unique_ptr<QPointingDevice> screen(QTest::createTouchDevice());
+        Bench bench;
+        for (QWidget* key : {static_cast<QWidget*>(&bench.key), static_cast<QWidget*>(&bench.hold)}) {
+            Bench::enter(*key);
+            const QPoint at = key->rect().center();
+            QTest::touchEvent(key, screen.get()).press(0, at);
+            QTest::touchEvent(key, screen.get()).release(0, at);
+            QTRY_VERIFY(!key->underMouse());
+        }
+    }
+
+    void aMenuThatClosesElsewhereLeavesNothingLit() {
+        Bench bench;
+        QMenu menu(&bench.window);
+        menu.addAction(QStringLiteral("Rename"));
+        menu.popup(bench.window.mapToGlobal(QPoint(200, 100)));
+        QTRY_VERIFY(menu.isVisible());
+        bench.key.setAttribute(Qt::WA_UnderMouse);  // as it was when the menu took the pointer
+        menu.close();
+        QTRY_VERIFY(!bench.key.underMouse());
+    }
+
+    void whatThePointerIsOverStaysLit() {
+        Bench bench;
+        QCursor::setPos(bench.key.mapToGlobal(bench.key.rect().center()));
+        QCoreApplication::processEvents();
+        bench.key.setAttribute(Qt::WA_UnderMouse);
+        bench.hold.setAttribute(Qt::WA_UnderMouse);
+        QEvent deactivated(QEvent::WindowDeactivate);
+        QApplication::sendEvent(&bench.window, &deactivated);
+        QTRY_VERIFY(!bench.hold.underMouse());
+        QVERIFY(bench.key.underMouse());
+    }
+};
+
+QTEST_MAIN(TestHoverKeeper)
+#include "tst_hover_keeper.moc"
