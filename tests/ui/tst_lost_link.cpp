@@ -10,6 +10,7 @@
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/state_chip.h"
+#include "widgets/jog/limiter_line.h"
 #include "widgets/plots/plot_dock.h"
 #include "widgets/plots/plot_overlay.h"
 #include "widgets/plots/plot_view.h"
@@ -57,6 +58,8 @@ private Q_SLOTS:
             QCOMPARE(bench.find<StateChip>(chip).text(), QString("NO DATA"));
         }
         QCOMPARE(bench.find<StateChip>("lastStopChip").text(), QString("not seen"));
+        auto& line = bench.find<LimiterLine>("limiterLine");
+        QVERIFY2(line.quietText().contains("not seen"), qPrintable(line.quietText()));
         const auto& plots = bench.find<PlotDock>("plots");
         auto& view = bench.find<PlotView>("plots.view");
         const auto shown = view.laneItem().segments();

@@ -55,12 +55,29 @@ StateChip::StateChip(const QString& caption, QWidget* parent) : QWidget(parent),
     setAccessibleName(caption);
 }
 
-void StateChip::setCaption(const QString& caption) {
-    if (caption != caption_) {
+void StateChip::setCaption(const QString& caption, GivesWay givesWay) {
+    if (caption != caption_ || givesWay != givesWay_) {
         caption_ = caption;
+        givesWay_ = givesWay;
         updateGeometry();
         update();
     }
+}
+
+QString StateChip::leastCaption() const {
+    const QString dot = QStringLiteral(" · ");
+    return givesWay_ == GivesWay::Behind || !caption_.contains(dot) ? caption_.section(dot, 0, 0)
+                                                                    : caption_.section(dot, 1);
+}
+
+QString StateChip::shownCaption() const {
+    const QFontMetrics metrics(captionFont(isStrong()));
+    const int room = width() - 2 * padding() + 1;
+    if (metrics.horizontalAdvance(caption_) <= room) {
+        return caption_;
+    }
+    return metrics.elidedText(givesWay_ == GivesWay::Before ? leastCaption() : caption_, Qt::ElideRight,
+                              room);
 }
 
 void StateChip::setState(const QString& text, Shape shape, Emphasis emphasis, const QString& advice) {
@@ -139,9 +156,8 @@ void StateChip::setMenuArrow(bool arrow) {
 }
 
 QFont StateChip::valueFont() const {
-    const bool strong = emphasis_ != Emphasis::Normal && emphasis_ != Emphasis::Muted;
     const int size = dense_ ? 14 : 15;
-    return figures_ ? figureFont(size) : textFont(size, strong ? QFont::Bold : QFont::Normal);
+    return figures_ ? figureFont(size) : textFont(size, isStrong() ? QFont::Bold : QFont::Normal);
 }
 
 int StateChip::widthFor(const QString& value, const QString& caption) const {
@@ -159,7 +175,7 @@ QSize StateChip::sizeHint() const {
 QSize StateChip::minimumSizeHint() const {
     const QString least =
         text_.size() > leastCharacters_ ? text_.left(leastCharacters_) + QChar(0x2026) : text_;
-    return {widthFor(least, caption_.section(QStringLiteral(" · "), 0, 0)), kHeight};
+    return {widthFor(least, leastCaption()), kHeight};
 }
 
 void StateChip::paintEvent(QPaintEvent*) {
@@ -173,12 +189,10 @@ void StateChip::paintEvent(QPaintEvent*) {
     painter.setBrush(colours.fill);
     painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), kCornerRadius, kCornerRadius);
 
-    const bool strong = emphasis_ != Emphasis::Normal && emphasis_ != Emphasis::Muted;
-    painter.setFont(captionFont(strong));
+    painter.setFont(captionFont(isStrong()));
     painter.setPen(colours.caption);
     const QRect above(padding(), 7, width() - 2 * padding(), 16);
-    painter.drawText(above, Qt::AlignLeft | Qt::AlignVCenter,
-                     painter.fontMetrics().elidedText(caption_, Qt::ElideRight, above.width() + 1));
+    painter.drawText(above, Qt::AlignLeft | Qt::AlignVCenter, shownCaption());
 
     int x = padding();
     constexpr int kValueTop = 23;

@@ -38,8 +38,11 @@ public:
     explicit StateChip(const QString& caption, QWidget* parent = nullptr);
 
     QString caption() const { return caption_; }
-    /// What stands behind " · " gives way when room is short.
-    void setCaption(const QString& caption);
+    /// What gives way when room is short: what stands behind " · ", or what stands before it.
+    enum class GivesWay { Behind, Before };
+    void setCaption(const QString& caption, GivesWay givesWay = GivesWay::Behind);
+    /// As it is drawn at this width.
+    QString shownCaption() const;
     QString text() const { return text_; }
     Emphasis emphasis() const { return emphasis_; }
     Shape shape() const { return shape_; }
@@ -77,9 +80,13 @@ private:
     QFont valueFont() const;
     int widthFor(const QString& value, const QString& caption) const;
     int shapeRoom() const;
+    bool isStrong() const { return emphasis_ != Emphasis::Normal && emphasis_ != Emphasis::Muted; }
+    /// The part of the caption that is always there.
+    QString leastCaption() const;
     void showTip();
 
     QString caption_;
+    GivesWay givesWay_ = GivesWay::Behind;
     QString text_;
     QString mark_;
     QString advice_;

@@ -694,6 +694,9 @@ QString JogColumn::quietText() const {
         return held;
     }
     const control::StopMeasurement& stop = state_.lastStop;
+    if (!state_.lastStopSeen) {
+        return tr("Last stop: not seen, data ended while the arm moved");
+    }
     if (stop.count == 0) {
         return {};
     }

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 
 #include "robot/core/angles.h"
@@ -113,6 +114,40 @@ LimiterAdvice nearestLimiter(const SessionState& state, const Eigen::Matrix3d& R
     return nearestSingularity(state, R_base_frame);
 }
 
+namespace {
+
+constexpr int kTextLeft = 28;  // [px] behind the triangle
+constexpr int kTextRight = 6;
+constexpr int kLargest = 13;  // [px] letters
+constexpr int kSmallest = 10;
+
+int room(int width) {
+    return width - kTextLeft - kTextRight;
+}
+
+/// The largest letters with which all of it stands on one line.
+QFont fittingFont(const QString& text, QFont::Weight weight, int width) {
+    int size = kLargest;
+    while (size > kSmallest && QFontMetrics(textFont(size, weight)).horizontalAdvance(text) > width) {
+        --size;
+    }
+    return textFont(size, weight);
+}
+
+/// In two, at the space that is nearest to the middle.
+QStringList halves(const QString& text) {
+    qsizetype best = -1;
+    for (qsizetype at = text.indexOf(QLatin1Char(' ')); at >= 0;
+         at = text.indexOf(QLatin1Char(' '), at + 1)) {
+        if (best < 0 || std::abs(2 * at - text.size()) < std::abs(2 * best - text.size())) {
+            best = at;
+        }
+    }
+    return best < 0 ? QStringList{text} : QStringList{text.left(best), text.mid(best + 1)};
+}
+
+}  // namespace
+
 LimiterLine::LimiterLine(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("limiterLine"));
     setAccessibleName(tr("Limiter"));
@@ -127,6 +162,37 @@ void LimiterLine::setLimiter(const LimiterAdvice& limiter) {
     setAccessibleDescription(limiter.what + QLatin1Char(' ') + limiter.advice);
     setToolTip(limiter.what.isEmpty() ? QString() : limiter.what + QStringLiteral(": ") + limiter.advice);
     update();
+}
+
+QList<LimiterLine::Line> LimiterLine::lines() const {
+    const int width = room(this->width());
+    const auto line = [width](const QString& text, QFont::Weight weight, Qt::TextElideMode otherwise) {
+        const QFont font = fittingFont(text, weight, width);
+        return Line{font, QFontMetrics(font).elidedText(text, otherwise, width)};
+    };
+    QList<Line> out;
+    if (limiter_.what.isEmpty()) {
+        return out;
+    }
+    if (!limiter_.advice.isEmpty()) {
+        return {line(limiter_.what, QFont::Bold, Qt::ElideRight),
+                line(limiter_.advice, QFont::Normal, Qt::ElideMiddle)};
+    }
+    // A sentence: what there is to do stands at its end.
+    const bool oneLine =
+        QFontMetrics(textFont(kLargest, QFont::Bold)).horizontalAdvance(limiter_.what) <= width;
+    for (const QString& part : oneLine ? QStringList{limiter_.what} : halves(limiter_.what)) {
+        out.append(line(part, QFont::Bold, Qt::ElideMiddle));
+    }
+    return out;
+}
+
+QStringList LimiterLine::shownLines() const {
+    QStringList out;
+    for (const Line& line : lines()) {
+        out << line.text;
+    }
+    return out;
 }
 
 void LimiterLine::setQuietText(const QString& text) {
@@ -153,16 +219,13 @@ void LimiterLine::paintEvent(QPaintEvent*) {
     drawShape(painter, StateChip::Shape::WarningTriangle, QRectF(9, height() / 2.0 - 7, 14, 14),
               theme.warning, theme.warningBackground);
     painter.setPen(theme.warning);
-    painter.setFont(textFont(13, QFont::Bold));
-    const QFontMetrics strong(painter.font());
-    const int room = width() - 28 - 10;
-    const QString what = strong.elidedText(limiter_.what, Qt::ElideRight, room);
-    painter.drawText(QRect(28, 0, room, height()), Qt::AlignLeft | Qt::AlignVCenter, what);
-    painter.setFont(textFont(13));
-    const int left = room - strong.horizontalAdvance(what) - 10;
-    const QString advice = painter.fontMetrics().elidedText(limiter_.advice, Qt::ElideRight, left);
-    painter.drawText(QRect(28, 0, room, height()), Qt::AlignRight | Qt::AlignVCenter,
-                     left > 30 ? advice : QString());
+    const QList<Line> shown = lines();
+    const int pitch = (height() - 2) / std::max<int>(1, static_cast<int>(shown.size()));
+    for (int i = 0; i < shown.size(); ++i) {
+        painter.setFont(shown[i].font);
+        painter.drawText(QRect(kTextLeft, 1 + i * pitch, room(width()), pitch),
+                         Qt::AlignLeft | Qt::AlignVCenter, shown[i].text);
+    }
 }
 
 }  // namespace tiller

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One line that names what limits the arm and the way out of it; when nothing does, the measured stop of the
-// last jog. It keeps its height, so that nothing below it jumps.
+// Names what limits the arm and, on a line of its own, the way out of it; when nothing does, the measured stop of
+// the last jog. It keeps its height, so that nothing below it jumps.
 
+#include <QFont>
+#include <QList>
+#include <QStringList>
 #include <QWidget>
 
 #include "robot/control/motion_types.h"
@@ -35,13 +38,23 @@ public:
     void setQuietText(const QString& text);
     QString quietText() const { return quiet_; }
 
-    QSize sizeHint() const override { return {366, 31}; }
-    QSize minimumSizeHint() const override { return {200, 27}; }
+    /// What stands on the line now, from top to bottom, as it is drawn.
+    QStringList shownLines() const;
+
+    /// Two lines always: what limits, and below it the way out, which is never cut off.
+    QSize sizeHint() const override { return {366, 38}; }
+    QSize minimumSizeHint() const override { return {200, 32}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    struct Line {
+        QFont font;
+        QString text;
+    };
+    QList<Line> lines() const;
+
     LimiterAdvice limiter_;
     QString quiet_;
 };

@@ -192,7 +192,8 @@ void HeaderBar::showLastStop() {
 
 void HeaderBar::showLink() {
     showOn(*link_, linkLook(state_));
-    link_->setCaption(linkCaption(state_));
+    // What the link means for the hand is read before what it is called.
+    link_->setCaption(linkCaption(state_), StateChip::GivesWay::Before);
     if (state_.link != LinkState::Disconnected) {
         linkPace_.start();
     }

@@ -437,6 +437,25 @@ private Q_SLOTS:
         }
     }
 
+    void whatTheLinkMeansIsNotCutOff_data() { everythingFitsAtEveryWidth_data(); }
+    void whatTheLinkMeansIsNotCutOff() {
+        QFETCH(int, width);
+        FakeSession session;
+        HeaderBar header(session.port());
+        header.resize(width, HeaderBar::kHeight);
+        header.show();
+        SessionState state = longestState();
+        state.link = LinkState::Live;
+        state.quality.recent = {5000, 1200, 12};
+        header.applyState(state);
+        QTRY_VERIFY(header.findChild<StateChip*>("linkChip")->caption().contains("JOG MAY STOP"));
+        QCoreApplication::processEvents();
+        const QString shown = header.findChild<StateChip*>("linkChip")->shownCaption();
+        QVERIFY2(shown.endsWith("JOG MAY STOP"), qPrintable(shown));
+        QVERIFY2(header.rect().contains(header.findChild<QWidget*>("stopButton")->geometry()),
+                 "STOP is whole");
+    }
+
     void followsASession() {
         RobotSession session;
         HeaderBar header(session);
