@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "widgets/common/density.h"
+#include "widgets/common/list_typing.h"
 
 namespace tiller {
 
@@ -22,6 +23,7 @@ RowTable::RowTable(QAbstractItemModel& model, int nameColumn, QWidget* parent)
     verticalHeader()->hide();
     verticalHeader()->setMinimumSectionSize(tiller::rowHeight(Density::Compact));
     followDensity(*this);
+    new ListTyping(*this);
     horizontalHeader()->setHighlightSections(false);
     horizontalHeader()->setSectionsClickable(false);
     horizontalHeader()->setStretchLastSection(false);

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/common/lower_edge.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/frames/frame_details.h"
 #include "widgets/frames/frame_editing.h"
@@ -24,9 +25,6 @@ namespace tiller {
 namespace {
 
 enum Page { kEmptyPage, kTablePage };
-
-/// Below this height of the tab a notice takes the place of the figures [px].
-constexpr int kLowBelow = 420;
 
 }  // namespace
 
@@ -82,11 +80,6 @@ void FramesTab::buildLayout() {
     row->addWidget(touchUp_, 3);
     row->addWidget(more_);
 
-    notice_ = new NoticeBar;
-    auto* noticeRow = new QHBoxLayout;
-    noticeRow->setContentsMargins(12, 0, 12, 8);
-    noticeRow->addWidget(notice_);
-
     auto* empty = new QLabel(tr(
         "No frames yet.\nJog the tip to a corner of the tray or table. Press From TCP, or 3 points to take "
         "origin, +X and +Y."));
@@ -106,11 +99,11 @@ void FramesTab::buildLayout() {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(keys_);
-    layout->addLayout(noticeRow);
     layout->addWidget(pages_, 1);
     layout->addWidget(teacher_, 1);
     layout->addWidget(details_);
-    notice_->installEventFilter(this);
+    notice_ = new NoticeBar;
+    new LowerEdge(*notice_, *this, {pages_, teacher_});
     editing_ = new FrameEditing(document_, *model_, *notice_, this);
 
     connect(fromTcp_, &QPushButton::clicked, this, &FramesTab::teachFromTcp);
@@ -171,26 +164,12 @@ void FramesTab::onFrames() {
 
 void FramesTab::showPage() {
     const bool any = model_->rowCount() > 0;
-    const bool crowded = notice_->isVisibleTo(this) && height() < kLowBelow;
     pages_->setCurrentIndex(any ? kTablePage : kEmptyPage);
     // What is hidden needs no room: the tab is low in a small window.
     pages_->setVisible(!teaching_);
     teacher_->setVisible(teaching_);
-    details_->setVisible(!teaching_ && any && !crowded);
+    details_->setVisible(!teaching_ && any);
     keys_->setVisible(!teaching_);
-}
-
-bool FramesTab::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == notice_ &&
-        (event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent)) {
-        showPage();
-    }
-    return QWidget::eventFilter(watched, event);
-}
-
-void FramesTab::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    showPage();
 }
 
 void FramesTab::onSelection() {

@@ -63,10 +63,6 @@ Q_SIGNALS:
     /// Something the operator should be able to read again later.
     void message(tiller::Severity severity, const QString& text);
 
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
-
 private:
     void buildLayout();
     void buildActions();

@@ -9,7 +9,9 @@
 #include <cmath>
 
 #include "robot/receive/robot_state.h"
+#include "widgets/common/lower_edge.h"
 #include "widgets/common/nothing_found.h"
+#include "widgets/common/notice_bar.h"
 #include "widgets/io/analog_row.h"
 #include "widgets/io/io_channel.h"
 #include "widgets/io/register_panel.h"
@@ -43,16 +45,10 @@ IoTab::IoTab(RobotSession& session, QWidget* parent)
     , session_(session)
     , state_(session.state())
     , search_(new QLineEdit)
-    , notice_(new QLabel) {
+    , notice_(new NoticeBar) {
     setObjectName(QStringLiteral("io"));
     setAccessibleName(tr("Inputs and outputs"));
     setOutput_ = [this](int output, bool on) { session_.outputs().setDigitalOutput(output, on); };
-
-    notice_->setObjectName(QStringLiteral("io.notice"));
-    notice_->setProperty("role", "warning");
-    notice_->setWordWrap(true);
-    notice_->setContentsMargins(12, 10, 12, 0);
-    notice_->hide();
 
     auto* page = new QWidget;
     page->setObjectName(QStringLiteral("io.page"));
@@ -91,8 +87,9 @@ IoTab::IoTab(RobotSession& session, QWidget* parent)
     top->setContentsMargins(12, 10, 12, 2);
     top->addWidget(search_);
     layout->addLayout(top);
-    layout->addWidget(notice_);
     layout->addWidget(scroll, 1);
+    notice_->setObjectName(QStringLiteral("io.notice"));
+    new LowerEdge(*notice_, *this, {scroll});
 
     refreshTimer_.setSingleShot(true);
     refreshTimer_.setInterval(kRefreshMs);
@@ -155,7 +152,7 @@ void IoTab::toggle(int output) {
 
 void IoTab::ask(int output, bool on) {
     pending_[output] = {on, clock_->nowNs()};
-    notice_->hide();
+    notice_->dismiss();
     setOutput_(output, on);
     refresh();
 }
@@ -270,10 +267,9 @@ void IoTab::refresh() {
         } else if (pending && clock_->nowNs() - asked->sinceNs > kConfirmNs) {
             pending_.erase(asked);
             pending = false;
-            notice_->setText(
-                tr("▲ The robot did not confirm %1. Another program or the installation may own it.")
-                    .arg(out->accessibleName()));
-            notice_->show();
+            notice_->show(NoticeBar::Kind::Warning,
+                          tr("The robot did not confirm %1").arg(out->accessibleName()),
+                          tr("Another program or the installation may own it."));
         }
         out->setStale(stale);
         out->setObstacle(stale ? QString() : session_.outputs().holders().digital(channel));

@@ -23,6 +23,7 @@ namespace tiller {
 class AnalogRow;
 class IoChannel;
 class NothingFound;
+class NoticeBar;
 class RegisterPanel;
 
 class IoTab : public QWidget {
@@ -90,7 +91,7 @@ private:
     QVector<QLabel*> headings_;  ///< of the digital groups, by column and group
     QLineEdit* search_;
     NothingFound* nothing_ = nullptr;
-    QLabel* notice_;
+    NoticeBar* notice_;
 
     struct Pending {
         bool wanted = false;

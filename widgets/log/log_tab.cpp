@@ -17,6 +17,7 @@
 #include <algorithm>
 
 #include "widgets/common/density.h"
+#include "widgets/common/list_typing.h"
 #include "widgets/common/nothing_found.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/log/log_model.h"
@@ -76,6 +77,7 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     table_->setTabKeyNavigation(false);
     table_->verticalHeader()->hide();
     followDensity(*table_);
+    new ListTyping(*table_);
     table_->horizontalHeader()->setHighlightSections(false);
     table_->horizontalHeader()->setSectionsClickable(false);
     table_->horizontalHeader()->setStretchLastSection(true);

@@ -6,6 +6,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 
+#include "widgets/common/list_typing.h"
 #include "widgets/common/text_entry.h"
 #include "widgets/session/move_time.h"
 #include "widgets/session/texts.h"
@@ -15,7 +16,7 @@ namespace {
 
 bool typingSomewhere() {
     const QWidget* focus = QApplication::focusWidget();
-    return takesText(focus) || qobject_cast<const QLineEdit*>(focus) != nullptr ||
+    return takesText(focus) || ListTyping::isAt(focus) || qobject_cast<const QLineEdit*>(focus) != nullptr ||
            qobject_cast<const QComboBox*>(focus) != nullptr;
 }
 

@@ -13,6 +13,7 @@
 #include "robot/kinematics/arm_kinematics.h"
 #include "widgets/common/format.h"
 #include "widgets/common/joint_name.h"
+#include "widgets/common/lower_edge.h"
 #include "widgets/common/notation.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/project/project_document.h"
@@ -95,11 +96,6 @@ void WaypointsTab::buildLayout(MotionPort port) {
     keys->addWidget(goTo_, 3);
     keys->addWidget(more_);
 
-    notice_ = new NoticeBar;
-    auto* noticeRow = new QHBoxLayout;
-    noticeRow->setContentsMargins(12, 0, 12, 8);
-    noticeRow->addWidget(notice_);
-
     auto* empty = new QLabel(tr("No waypoints yet.\nJog the arm to a place and press Teach here (T)."));
     empty->setObjectName(QStringLiteral("waypoint.empty"));
     empty->setProperty("role", "secondary");
@@ -117,9 +113,10 @@ void WaypointsTab::buildLayout(MotionPort port) {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addLayout(keys);
-    layout->addLayout(noticeRow);
     layout->addWidget(pages_, 1);
     layout->addWidget(details_);
+    notice_ = new NoticeBar;
+    new LowerEdge(*notice_, *this, {pages_});
 
     connect(teach_, &QPushButton::clicked, this, &WaypointsTab::teach);
     connect(touchUp_, &QPushButton::clicked, this, &WaypointsTab::touchUp);

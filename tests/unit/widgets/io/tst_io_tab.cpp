@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "tests/support/sample_stream.h"
+#include "widgets/common/notice_bar.h"
 #include "widgets/common/theme.h"
 #include "widgets/io/analog_row.h"
 #include "widgets/io/io_channel.h"
@@ -104,7 +105,8 @@ private Q_SLOTS:
         feed(withBits(0, 0));
         QTRY_VERIFY(!tab_->output(16)->isStale());
         QTest::mouseClick(tab_->output(16), Qt::LeftButton);
-        auto* notice = tab_->findChild<QLabel*>("io.notice");
+        auto* notice = tab_->findChild<NoticeBar*>("io.notice");
+        const QPoint place = tab_->output(16)->mapTo(tab_.get(), QPoint(0, 0));
         clock_->advanceNs(1900 * kNsPerMs);
         feed(withBits(1, 0));
         QTRY_VERIFY(tab_->input(0)->state() == State::On);  // the tab has looked
@@ -113,7 +115,10 @@ private Q_SLOTS:
         feed(withBits(0, 0));
         QTRY_VERIFY(tab_->output(16)->state() == State::Off);
         QVERIFY(notice->isVisible());
-        QVERIFY(notice->text().contains("TO 0"));
+        QVERIFY(notice->title().contains("TO 0"));
+        QTest::qWait(1);
+        QCOMPARE(tab_->output(16)->mapTo(tab_.get(), QPoint(0, 0)), place);
+        QVERIFY(tab_->rect().contains(notice->geometry()));
     }
 
     void oldDataAreGreyAndCannotBeSwitched() {

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScopeGuard>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -192,6 +193,53 @@ private Q_SLOTS:
         QTest::keyClick(editor, Qt::Key_Escape);
         QTRY_VERIFY(table()->findChild<QLineEdit*>("waypoint.editor") == nullptr);
         QCOMPARE(names().at(0), QString("waypoint 1"));
+    }
+
+    // Letters typed at the list look for a name: those of a word that has begun are no commands.
+    void aWordTypedAtTheListIsNoCommand() {
+        const int interval = QApplication::keyboardInputInterval();
+        const auto restore = qScopeGuard([interval] { QApplication::setKeyboardInputInterval(interval); });
+        QApplication::setKeyboardInputInterval(60'000);
+        teachThree();
+        tab_->selectRow(0);
+        table()->setFocus();
+        QTest::keyClicks(table(), "waypoint");
+        QTest::keyClick(table(), Qt::Key_U);
+        QTest::keyPress(table(), Qt::Key_G);
+        QVERIFY(!goTo()->isHolding());
+        QTest::keyRelease(table(), Qt::Key_G);
+        QCOMPARE(document_->waypoints().size(), 3);
+        QVERIFY(!notice()->isVisible());
+        QVERIFY(arm_.moves.empty());
+        // A click ends the word.
+        QTest::mouseClick(table()->viewport(), Qt::LeftButton, {},
+                          table()->visualRect(table()->model()->index(2, WaypointModel::Name)).center());
+        QTest::keyClick(table(), Qt::Key_T);
+        QCOMPARE(document_->waypoints().size(), 4);
+    }
+
+    // What comes while a hand is on its way to a row pushes no row away.
+    void aNoticeMovesNoRow() {
+        teachThree();
+        tab_->selectRow(0);
+        const QModelIndex second = table()->model()->index(1, WaypointModel::Name);
+        const QRect list(table()->mapTo(tab_.get(), QPoint(0, 0)), table()->size());
+        const QRect row = table()->visualRect(second);
+        click("waypoint.touchUp");
+        QVERIFY(notice()->isVisible());
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+        QCOMPARE(QRect(table()->mapTo(tab_.get(), QPoint(0, 0)), table()->size()), list);
+        QCOMPARE(table()->visualRect(second), row);
+        QVERIFY2(tab_->rect().contains(notice()->geometry()), "whole on the page");
+        QVERIFY2(notice()->height() >= notice()->heightForWidth(notice()->width()), "with all its words");
+        for (const QPushButton* key : tab_->findChildren<QPushButton*>()) {
+            const QRect place(key->mapTo(tab_.get(), QPoint(0, 0)), key->size());
+            QVERIFY2(
+                notice()->isAncestorOf(key) || !key->isVisible() || !notice()->geometry().intersects(place),
+                qPrintable(key->objectName()));
+        }
+        click("notice.dismiss");
+        QCOMPARE(table()->visualRect(second), row);
     }
 
     void duplicateDeleteAndOrderByKeys() {

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/lower_edge.h"
+
+#include <QEvent>
+#include <QLayout>
+#include <QScopedValueRollback>
+#include <QWidget>
+#include <algorithm>
+
+namespace tiller {
+
+namespace {
+
+constexpr int kMargin = 8;  // [px]
+
+}  // namespace
+
+LowerEdge::LowerEdge(QWidget& shown, QWidget& page, const QList<QWidget*>& areas)
+    : QObject(&shown), shown_(shown), page_(page), areas_(areas) {
+    shown.setParent(&page);
+    shown.hide();
+    shown.installEventFilter(this);
+    page.installEventFilter(this);
+    for (QWidget* area : areas_) {
+        area->installEventFilter(this);
+    }
+}
+
+void LowerEdge::place() {
+    if (placing_ || !shown_.isVisibleTo(&page_)) {
+        return;
+    }
+    const QScopedValueRollback<bool> once(placing_, true);
+    const auto area = std::find_if(areas_.cbegin(), areas_.cend(),
+                                   [this](const QWidget* a) { return a->isVisibleTo(&page_); });
+    const QRect room =
+        area == areas_.cend() ? page_.rect() : QRect((*area)->mapTo(&page_, QPoint(0, 0)), (*area)->size());
+    const int width = std::max(0, room.width() - 2 * kMargin);
+    if (shown_.layout() != nullptr) {
+        shown_.layout()->activate();
+    }
+    const int tall = shown_.hasHeightForWidth() ? shown_.heightForWidth(width) : shown_.sizeHint().height();
+    const int height = std::max(tall, shown_.minimumSizeHint().height());
+    // Low areas are covered downwards: above them stand keys.
+    const int top = std::max(room.top(), room.bottom() + 1 - kMargin - height);
+    const int lowest = std::max(0, page_.height() - height);
+    shown_.setGeometry(room.left() + kMargin, std::min(top, lowest), width, height);
+    shown_.raise();
+}
+
+bool LowerEdge::eventFilter(QObject* watched, QEvent* event) {
+    switch (event->type()) {
+        case QEvent::Resize:
+        case QEvent::Move:
+        case QEvent::ShowToParent:
+        case QEvent::HideToParent:
+        case QEvent::LayoutRequest:
+        case QEvent::StyleChange:
+            place();
+            break;
+        default:
+            break;
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+}  // namespace tiller
