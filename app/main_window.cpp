@@ -276,6 +276,11 @@ void MainWindow::connectParts() {
     connectTransfer();
     connectIo();
     followJog();
+    connect(plots_, &PlotDock::recordingOptionsWanted, this, [this] { showSettings(true); });
+    connect(plots_, &PlotDock::recordingChosen, this, [this](const RecordingChoice& choice) {
+        preferences_.recording = choice;
+        settings_.setPreferences(preferences_);
+    });
 
     const auto followView = [this] {
         // The scene has Y up and Z towards the eye; the jog frame has Y away from the eye and Z up.
@@ -792,7 +797,7 @@ void MainWindow::askForProgram() {
     dialog->open();
 }
 
-void MainWindow::showSettings() {
+void MainWindow::showSettings(bool atRecording) {
     stopMotion(control::StopCause::DialogOpened);
     const QString theme = Theme::current().isDark() ? "dark" : "light";
     auto* page = new SettingsPage(preferences_, theme, *actions_, *devices_, this);
@@ -811,6 +816,9 @@ void MainWindow::showSettings() {
     connect(page, &SettingsPage::importWanted, transfer_, [this, page] { transfer_->askToImport(page); });
     // It shows what was chosen before.
     connect(transfer_, &SettingsTransfer::imported, page, &QDialog::close);
+    if (atRecording) {
+        page->showRecording();
+    }
     page->open();
 }
 
@@ -857,6 +865,7 @@ void MainWindow::applyPreferences(const Preferences& preferences) {
     for (auto it = tunings.constBegin(); it != tunings.constEnd(); ++it) {
         devices_->tune(it.key(), *it);
     }
+    plots_->setRecordingChoice(preferences.recording);
     actions_->setShortcuts(preferences.shortcuts);
 }
 

@@ -109,7 +109,7 @@ private:
     void showRecovery();
     void showSamples();
     void askForProgram();
-    void showSettings();
+    void showSettings(bool atRecording = false);
     void connectTransfer();
     /// Settings that came from elsewhere hold at once.
     void readSettingsAgain();

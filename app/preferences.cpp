@@ -75,6 +75,12 @@ Preferences readPreferences(const QString& file) {
         }
         settings.endGroup();
     }
+    RecordingChoice recording;
+    recording.folder = settings.value("recording/folder").toString();
+    recording.pattern = settings.value("recording/pattern", recording.pattern).toString();
+    recording.fields = settings.value("recording/fields").toStringList();
+    recording.every = settings.value("recording/every", recording.every).toInt();
+    preferences.recording = recording.sane();
     settings.beginGroup("shortcuts");
     const QStringList ids = settings.childKeys();
     for (const QString& id : ids) {
@@ -102,6 +108,10 @@ void writePreferences(const QString& file, const Preferences& preferences) {
         settings.setValue("dominantAxis", it->dominantAxis);
         settings.endGroup();
     }
+    settings.setValue("recording/folder", preferences.recording.folder);
+    settings.setValue("recording/pattern", preferences.recording.pattern);
+    settings.setValue("recording/fields", preferences.recording.fields);
+    settings.setValue("recording/every", preferences.recording.every);
     settings.remove("shortcuts");
     settings.beginGroup("shortcuts");
     for (auto it = preferences.shortcuts.constBegin(); it != preferences.shortcuts.constEnd(); ++it) {

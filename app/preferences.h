@@ -11,6 +11,7 @@
 #include "widgets/common/density.h"
 #include "widgets/common/notation.h"
 #include "widgets/jog/input_device.h"
+#include "widgets/session/recording_choice.h"
 
 namespace tiller::app {
 
@@ -28,6 +29,8 @@ struct Preferences {
 
     /// By kind of device; only what was chosen.
     QMap<QString, DeviceTuning> devices;
+
+    RecordingChoice recording;
 
     static constexpr double kOrdinaryCap = 0.250;
     static constexpr double kLowestCap = 0.010;

@@ -21,6 +21,7 @@
 #include "app/action_table.h"
 #include "app/device_settings.h"
 #include "app/interface_size.h"
+#include "app/recording_settings.h"
 #include "widgets/common/choice_box.h"
 #include "widgets/common/density.h"
 #include "widgets/common/figure_box.h"
@@ -66,14 +67,16 @@ SettingsPage::SettingsPage(const Preferences& preferences, const QString& theme,
     setObjectName("settingsPage");
     setWindowTitle(tr("Settings"));
     resize(760, 640);
-    auto* pages = new QTabWidget;
-    pages->setObjectName("settingsPages");
-    pages->setAccessibleName(tr("Settings"));
-    pages->tabBar()->setAccessibleName(tr("Settings"));
-    pages->tabBar()->setDrawBase(false);
-    pages->addTab(scrolling(buildLook(theme), tr("Look and motion")), tr("Look and motion"));
-    pages->addTab(scrolling(buildDevices(devices), tr("Devices")), tr("Devices"));
-    pages->addTab(buildShortcuts(), tr("Keys"));
+    pages_ = new QTabWidget;
+    pages_->setObjectName("settingsPages");
+    pages_->setAccessibleName(tr("Settings"));
+    pages_->tabBar()->setAccessibleName(tr("Settings"));
+    pages_->tabBar()->setDrawBase(false);
+    pages_->addTab(scrolling(buildLook(theme), tr("Look and motion")), tr("Look and motion"));
+    pages_->addTab(scrolling(buildDevices(devices), tr("Devices")), tr("Devices"));
+    recording_ = buildRecording();
+    pages_->addTab(recording_, tr("Recording"));
+    pages_->addTab(buildShortcuts(), tr("Keys"));
     auto* close = new QPushButton(tr("Close"));
     close->setObjectName("settingsClose");
     close->setAutoDefault(false);
@@ -91,7 +94,7 @@ SettingsPage::SettingsPage(const Preferences& preferences, const QString& theme,
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(24, 16, 24, 20);
     layout->setSpacing(12);
-    layout->addWidget(pages, 1);
+    layout->addWidget(pages_, 1);
     layout->addLayout(buttons);
 }
 
@@ -268,6 +271,19 @@ QWidget* SettingsPage::buildDevices(DeviceJog& devices) {
             [this](const QString& kind, const DeviceTuning& tuning) { preferences_.devices[kind] = tuning; });
     connect(page, &DeviceSettings::trainerWanted, this, &SettingsPage::trainerWanted);
     return page;
+}
+
+QWidget* SettingsPage::buildRecording() {
+    auto* page = new RecordingSettings(preferences_.recording);
+    connect(page, &RecordingSettings::chosen, this, [this](const RecordingChoice& choice) {
+        preferences_.recording = choice;
+        Q_EMIT preferencesChanged(preferences_);
+    });
+    return page;
+}
+
+void SettingsPage::showRecording() {
+    pages_->setCurrentWidget(recording_);
 }
 
 QWidget* SettingsPage::buildShortcuts() {

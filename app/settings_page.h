@@ -12,6 +12,7 @@ class QComboBox;
 class QLabel;
 class QPushButton;
 class QTableWidget;
+class QTabWidget;
 
 namespace tiller {
 class DeviceJog;
@@ -38,6 +39,8 @@ public:
     QString hint() const;
     /// Says who confirms that a key is held, or that nobody does.
     void setHoldNote(const QString& text);
+    /// Brings the page about recordings to the front.
+    void showRecording();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -57,6 +60,7 @@ private:
     QWidget* buildDevices(DeviceJog& devices);
     QPushButton* fileKey(const QString& name, const QString& text, const QString& tip,
                          void (SettingsPage::*wanted)());
+    QWidget* buildRecording();
     QComboBox* choice(const QString& name, const QString& accessible, const QStringList& texts, int current);
     void showShortcuts();
     void showCommandNames();
@@ -77,6 +81,8 @@ private:
     FigureBox* longestHold_ = nullptr;
     QLabel* holdNote_ = nullptr;
     QTableWidget* shortcuts_ = nullptr;
+    QTabWidget* pages_ = nullptr;
+    QWidget* recording_ = nullptr;
     QLabel* hint_ = nullptr;
 };
 

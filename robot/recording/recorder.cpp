@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "robot/realtime/thread_priority.h"
 #include "robot/receive/default_fields.h"
@@ -76,7 +77,10 @@ struct Recorder::Worker {
     std::string text;  ///< whole rows not written yet
     std::uint64_t rowsInText = 0;
     std::uint64_t lostInText = 0;
+    std::uint64_t every = 1;
     std::uint64_t lastSequence = 0;
+    std::uint64_t dueSequence = 0;  ///< of the next row
+    std::uint64_t missingBefore = 0;
     std::int64_t firstNs = 0;
     std::int64_t lastNs = 0;
 
@@ -115,10 +119,15 @@ struct Recorder::Worker {
             firstNs = sample.hostTimeNs;
         }
         lastSequence = sample.sequence;
+        missingBefore += missing;
+        if (sample.sequence < dueSequence) {
+            return;
+        }
+        dueSequence = sample.sequence + every;
         lastNs = sample.hostTimeNs;
-        writer->append(text, sample, missing);
+        writer->append(text, sample, missingBefore);
         ++rowsInText;
-        lostInText += missing;
+        lostInText += std::exchange(missingBefore, 0);
     }
 
     Result<void> drain() {
@@ -196,6 +205,12 @@ Result<void> Recorder::start(const RecorderOptions& options, receive::Subscripti
     stop();  // what is left of a failed one
     auto next = std::make_shared<Worker>();
     next->path = options.path;
+    if (options.every < 1) {
+        return Error{ErrorCode::InvalidArgument,
+                     QStringLiteral("a row every %1 packages; 1 or more").arg(options.every),
+                     {}};
+    }
+    next->every = static_cast<std::uint64_t>(options.every);
     if (const QStringList missing = notFollowed(options.fields, *layout); !missing.isEmpty()) {
         return Error{ErrorCode::FieldUnknown,
                      QStringLiteral("record to %1").arg(QDir::toNativeSeparators(options.path)),

@@ -39,6 +39,8 @@ struct RecorderOptions {
     /// Field names, all of which the receiver has to follow; empty: those of defaultRecordedFields() that it
     /// does. `timestamp` always comes first.
     std::vector<std::string> fields{};
+    /// Every n-th package becomes a row, 1 or more. What is left out on purpose does not count as lost.
+    int every = 1;
     bool asGiven = false;  ///< these fields in this order and nothing else: no timestamp, no packages_lost
 };
 

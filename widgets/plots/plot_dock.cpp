@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QDateTime>
+#include <QDesktopServices>
 #include <QDir>
 #include <QEvent>
 #include <QFileDialog>
@@ -12,6 +13,7 @@
 #include <QPixmap>
 #include <QStandardPaths>
 #include <QToolButton>
+#include <QUrl>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -132,7 +134,8 @@ void PlotDock::buildHeader() {
     export_->setToolTip(tr("Save what is shown as a picture (PNG) or as values (CSV)"));
     connect(export_, &QToolButton::clicked, this, &PlotDock::askExport);
     record_ = quietButton(QStringLiteral("plots.record"), tr("Record to a CSV file"), this);
-    record_->setToolTip(tr("Record every packet of the robot to a CSV file"));
+    record_->setToolTip(
+        tr("Record what the robot sends to a CSV file; the key beside it says what and where"));
     connect(record_, &QToolButton::clicked, this, &PlotDock::toggleRecording);
 
     addHeaderWidget(readout_);
@@ -142,6 +145,8 @@ void PlotDock::buildHeader() {
     addHeaderWidget(zero_);
     addHeaderWidget(export_);
     addHeaderWidget(record_);
+    buildRecordMenu();
+    addHeaderWidget(recordMenu_);
     styleHeader();
     updateHeader();
 }
@@ -268,7 +273,7 @@ void PlotDock::styleHeader() {
             .arg(std::max(22, touchHeight()));
     for (QWidget* widget :
          {static_cast<QWidget*>(span_), static_cast<QWidget*>(pause_), static_cast<QWidget*>(zero_),
-          static_cast<QWidget*>(export_), static_cast<QWidget*>(record_),
+          static_cast<QWidget*>(export_), static_cast<QWidget*>(record_), static_cast<QWidget*>(recordMenu_),
           findChild<QWidget*>(QStringLiteral("plots.separator"))}) {
         widget->setStyleSheet(sheet);
     }
@@ -363,15 +368,77 @@ void PlotDock::toggleRecording() {
         session_.recording().stop();
         return;
     }
-    QString folder = recordingFolder_;
-    if (folder.isEmpty()) {
-        folder = QDir(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
-                     .filePath(QStringLiteral("Tiller"));
+    const QString path = recordingPath(choice_, session_.state().robotName, QDateTime::currentDateTime());
+    QDir().mkpath(QFileInfo(path).absolutePath());
+    session_.recording().start(path, choice_.fields, choice_.every);
+}
+
+void PlotDock::setRecordingChoice(const RecordingChoice& choice) {
+    choice_ = choice.sane();
+}
+
+void PlotDock::buildRecordMenu() {
+    recordMenu_ = quietButton(QStringLiteral("plots.recordMenu"), tr("What is recorded"), this);
+    recordMenu_->setText(QStringLiteral("▾"));
+    recordMenu_->setToolTip(tr("Rows, signals, folder and file name of the next recording"));
+    recordMenu_->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(recordMenu_);
+    menu->setObjectName(QStringLiteral("plots.recordMenu.menu"));
+    menu->setToolTipsVisible(true);
+    connect(menu, &QMenu::aboutToShow, this, &PlotDock::showRecordMenu);
+    recordMenu_->setMenu(menu);
+    showRecordMenu();
+}
+
+void PlotDock::showRecordMenu() {
+    QMenu* menu = recordMenu_->menu();
+    menu->clear();
+    const auto add = [menu](const char* name, const QString& text) {
+        QAction* action = menu->addAction(text);
+        action->setObjectName(QLatin1String(name));
+        return action;
+    };
+    QList<int> sparse{1, 2, 5, 10, 50, 500};
+    if (!sparse.contains(choice_.every)) {
+        sparse.append(choice_.every);
+        std::sort(sparse.begin(), sparse.end());
     }
-    QDir().mkpath(folder);
-    const QString name =
-        QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HH-mm-ss")) + QStringLiteral(".csv");
-    session_.recording().start(QDir(folder).filePath(name));
+    for (const int every : sparse) {
+        QAction* action =
+            add("plots.record.every", every == 1 ? tr("A row for every packet")
+                                                 : tr("A row for every %n packet(s)", nullptr, every));
+        action->setCheckable(true);
+        action->setChecked(every == choice_.every);
+        action->setData(every);
+        connect(action, &QAction::triggered, this, [this, every] {
+            choice_.every = every;
+            Q_EMIT recordingChosen(choice_);
+        });
+    }
+    menu->addSeparator();
+    const auto recorded = static_cast<int>(choice_.fields.size());
+    connect(add("plots.record.signals",
+                recorded == 0 ? tr("All signals…") : tr("%n signal(s)…", nullptr, recorded)),
+            &QAction::triggered, this, &PlotDock::recordingOptionsWanted);
+    connect(add("plots.record.pattern", tr("File name %1…").arg(choice_.pattern)), &QAction::triggered, this,
+            &PlotDock::recordingOptionsWanted);
+    const QString folder = choice_.folder.isEmpty() ? recordingFolder() : choice_.folder;
+    QAction* place = add("plots.record.folder", tr("Folder %1…").arg(QDir(folder).dirName()));
+    place->setToolTip(QDir::toNativeSeparators(folder));
+    connect(place, &QAction::triggered, this, &PlotDock::askForFolder);
+    connect(add("plots.record.openFolder", tr("Show the folder")), &QAction::triggered, this, [folder] {
+        QDir().mkpath(folder);
+        QDesktopServices::openUrl(QUrl::fromLocalFile(folder));
+    });
+}
+
+void PlotDock::askForFolder() {
+    const QString start = choice_.folder.isEmpty() ? recordingFolder() : choice_.folder;
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for recordings"), start);
+    if (!folder.isEmpty()) {
+        choice_.folder = folder;
+        Q_EMIT recordingChosen(choice_);
+    }
 }
 
 }  // namespace tiller

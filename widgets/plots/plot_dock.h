@@ -11,6 +11,7 @@
 
 #include "robot/core/result.h"
 #include "widgets/common/panel.h"
+#include "widgets/session/recording_choice.h"
 #include "widgets/session/session_state.h"
 
 class QLabel;
@@ -37,8 +38,9 @@ public:
     const SeriesBuffer& history() const { return *history_; }
     const StateLane& lane() const { return *lane_; }
 
-    /// Where "Record" puts its files; a folder "Tiller" in the user's documents unless told.
-    void setRecordingFolder(const QString& folder) { recordingFolder_ = folder; }
+    /// What "Record" makes: holds for the next recording.
+    void setRecordingChoice(const RecordingChoice& choice);
+    const RecordingChoice& recordingChoice() const { return choice_; }
 
     /// Shown range as CSV, columns named as in recordings, or as a picture (.png, .svg, .pdf).
     Result<void> exportCsv(const QString& path) const;
@@ -64,6 +66,12 @@ public Q_SLOTS:
     /// Asks where the shown range shall be saved.
     void askExport();
 
+Q_SIGNALS:
+    /// Chosen in the menu of the Record key.
+    void recordingChosen(const tiller::RecordingChoice& choice);
+    /// What the menu has no room for is to be shown: signals, folder, file name.
+    void recordingOptionsWanted();
+
 protected:
     void changeEvent(QEvent* event) override;
 
@@ -75,6 +83,9 @@ private:
     void followLane(const SessionState& state);
     void updateHeader();
     void sayNothingToExport();
+    void buildRecordMenu();
+    void showRecordMenu();
+    void askForFolder();
 
     RobotSession& session_;
     std::unique_ptr<SeriesBuffer> history_;
@@ -87,9 +98,10 @@ private:
     QToolButton* zero_ = nullptr;
     QToolButton* export_ = nullptr;
     QToolButton* record_ = nullptr;
+    QToolButton* recordMenu_ = nullptr;
     QString jogLabel_;
     std::optional<double> backAt_;  ///< on the plots' time axis [s]: data came again, not in the lane yet
-    QString recordingFolder_;
+    RecordingChoice choice_;
     bool recording_ = false;
     double recordingSeconds_ = 0;
 };

@@ -7,17 +7,21 @@
 
 namespace tiller {
 
-void SessionRecording::start(const QString& path) {
+void SessionRecording::start(const QString& path, const QStringList& fields, int every) {
     if (!d_.link) {
         Q_EMIT session_.message(Severity::Warning, tr("Nothing is recorded: connect to a robot first."));
         return;
     }
     // A file system may take its time: the file is opened and closed by the worker for files.
     const receive::Receiver& receiver = *d_.link->receiver;
-    d_.files.post(&session_, [this, path, stream = receiver.subscribe(),
+    d_.files.post(&session_, [this, path, fields, every, stream = receiver.subscribe(),
                               layout = receiver.layout()](const CancelToken&) {
         recording::RecorderOptions options;
         options.path = path;
+        for (const QString& field : fields) {
+            options.fields.push_back(field.toStdString());
+        }
+        options.every = every;
         const Result<void> result = d_.recorder.start(options, stream, layout);
         return std::function<void()>([this, path, result] {
             if (result) {

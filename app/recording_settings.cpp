@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/recording_settings.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/common/figure_box.h"
+#include "widgets/common/format.h"
+#include "widgets/common/nothing_found.h"
+
+namespace tiller::app {
+
+namespace {
+
+constexpr double kPacketRate = 500;  // [Hz] of an e-Series; a CB3 has a quarter of it
+
+QLabel* secondary(const QString& name) {
+    auto* label = new QLabel;
+    label->setObjectName(name);
+    label->setWordWrap(true);
+    label->setProperty("role", QStringLiteral("secondary"));
+    return label;
+}
+
+}  // namespace
+
+RecordingSettings::RecordingSettings(const RecordingChoice& choice, QWidget* parent)
+    : QWidget(parent)
+    , choice_(choice.sane())
+    , folder_(new QLineEdit)
+    , pattern_(new QLineEdit)
+    , example_(secondary(QStringLiteral("settings.recording.example")))
+    , every_(new FigureBox)
+    , rate_(secondary(QStringLiteral("settings.recording.rate")))
+    , search_(new QLineEdit)
+    , signals_(new QListWidget)
+    , nothing_(nullptr) {
+    build();
+    showExample();
+    connect(folder_, &QLineEdit::editingFinished, this, &RecordingSettings::takeFolder);
+    connect(pattern_, &QLineEdit::textEdited, this, [this] { showExample(); });
+    connect(pattern_, &QLineEdit::editingFinished, this, &RecordingSettings::takePattern);
+    connect(every_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        RecordingChoice next = choice_;
+        next.every = static_cast<int>(value);
+        tell(next);
+        showExample();
+    });
+    connect(search_, &QLineEdit::textChanged, this, &RecordingSettings::search);
+    connect(signals_, &QListWidget::itemChanged, this, &RecordingSettings::takeSignals);
+}
+
+void RecordingSettings::build() {
+    folder_->setObjectName(QStringLiteral("settings.recording.folder"));
+    folder_->setAccessibleName(tr("Folder for recordings"));
+    folder_->setPlaceholderText(QDir::toNativeSeparators(recordingFolder()));
+    folder_->setText(QDir::toNativeSeparators(choice_.folder));
+    auto* choose = new QPushButton(tr("Choose…"));
+    choose->setObjectName(QStringLiteral("settings.recording.chooseFolder"));
+    choose->setAccessibleName(tr("Choose the folder for recordings"));
+    choose->setAutoDefault(false);
+    connect(choose, &QPushButton::clicked, this, &RecordingSettings::askForFolder);
+    auto* place = new QHBoxLayout;
+    place->addWidget(folder_, 1);
+    place->addWidget(choose);
+
+    pattern_->setObjectName(QStringLiteral("settings.recording.pattern"));
+    pattern_->setAccessibleName(tr("Pattern of the file name"));
+    pattern_->setText(choice_.pattern);
+    pattern_->setToolTip(tr("{date}, {time}, {robot} and {number} are filled in when a recording begins."));
+
+    every_->setObjectName(QStringLiteral("settings.recording.every"));
+    every_->setAccessibleName(tr("One row every so many packets"));
+    every_->setDecimals(0);
+    every_->setRange(1, RecordingChoice::kMostSparse);
+    every_->setValue(choice_.every);
+
+    search_->setObjectName(QStringLiteral("settings.recording.search"));
+    search_->setAccessibleName(tr("Search signals"));
+    search_->setPlaceholderText(tr("Search"));
+    search_->setClearButtonEnabled(true);
+    signals_->setObjectName(QStringLiteral("settings.recording.signals"));
+    signals_->setAccessibleName(tr("Signals in a recording"));
+    const QStringList fields = recordableFields();
+    for (const QString& field : fields) {
+        auto* item = new QListWidgetItem(field, signals_);
+        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+        const bool recorded = choice_.fields.isEmpty() || choice_.fields.contains(field);
+        item->setCheckState(recorded ? Qt::Checked : Qt::Unchecked);
+    }
+    nothing_ = new NothingFound(*signals_);
+    auto* all = new QPushButton(tr("All signals"));
+    all->setObjectName(QStringLiteral("settings.recording.all"));
+    all->setAccessibleName(all->text());
+    all->setAutoDefault(false);
+    connect(all, &QPushButton::clicked, this, &RecordingSettings::chooseAll);
+    auto* above = new QHBoxLayout;
+    above->addWidget(search_, 1);
+    above->addWidget(all);
+
+    auto* form = new QFormLayout;
+    form->setVerticalSpacing(12);
+    form->setHorizontalSpacing(20);
+    form->addRow(tr("Folder"), place);
+    form->addRow(tr("File name"), pattern_);
+    form->addRow(QString(), example_);
+    form->addRow(tr("One row every"), every_);
+    form->addRow(QString(), rate_);
+    form->addRow(tr("Signals"), above);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 16, 0, 0);
+    layout->addLayout(form);
+    layout->addWidget(signals_, 1);
+}
+
+void RecordingSettings::tell(const RecordingChoice& choice) {
+    const RecordingChoice next = choice.sane();
+    if (next != choice_) {
+        choice_ = next;
+        Q_EMIT chosen(choice_);
+    }
+}
+
+void RecordingSettings::askForFolder() {
+    const QString start = choice_.folder.isEmpty() ? recordingFolder() : choice_.folder;
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for recordings"), start);
+    if (!folder.isEmpty()) {
+        folder_->setText(QDir::toNativeSeparators(folder));
+        takeFolder();
+    }
+}
+
+void RecordingSettings::takeFolder() {
+    RecordingChoice next = choice_;
+    const QString typed = folder_->text().trimmed();
+    // Where the program was started from is nothing an operator knows.
+    next.folder =
+        typed.isEmpty() ? QString() : QDir::home().absoluteFilePath(QDir::fromNativeSeparators(typed));
+    folder_->setText(QDir::toNativeSeparators(next.folder));
+    tell(next);
+}
+
+void RecordingSettings::takePattern() {
+    if (!patternProblem(pattern_->text()).isEmpty()) {
+        return;  // said below the field; what held before still holds
+    }
+    RecordingChoice next = choice_;
+    next.pattern = pattern_->text().trimmed();
+    tell(next);
+    showExample();
+}
+
+void RecordingSettings::showExample() {
+    const QString problem = patternProblem(pattern_->text());
+    RecordingChoice typed = choice_;
+    typed.pattern = pattern_->text();
+    const QString role = problem.isEmpty() ? QStringLiteral("secondary") : QStringLiteral("warning");
+    if (example_->property("role") != role) {
+        example_->setProperty("role", role);
+        // The style sheet looks at the role only when the style is set.
+        example_->setStyleSheet(example_->styleSheet());
+    }
+    const QString file =
+        QFileInfo(recordingPath(typed, tr("Lab UR5e"), QDateTime::currentDateTime())).fileName();
+    example_->setText(problem.isEmpty()
+                          ? tr("For example %1. {date}, {time}, {robot} and {number} are filled in; "
+                               "a file that is there is never replaced.")
+                                .arg(file)
+                          : QStringLiteral("▲ ") + problem);
+    rate_->setText(tr("%n packet(s) a row: %1 rows a second from a robot that sends 500 packets a second.",
+                      nullptr, choice_.every)
+                       .arg(format::number(kPacketRate / choice_.every, choice_.every > 50 ? 1 : 0)));
+}
+
+void RecordingSettings::takeSignals() {
+    RecordingChoice next = choice_;
+    next.fields.clear();
+    for (int row = 0; row < signals_->count(); ++row) {
+        if (signals_->item(row)->checkState() == Qt::Checked) {
+            next.fields << signals_->item(row)->text();
+        }
+    }
+    if (next.fields.isEmpty()) {
+        // A recording of nothing is none: the last one stays.
+        const QSignalBlocker quiet(signals_);
+        for (int row = 0; row < signals_->count(); ++row) {
+            const bool recorded = choice_.fields.contains(signals_->item(row)->text());
+            signals_->item(row)->setCheckState(recorded ? Qt::Checked : Qt::Unchecked);
+        }
+        signals_->viewport()->update();
+        return;
+    }
+    tell(next);
+}
+
+void RecordingSettings::chooseAll() {
+    {
+        const QSignalBlocker quiet(signals_);
+        for (int row = 0; row < signals_->count(); ++row) {
+            signals_->item(row)->setCheckState(Qt::Checked);
+        }
+    }
+    signals_->viewport()->update();
+    takeSignals();
+}
+
+void RecordingSettings::search(const QString& words) {
+    const QStringList wanted = words.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    bool any = false;
+    for (int row = 0; row < signals_->count(); ++row) {
+        const QString field = signals_->item(row)->text();
+        const bool matches = std::all_of(wanted.begin(), wanted.end(), [&field](const QString& word) {
+            return field.contains(word, Qt::CaseInsensitive);
+        });
+        signals_->item(row)->setHidden(!matches);
+        any = any || matches;
+    }
+    nothing_->tell(!any, words);
+}
+
+}  // namespace tiller::app

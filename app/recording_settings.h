@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The page "Recording" of the settings: folder, file name, signals, and how many packets become a row. What is chosen
+// holds for the next recording.
+
+#include <QWidget>
+
+#include "widgets/session/recording_choice.h"
+
+class QLabel;
+class QLineEdit;
+class QListWidget;
+
+namespace tiller {
+
+class FigureBox;
+class NothingFound;
+
+namespace app {
+
+class RecordingSettings : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit RecordingSettings(const RecordingChoice& choice, QWidget* parent = nullptr);
+
+    const RecordingChoice& choice() const { return choice_; }
+
+Q_SIGNALS:
+    void chosen(const tiller::RecordingChoice& choice);
+
+private:
+    void build();
+    void askForFolder();
+    void takeFolder();
+    void takePattern();
+    void takeSignals();
+    void chooseAll();
+    void search(const QString& words);
+    void showExample();
+    void tell(const RecordingChoice& choice);
+
+    RecordingChoice choice_;
+    QLineEdit* folder_;
+    QLineEdit* pattern_;
+    QLabel* example_;
+    FigureBox* every_;
+    QLabel* rate_;
+    QLineEdit* search_;
+    QListWidget* signals_;
+    NothingFound* nothing_;
+};
+
+}  // namespace app
+}  // namespace tiller

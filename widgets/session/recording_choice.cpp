@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/session/recording_choice.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+#include <algorithm>
+
+#include "robot/recording/recorder.h"
+
+namespace tiller {
+
+namespace {
+
+/// The texts of this file for the translators: lupdate finds them by this name.
+struct RecordingChoiceText {
+    Q_DECLARE_TR_FUNCTIONS(RecordingChoice)
+};
+
+constexpr qsizetype kLongestName = 120;
+constexpr int kMostNumber = 99'999;
+const QString kEnding = QStringLiteral(".csv");
+const QString kNumber = QStringLiteral("{number}");
+
+/// What some file system takes for something else.
+bool isForbidden(QChar c) {
+    return !c.isPrint() || QStringLiteral("/\\:*?\"<>|").contains(c);
+}
+
+QString withoutEnding(const QString& pattern) {
+    const QString trimmed = pattern.trimmed();
+    return trimmed.endsWith(kEnding, Qt::CaseInsensitive) ? trimmed.chopped(kEnding.size()) : trimmed;
+}
+
+QString nameOf(const QString& pattern, const QString& robot, const QDateTime& now) {
+    QString name = withoutEnding(pattern);
+    name.replace(QStringLiteral("{date}"), now.toString(QStringLiteral("yyyy-MM-dd")));
+    name.replace(QStringLiteral("{time}"), now.toString(QStringLiteral("HH-mm-ss")));
+    name.replace(QStringLiteral("{robot}"), robot);
+    std::replace_if(name.begin(), name.end(), isForbidden, QLatin1Char('_'));
+    return name.left(kLongestName);
+}
+
+}  // namespace
+
+QStringList recordableFields() {
+    QStringList fields;
+    for (const std::string& field : recording::defaultRecordedFields()) {
+        if (field != "timestamp") {
+            fields << QString::fromStdString(field);
+        }
+    }
+    return fields;
+}
+
+QString recordingFolder() {
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
+        .filePath(QStringLiteral("Tiller"));
+}
+
+QString patternProblem(const QString& pattern) {
+    const QString name = withoutEnding(pattern);
+    if (name.isEmpty() || name.startsWith(QLatin1Char('.'))) {
+        return RecordingChoiceText::tr("A file needs a name that does not begin with a point.");
+    }
+    const auto forbidden = std::find_if(name.begin(), name.end(), isForbidden);
+    if (forbidden != name.end()) {
+        return RecordingChoiceText::tr("A file name cannot contain “%1”.").arg(*forbidden);
+    }
+    return name.size() > kLongestName ? RecordingChoiceText::tr("This name is too long.") : QString();
+}
+
+RecordingChoice RecordingChoice::sane() const {
+    RecordingChoice out = *this;
+    out.folder = folder.trimmed();
+    out.every = std::clamp(every, 1, kMostSparse);
+    if (!patternProblem(pattern).isEmpty()) {
+        out.pattern = defaultPattern();
+    }
+    const QStringList known = recordableFields();
+    out.fields.removeIf([&known](const QString& field) { return !known.contains(field); });
+    out.fields.removeDuplicates();
+    if (out.fields.size() == known.size()) {
+        out.fields.clear();
+    }
+    return out;
+}
+
+QString recordingPath(const RecordingChoice& choice, const QString& robot, const QDateTime& now) {
+    const RecordingChoice sane = choice.sane();
+    const QDir folder(sane.folder.isEmpty() ? recordingFolder() : sane.folder);
+    const QString name = nameOf(sane.pattern, robot, now);
+    const auto free = [&folder](const QString& file) { return !QFileInfo::exists(folder.filePath(file)); };
+    if (name.contains(kNumber)) {
+        for (int number = 1; number <= kMostNumber; ++number) {
+            const QString counted =
+                QString(name).replace(kNumber, QStringLiteral("%1").arg(number, 3, 10, QLatin1Char('0'))) +
+                kEnding;
+            if (free(counted)) {
+                return folder.filePath(counted);
+            }
+        }
+    }
+    QString file = name + kEnding;
+    for (int more = 2; !free(file); ++more) {
+        file = QStringLiteral("%1_%2%3").arg(name).arg(more).arg(kEnding);
+    }
+    return folder.filePath(file);
+}
+
+}  // namespace tiller
