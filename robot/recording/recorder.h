@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Writes what the robot sends to a CSV file, one row per package: `timestamp` first, then one column per
+// Writes what the robot sends to a CSV file, one row per package (or per n packages): `timestamp` first, then one column per
 // number, named as ur_rtde recordings are (actual_q_0 ... actual_q_5), at last `packages_lost`: how many
 // packages are missing between the row before and this one (0 in a recording without gaps). Numbers are the
 // shortest that read back exactly, with a point whatever the locale; a field the robot does not have stays
@@ -39,9 +39,9 @@ struct RecorderOptions {
     /// Field names, all of which the receiver has to follow; empty: those of defaultRecordedFields() that it
     /// does. `timestamp` always comes first.
     std::vector<std::string> fields{};
+    bool asGiven = false;  ///< these fields in this order and nothing else: no timestamp, no packages_lost
     /// Every n-th package becomes a row, 1 or more. What is left out on purpose does not count as lost.
     int every = 1;
-    bool asGiven = false;  ///< these fields in this order and nothing else: no timestamp, no packages_lost
 };
 
 enum class RecorderState {

@@ -136,6 +136,10 @@ void PlotDock::buildHeader() {
     record_ = quietButton(QStringLiteral("plots.record"), tr("Record to a CSV file"), this);
     record_->setToolTip(
         tr("Record what the robot sends to a CSV file; the key beside it says what and where"));
+    // As wide as it gets: what stands beside it keeps its place when a recording begins.
+    record_->setMinimumWidth(
+        QFontMetrics(textFont(13, QFont::Bold)).horizontalAdvance(tr("● REC %1").arg(format::duration(0))) +
+        12);
     connect(record_, &QToolButton::clicked, this, &PlotDock::toggleRecording);
 
     addHeaderWidget(readout_);

@@ -11,9 +11,9 @@
 namespace tiller {
 
 struct RecordingChoice {
-    QString folder;                      ///< empty: recordingFolder()
+    QString folder{};                    ///< empty: recordingFolder()
     QString pattern = defaultPattern();  ///< of the file name; see recordingPath()
-    QStringList fields;                  ///< by their RTDE names; empty: all of recordableFields()
+    QStringList fields{};                ///< by their RTDE names; empty: all of recordableFields()
     int every = 1;                       ///< every n-th packet becomes a row
 
     static constexpr int kMostSparse = 500;

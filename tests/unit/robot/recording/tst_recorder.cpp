@@ -122,6 +122,7 @@ class TestRecorder : public QObject {
 private Q_SLOTS:
     void writesOneRowPerPackage();
     void gapsStandInTheLastColumn();
+    void everyNthPackageBecomesARow();
     void ringOverrunIsAGapToo();
     void rowsReachTheFileWhileRecording();
     void replacesAnOldFile();
@@ -193,6 +194,32 @@ void TestRecorder::gapsStandInTheLastColumn() {
     const auto table = readCsv(bench.path());
     QCOMPARE(*table->column("packages_lost"), (std::vector<double>{0, 0, 3, 0, 92}));
     QCOMPARE(recorder.progress().lost, std::uint64_t(95));
+}
+
+void TestRecorder::everyNthPackageBecomesARow() {
+    Bench bench;
+    Recorder recorder;
+    RecorderOptions options{bench.path(), {"actual_q"}};
+    options.every = 0;
+    QCOMPARE(recorder.start(options, bench.receiver).error().code, ErrorCode::InvalidArgument);
+    QVERIFY2(!QFileInfo::exists(bench.path()), "no file is made");
+    options.every = 5;
+    QVERIFY(recorder.start(options, bench.receiver).ok());
+    bench.send(1, 21);
+    // Three that the controller skipped: lost, other than those that are left out.
+    bench.send(25, 30);
+    TRY_COMPARE(bench.receiver.counters().packets, std::uint64_t(27));
+    TRY_COMPARE(recorder.progress().rows, std::uint64_t(6));
+    recorder.stop();
+    QCOMPARE(recorder.progress().rows, std::uint64_t(6));
+    const auto table = readCsv(bench.path());
+    const std::vector<double>& times = table->values[0];
+    const int expected[] = {1, 6, 11, 16, 21, 29};
+    for (std::size_t row = 0; row < 6; ++row) {
+        QCOMPARE(times[row], expected[row] * 0.002);
+    }
+    QCOMPARE(*table->column("packages_lost"), (std::vector<double>{0, 0, 0, 0, 0, 3}));
+    QCOMPARE(recorder.progress().lost, std::uint64_t(3));
 }
 
 void TestRecorder::ringOverrunIsAGapToo() {

@@ -2,6 +2,7 @@
 //
 // The plot panel with real mouse, wheel and key events, fed with samples of the test's own.
 #include <QApplication>
+#include <QDir>
 #include <QFile>
 #include <QImage>
 #include <QMenu>
@@ -541,7 +542,7 @@ private Q_SLOTS:
     void recordingWithoutARobotSaysWhatToDo() {
         Bench b;
         QTemporaryDir folder;
-        b.dock.setRecordingFolder(folder.path());
+        b.dock.setRecordingChoice({.folder = folder.path()});
         QSignalSpy messages(&b.session, &RobotSession::message);
         QTest::mouseClick(b.button("plots.record"), Qt::LeftButton);
         QVERIFY(messages.count() >= 1);
@@ -558,6 +559,38 @@ private Q_SLOTS:
         state.recording.active = false;
         Q_EMIT b.session.stateChanged(state);
         QVERIFY(b.button("plots.record")->text().contains("Record"));
+    }
+
+    void theMenuBesideRecordSaysWhatIsRecordedAndChangesIt() {
+        Bench b;
+        QTemporaryDir folder;
+        b.dock.setRecordingChoice({.folder = folder.path(), .fields = {"actual_q"}, .every = 7});
+        QSignalSpy chosen(&b.dock, &PlotDock::recordingChosen);
+        QSignalSpy wanted(&b.dock, &PlotDock::recordingOptionsWanted);
+        QMenu* menu = b.button("plots.recordMenu")->menu();
+        Q_EMIT menu->aboutToShow();
+        QAction* every10 = nullptr;
+        for (QAction* action : menu->actions()) {
+            if (action->objectName() == "plots.record.every") {
+                QCOMPARE(action->isChecked(), action->data().toInt() == 7);
+                every10 = action->data().toInt() == 10 ? action : every10;
+            }
+        }
+        QVERIFY(every10 != nullptr);
+        every10->trigger();
+        QCOMPARE(chosen.count(), 1);
+        QCOMPARE(b.dock.recordingChoice().every, 10);
+        QCOMPARE(b.dock.recordingChoice().folder, folder.path());
+        Q_EMIT menu->aboutToShow();
+        const auto find = [menu](const char* name) {
+            return menu->findChild<QAction*>(QLatin1String(name), Qt::FindDirectChildrenOnly);
+        };
+        QVERIFY(find("plots.record.signals")->text().startsWith("1 signal"));
+        QVERIFY(find("plots.record.pattern")->text().contains("{date}_{time}"));
+        QCOMPARE(find("plots.record.folder")->toolTip(), QDir::toNativeSeparators(folder.path()));
+        find("plots.record.signals")->trigger();
+        find("plots.record.pattern")->trigger();
+        QCOMPARE(wanted.count(), 2);
     }
 
     void bothSchemesDrawWithoutAWarning() {

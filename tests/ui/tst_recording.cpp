@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a recording is like is chosen on the settings page and beside the Record key, and the next file is like that.
+
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QTest>
+#include <QToolButton>
+#include <cmath>
+
+#include "app/action_table.h"
+#include "app/recording_settings.h"
+#include "app/settings_page.h"
+#include "resources/resources.h"
+#include "robot/recording/csv_reader.h"
+#include "tests/support/window_bench.h"
+#include "widgets/common/nothing_found.h"
+#include "widgets/plots/plot_dock.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+namespace {
+
+void typeInto(QLineEdit& field, const QString& text) {
+    field.setFocus();
+    field.selectAll();
+    QTest::keyClicks(&field, text);
+    QTest::keyClick(&field, Qt::Key_Return);
+}
+
+void tick(QListWidget& list, const QString& name) {
+    const QList<QListWidgetItem*> found = list.findItems(name, Qt::MatchExactly);
+    QCOMPARE(found.size(), 1);
+    list.setCurrentItem(found.first());
+    list.scrollToItem(found.first());
+    list.setFocus();
+    QTest::keyClick(&list, Qt::Key_Space);
+}
+
+}  // namespace
+
+class TestRecording : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { initResources(); }
+
+    void theNextFileIsAsChosen() {
+        WindowBench bench;
+        bench.show(QSize(1280, 720));
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        const QString folder = bench.folder.filePath("measured");
+
+        // From the menu of the Record key to the page.
+        QMenu* menu = bench.find<QToolButton>("plots.recordMenu").menu();
+        Q_EMIT menu->aboutToShow();
+        menu->findChild<QAction*>("plots.record.signals", Qt::FindDirectChildrenOnly)->trigger();
+        auto* page = bench.window.findChild<app::SettingsPage*>();
+        QVERIFY(page != nullptr);
+        auto* recording = page->findChild<app::RecordingSettings*>();
+        QVERIFY2(recording->isVisible(), "the page comes up where it is meant");
+        typeInto(*page->findChild<QLineEdit*>("settings.recording.folder"), folder);
+        typeInto(*page->findChild<QLineEdit*>("settings.recording.pattern"), "run {number}");
+        QVERIFY(page->findChild<QLabel*>("settings.recording.example")->text().contains("run 001.csv"));
+        auto* every = page->findChild<QDoubleSpinBox*>("settings.recording.every");
+        every->setFocus();
+        every->selectAll();
+        QTest::keyClicks(every, "4");
+        QTest::keyClick(every, Qt::Key_Return);
+        auto* list = page->findChild<QListWidget*>("settings.recording.signals");
+        for (const QString& field : recordableFields()) {
+            if (field != "actual_q" && field != "actual_TCP_force") {
+                tick(*list, field);
+            }
+        }
+        QVERIFY2(page->isVisible(), "no key of the page has closed it");
+        QCOMPARE(recording->choice().fields.size(), 2);
+        page->close();
+
+        const auto record = [&](int ms) {
+            auto& key = bench.find<QToolButton>("plots.record");
+            QTest::mouseClick(&key, Qt::LeftButton);
+            const auto active = [&] { return bench.window.session().state().recording.active; };
+            QVERIFY(bench.cell.advanceUntil(
+                [&] {
+                    QTest::qWait(1);
+                    return active();
+                },
+                20'000));
+            bench.cell.advanceMs(ms);
+            QTest::mouseClick(&key, Qt::LeftButton);
+            QVERIFY(bench.cell.advanceUntil(
+                [&] {
+                    QTest::qWait(1);
+                    return !active();
+                },
+                20'000));
+        };
+        record(400);
+        const auto table = recording::readCsv(QDir(folder).filePath("run 001.csv"));
+        QVERIFY2(table.ok(), qPrintable(table.error().toString()));
+        QCOMPARE(table->columns.size(), std::size_t(1 + 6 + 6 + 1));
+        QVERIFY(table->column("actual_q_5") != nullptr && table->column("actual_TCP_force_0") != nullptr);
+        const std::vector<double>& times = table->values[0];
+        QVERIFY(times.size() > 20);
+        for (std::size_t row = 1; row < times.size(); ++row) {
+            QVERIFY(std::abs(times[row] - times[row - 1] - 4 * 0.002) < 1e-6);
+        }
+
+        // The menu itself: another one, and the file before it stays.
+        Q_EMIT menu->aboutToShow();
+        for (QAction* action : menu->actions()) {
+            if (action->data().toInt() == 10) {
+                action->trigger();
+            }
+        }
+        record(400);
+        const auto second = recording::readCsv(QDir(folder).filePath("run 002.csv"));
+        QVERIFY2(second.ok(), qPrintable(second.error().toString()));
+        QVERIFY(std::abs(second->values[0][1] - second->values[0][0] - 10 * 0.002) < 1e-6);
+        QVERIFY(QFile::exists(QDir(folder).filePath("run 001.csv")));
+
+        // Remembered.
+        const RecordingChoice kept = app::Settings(bench.file).preferences().recording;
+        QCOMPARE(kept.every, 10);
+        QCOMPARE(kept.pattern, QString("run {number}"));
+        QCOMPARE(kept.fields.size(), 2);
+        QCOMPARE(QDir(kept.folder), QDir(folder));
+    }
+
+    void whatCannotBeIsRefusedAndChangesNothing() {
+        WindowBench bench;
+        bench.show();
+        bench.window.actions().find("app.settings")->trigger();
+        auto* page = bench.window.findChild<app::SettingsPage*>();
+        page->showRecording();
+        auto* recording = page->findChild<app::RecordingSettings*>();
+        const RecordingChoice before = recording->choice();
+        typeInto(*page->findChild<QLineEdit*>("settings.recording.pattern"), "a/b");
+        QVERIFY(page->findChild<QLabel*>("settings.recording.example")->text().contains('/'));
+        QVERIFY(recording->choice() == before);
+        // The last signal cannot be taken away.
+        auto* list = page->findChild<QListWidget*>("settings.recording.signals");
+        const QStringList fields = recordableFields();
+        for (const QString& field : fields) {
+            tick(*list, field);
+        }
+        QCOMPARE(recording->choice().fields, QStringList(fields.last()));
+        QCOMPARE(list->item(list->count() - 1)->checkState(), Qt::Checked);
+        QTest::mouseClick(page->findChild<QPushButton*>("settings.recording.all"), Qt::LeftButton);
+        QVERIFY(recording->choice().fields.isEmpty());
+    }
+
+    void signalsAreSearched() {
+        WindowBench bench;
+        bench.show();
+        bench.window.actions().find("app.settings")->trigger();
+        auto* page = bench.window.findChild<app::SettingsPage*>();
+        page->showRecording();
+        auto* search = page->findChild<QLineEdit*>("settings.recording.search");
+        auto* list = page->findChild<QListWidget*>("settings.recording.signals");
+        const auto* nothing = page->findChild<NothingFound*>("settings.recording.signals.nothingFound");
+        search->setFocus();
+        QTest::keyClicks(search, "tcp force");
+        int shown = 0;
+        for (int row = 0; row < list->count(); ++row) {
+            shown += list->item(row)->isHidden() ? 0 : 1;
+        }
+        QVERIFY(shown >= 1 && shown < list->count());
+        QVERIFY(!nothing->isVisible());
+        QTest::keyClicks(search, "qqxyz");
+        QVERIFY(nothing->isVisible());
+    }
+};
+
+QTEST_MAIN(TestRecording)
+#include "tst_recording.moc"
