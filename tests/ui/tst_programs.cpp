@@ -240,6 +240,11 @@ private Q_SLOTS:
         QVERIFY(card->isVisible());
         QCOMPARE(card->count(), 1);
         QTRY_VERIFY(key->isEnabled());
+        // What the robot does not close is closed at the robot.
+        Q_EMIT window_->session().commandDone(RobotCommand::ClosePopups, false);
+        window_->session().refresh();
+        QCOMPARE(key->text(), QString("Hide"));
+        QVERIFY(card->findChild<QLabel*>("robotPopup.note")->text().contains("teach pendant"));
         // Another connection knows nothing of it.
         window_->session().disconnectFromRobot();
         QVERIFY(!card->isVisible());

@@ -74,7 +74,7 @@ RobotPopup::RobotPopup(RobotSession& session, QWidget& window, QWidget& over)
     unread_.setSingleShot(true);
     unread_.setInterval(kUnreadMs);
     connect(&unread_, &QTimer::timeout, this, &RobotPopup::showKey);
-    connect(key_, &QPushButton::clicked, this, &RobotPopup::close);
+    connect(key_, &QPushButton::clicked, this, &RobotPopup::closeOnRobot);
     connect(&session, &RobotSession::controllerMessage, this, &RobotPopup::hear);
     connect(&session, &RobotSession::stateChanged, this, &RobotPopup::followState);
     connect(&session, &RobotSession::commandDone, this, &RobotPopup::followCommand);
@@ -91,6 +91,8 @@ void RobotPopup::hear(const script::ControllerMessage& message) {
     }
     popups_.append(message);
     asked_ = false;
+    refused_ = false;
+    obstacle_ = obstacleNow(session_.state());
     unread_.start();
     showNewest();
 }
@@ -103,13 +105,19 @@ void RobotPopup::followState(const SessionState& state) {
         forget();
         return;
     }
-    const QString obstacle = state.link == LinkState::Live
-                                 ? texts::serviceObstacle(state, RobotCommand::ClosePopups)
-                                 : tr("No data from the robot: close it on the teach pendant.");
+    const QString obstacle = obstacleNow(state);
     if (obstacle != obstacle_) {
         obstacle_ = obstacle;
         showNewest();
     }
+}
+
+QString RobotPopup::obstacleNow(const SessionState& state) const {
+    if (refused_) {
+        return tr("It could not be closed from here: close it on the teach pendant.");
+    }
+    return state.link == LinkState::Live ? texts::serviceObstacle(state, RobotCommand::ClosePopups)
+                                         : tr("No data from the robot: close it on the teach pendant.");
 }
 
 void RobotPopup::followCommand(RobotCommand command, bool done) {
@@ -118,17 +126,24 @@ void RobotPopup::followCommand(RobotCommand command, bool done) {
     }
     asked_ = false;
     if (done) {
-        popups_.removeLast();
-    } else {
-        obstacle_ = tr("It could not be closed from here: close it on the teach pendant.");
+        removeNewest();
+        return;
     }
+    refused_ = true;
+    obstacle_ = obstacleNow(session_.state());
     showNewest();
 }
 
-void RobotPopup::close() {
+void RobotPopup::removeNewest() {
+    popups_.removeLast();
+    refused_ = false;
+    obstacle_ = obstacleNow(session_.state());
+    showNewest();
+}
+
+void RobotPopup::closeOnRobot() {
     if (!obstacle_.isEmpty()) {
-        popups_.removeLast();
-        showNewest();
+        removeNewest();
         return;
     }
     asked_ = true;
@@ -140,6 +155,7 @@ void RobotPopup::forget() {
     popups_.clear();
     obstacle_.clear();
     asked_ = false;
+    refused_ = false;
     showNewest();
 }
 

@@ -39,7 +39,9 @@ private:
     void hear(const script::ControllerMessage& message);
     void followState(const SessionState& state);
     void followCommand(RobotCommand command, bool done);
-    void close();
+    void closeOnRobot();
+    QString obstacleNow(const SessionState& state) const;
+    void removeNewest();
     void forget();
     void showNewest();
     void showKey();
@@ -50,6 +52,7 @@ private:
     QList<script::ControllerMessage> popups_;
     QString obstacle_;  ///< why it can only be closed on the pendant
     bool asked_ = false;
+    bool refused_ = false;  ///< the robot did not close the one that is shown
     QTimer unread_;
     QLabel* heading_;
     QLabel* text_;

@@ -62,6 +62,9 @@ StatusLine::StatusLine(QWidget* parent)
     file_->setFont(textFont(13));
     message_->setFont(textFont(13));
     message_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    // What there is to do stands at the end of a message.
+    message_->setElideMode(Qt::ElideMiddle);
+    details_->setElideMode(Qt::ElideMiddle);
 
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(16, 1, 16, 0);

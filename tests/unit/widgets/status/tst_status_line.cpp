@@ -53,6 +53,20 @@ private Q_SLOTS:
         line.showMessage(Severity::Info, QStringLiteral("Connected"));
         QCOMPARE(label->palette().color(QPalette::WindowText), Theme::light().secondary);
     }
+    void theRemedyStaysWhereRoomIsShort() {
+        StatusLine line;
+        line.resize(700, StatusLine::kHeight);
+        line.show();
+        line.showMessage(
+            Severity::Error,
+            QStringLiteral("Connection ended by the robot: RTDE at 10.255.255.1:30004, waiting for "
+                           "the reply to RTDE_REQUEST_PROTOCOL_VERSION. Restart the robot."));
+        QCoreApplication::processEvents();
+        const QString shown = line.findChild<QLabel*>("lastMessage")->text();
+        QVERIFY(shown.contains(QChar(0x2026)));
+        QVERIFY2(shown.endsWith("Restart the robot."), qPrintable(shown));
+    }
+
     void coloursFollowTheTheme() {
         StatusLine line;
         line.show();
