@@ -12,7 +12,19 @@ void KeyGhosts::offer(HoldButton& key, const QString& name, Target target) {
     offers_.insert(&key, {name, std::move(target)});
     key.installEventFilter(this);
     connect(&key.guard(), &HoldGuard::began, this, [this, &key] { show(offers_.value(&key)); });
-    connect(&key.guard(), &HoldGuard::ended, this, &KeyGhosts::gone);
+    connect(&key.guard(), &HoldGuard::ended, this, &KeyGhosts::hide);
+}
+
+void KeyGhosts::setState(const SessionState& state) {
+    state_ = state;
+    if (shown_ && !state.canMove()) {
+        hide();  // a place to which no key leads any more, though the pointer rests on one
+    }
+}
+
+void KeyGhosts::hide() {
+    shown_ = false;
+    Q_EMIT gone();
 }
 
 void KeyGhosts::show(const Offer& offer) {
@@ -32,6 +44,7 @@ void KeyGhosts::show(const Offer& offer) {
         ghost.reachable = q.has_value();
         ghost.q = q.value_or(state_.q);
     }
+    shown_ = true;
     Q_EMIT wanted(ghost);
 }
 
@@ -44,7 +57,7 @@ bool KeyGhosts::eventFilter(QObject* watched, QEvent* event) {
             if (enter) {
                 show(*offer);
             } else {
-                Q_EMIT gone();
+                hide();
             }
         }
     }

@@ -25,7 +25,7 @@ public:
 
     /// target  of a press now; nothing when the key goes to no place
     void offer(HoldButton& key, const QString& name, Target target);
-    void setState(const SessionState& state) { state_ = state; }
+    void setState(const SessionState& state);
 
 Q_SIGNALS:
     void wanted(const tiller::Ghost& ghost);
@@ -40,8 +40,10 @@ private:
         Target target;
     };
     void show(const Offer& offer);
+    void hide();
 
     SessionState state_;
+    bool shown_ = false;
     QHash<QObject*, Offer> offers_;
 };
 

@@ -230,6 +230,23 @@ private Q_SLOTS:
         QVERIFY(gone.count() >= 1);
     }
 
+    void aGhostUnderTheRestingPointerGoesWithControl() {
+        JogScene s;
+        QSignalSpy wanted(&s.column, &JogColumn::ghostWanted);
+        QSignalSpy gone(&s.column, &JogColumn::ghostGone);
+        QEnterEvent enter(QPointF(5, 5), QPointF(5, 5), QPointF(5, 5));
+        QApplication::sendEvent(s.key("homeKey"), &enter);
+        QCOMPARE(wanted.count(), 1);
+        s.column.applyState(s.state);
+        QCOMPARE(gone.count(), 0);
+        s.state.control = ControlState::None;
+        s.state.controlReason = QStringLiteral("Only watching.");
+        s.column.applyState(s.state);
+        QCOMPARE(gone.count(), 1);
+        s.column.applyState(s.state);
+        QCOMPARE(gone.count(), 1);
+    }
+
     void modifiersChangeTheSpeed() {
         JogScene s;
         s.press("jog.X+", Qt::ControlModifier);
