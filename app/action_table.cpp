@@ -42,6 +42,8 @@ QList<QPair<QString, QString>> actionMenus() {
             {"log", MenuText::tr("Log")},
             {"plots", MenuText::tr("Plots")},
             {"view", MenuText::tr("View")},
+            {"perspective", MenuText::tr("Perspectives")},
+            {"panel", MenuText::tr("Move panels")},
             {"app", MenuText::tr("Program Tiller")}};
 }
 
@@ -69,7 +71,18 @@ QAction* ActionTable::add(ActionSpec spec) {
 void ActionTable::adopt(const QString& menu, QAction* action) {
     action->setProperty(kMenu, menu);
     action->setProperty(kBuiltIn, QVariant::fromValue(action->shortcut()));
+    if (const auto own = chosen_.constFind(action->objectName()); own != chosen_.constEnd()) {
+        action->setShortcut(*own);
+    }
     actions_.append(action);
+}
+
+void ActionTable::remove(QAction* action) {
+    actions_.removeOne(action);
+    std::erase_if(rules_, [action](const Rule& rule) { return rule.action == action; });
+    owner_.removeAction(action);
+    // It may be the one that runs just now.
+    action->deleteLater();
 }
 
 QList<QAction*> ActionTable::inMenu(const QString& menu) const {
@@ -115,6 +128,7 @@ QKeySequence ActionTable::builtInShortcut(const QAction& action) {
 }
 
 void ActionTable::setShortcuts(const QMap<QString, QKeySequence>& chosen) {
+    chosen_ = chosen;
     for (QAction* action : actions_) {
         const auto own = chosen.constFind(action->objectName());
         action->setShortcut(own == chosen.constEnd() ? builtInShortcut(*action) : *own);

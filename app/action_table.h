@@ -39,6 +39,8 @@ public:
     QAction* add(ActionSpec spec);
     /// An action that lives elsewhere (a tab's own) and is listed here with the others.
     void adopt(const QString& menu, QAction* action);
+    /// An action of add() that is not possible any more; it is deleted.
+    void remove(QAction* action);
 
     const QList<QAction*>& all() const { return actions_; }
     QList<QAction*> inMenu(const QString& menu) const;
@@ -75,6 +77,7 @@ private:
     QWidget& owner_;
     QList<QAction*> actions_;
     std::vector<Rule> rules_;
+    QMap<QString, QKeySequence> chosen_;  ///< the keys of the operator, also for what is added later
 };
 
 }  // namespace tiller::app

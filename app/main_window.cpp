@@ -12,17 +12,21 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabBar>
-#include <QTimer>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "app/action_table.h"
 #include "app/command_palette.h"
 #include "app/connect_dialog.h"
+#include "app/dock_stage.h"
 #include "app/help_page.h"
 #include "app/interface_size.h"
 #include "app/jog_actions.h"
 #include "app/lessons.h"
 #include "app/panel_actions.h"
+#include "app/panel_dock.h"
+#include "app/perspective_actions.h"
+#include "app/perspectives.h"
 #include "app/robot_actions.h"
 #include "app/sample_projects.h"
 #include "app/scene_actions.h"
@@ -79,31 +83,25 @@ QWidget* withMargins(QWidget* panel, const QMargins& margins) {
     return frame;
 }
 
-/// A dock without a title bar of its own: the panel inside has one. It floats and comes back through the View
-/// menu.
-/// A title bar without height. A plain widget has none to tell, which a dock takes for -1 and is a pixel too low.
-QWidget* noTitleBar(QDockWidget* dock) {
-    auto* bar = new QWidget(dock);
-    auto* layout = new QHBoxLayout(bar);
-    layout->setContentsMargins(0, 0, 0, 0);
-    return bar;
-}
+/// The jog column's place: it is neither arranged nor closed.
+class FixedDock : public QDockWidget {
+public:
+    FixedDock(QWidget* content, const QString& name, const QString& title, QWidget* parent)
+        : QDockWidget(title, parent) {
+        setObjectName(name);
+        setFeatures(NoDockWidgetFeatures);
+        // A title bar without height. A plain widget has none to tell, which a dock takes for -1 and is a pixel
+        // too low.
+        auto* bar = new QWidget(this);
+        auto* layout = new QHBoxLayout(bar);
+        layout->setContentsMargins(0, 0, 0, 0);
+        setTitleBarWidget(bar);
+        setWidget(content);
+    }
 
-QDockWidget* dockFor(QWidget* content, const QString& name, const QString& title, QMainWindow* window) {
-    auto* dock = new QDockWidget(title, window);
-    dock->setObjectName(name);
-    dock->setFeatures(QDockWidget::DockWidgetFloatable | QDockWidget::DockWidgetMovable |
-                      QDockWidget::DockWidgetClosable);
-    dock->setTitleBarWidget(noTitleBar(dock));
-    dock->setWidget(content);
-    QObject::connect(dock, &QDockWidget::topLevelChanged, dock, [dock](bool floating) {
-        // Floating, it needs the system's frame to be moved by; docked, the panel's own bar is enough.
-        QWidget* old = dock->titleBarWidget();
-        dock->setTitleBarWidget(floating ? nullptr : noTitleBar(dock));
-        delete old;
-    });
-    return dock;
-}
+protected:
+    void closeEvent(QCloseEvent* event) override { event->ignore(); }
+};
 
 /// STOP must be in sight at once on a small screen too. Title bar and borders come on top.
 QSize startSize() {
@@ -125,7 +123,6 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     setWindowIcon(applicationIcon());
     setMinimumSize(kSmallestWindow);
     resize(startSize());
-    setDockOptions(QMainWindow::AllowTabbedDocks | QMainWindow::AnimatedDocks);
     setContextMenuPolicy(Qt::NoContextMenu);
 
     header_ = new HeaderBar(*session_, this);
@@ -172,14 +169,14 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     applyPreferences(preferences_);
 
     restoreGeometry(settings_.windowGeometry());
-    layoutRemembered_ = restoreState(settings_.windowState());
-    QTimer::singleShot(0, this, &MainWindow::proportion);
 }
 
 MainWindow::~MainWindow() {
     disconnect(qApp, nullptr, this, nullptr);
     const QList<QDialog*> open = findChildren<QDialog*>(QString(), Qt::FindDirectChildrenOnly);
     qDeleteAll(open);
+    // What the panels say on their way out arranges nothing.
+    disconnect(stage_, nullptr, nullptr, nullptr);
     // While all parts still live: the session tells them that it ends. Then they go, and it goes last.
     session_->shutDown();
     lessons_.reset();
@@ -199,42 +196,50 @@ MainWindow::~MainWindow() {
 
 void MainWindow::buildDocks() {
     setMenuWidget(header_);
-    setCentralWidget(withMargins(scene_, {0, kGap, 0, 0}));
-
+    auto* jogDock = new FixedDock(withMargins(jog_, {kGap, kGap, 0, kGap}), "jogDock", tr("Jog"), this);
     setCorner(Qt::TopLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    setCorner(Qt::TopRightCorner, Qt::RightDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
-
-    QDockWidget* jogDock = dockFor(withMargins(jog_, {kGap, kGap, 0, kGap}), "jogDock", tr("Jog"), this);
-    jogDock->setFeatures(QDockWidget::NoDockWidgetFeatures);  // never hidden
     addDockWidget(Qt::LeftDockWidgetArea, jogDock);
 
-    buildTabs();
-    plotsDock_ = dockFor(withMargins(plots_, {0, 0, kGap, kGap}), "plotsDock", tr("Plots"), this);
-    addDockWidget(Qt::BottomDockWidgetArea, plotsDock_);
+    stage_ = new DockStage;
+    // The bar of a docked panel is a part of the gap above it.
+    setCentralWidget(withMargins(stage_, {0, kGap - PanelDock::kDockedBar, kGap, kGap}));
+    stage_->add(*new PanelDock(*scene_, "viewDock", tr("View")));
+    tabsDock_ = new PanelDock(*buildTabs(), "tabsDock", tr("Waypoints, Frames, I/O, Log"));
+    stage_->add(*tabsDock_);
+    stage_->add(*new PanelDock(*plots_, "plotsDock", tr("Plots")));
+    perspectives_ =
+        new Perspectives(*stage_, settings_,
+                         {.stop = [this](control::StopCause cause) { stopMotion(cause); },
+                          .showTab = [this](const QString& name) { selectTab(name); },
+                          .tab = [this] { return tabs_->tabData(tabs_->currentIndex()).toString(); }},
+                         this);
+    connect(perspectives_, &Perspectives::message, this,
+            [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
 
     statusBar()->setSizeGripEnabled(false);
     statusBar()->addWidget(status_, 1);
     statusBar()->setContentsMargins(0, 0, 0, 0);
 }
 
-void MainWindow::proportion() {
-    if (layoutRemembered_) {
-        return;
+void MainWindow::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    // Not before: panels that float would be seen without the window.
+    if (!std::exchange(layoutRestored_, true)) {
+        if (const int width = settings_.arrangement().jogWidth; width > 0) {
+            resizeDocks({findChild<QDockWidget*>("jogDock")}, {std::min(width, this->width() / 2)},
+                        Qt::Horizontal);
+        }
+        perspectives_->restoreLast();
     }
-    // At first: plots 36 % of the height, tabs 29 % of the width.
-    resizeDocks({plotsDock_}, {height() * 36 / 100}, Qt::Vertical);
-    resizeDocks({tabsDock_}, {width() * 29 / 100}, Qt::Horizontal);
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
     setRoomForTouch(*qApp, height() >= kRoomForTouch);
-    proportion();
 }
 
-void MainWindow::buildTabs() {
+Panel* MainWindow::buildTabs() {
     auto* panel = new Panel(QString(), this);
     tabs_ = new QTabBar;
     tabs_->setObjectName("tabs");
@@ -256,9 +261,7 @@ void MainWindow::buildTabs() {
         stopMotion(control::StopCause::SelectionChanged);
         pages_->setCurrentIndex(index);
     });
-    tabsDock_ =
-        dockFor(withMargins(panel, {0, kGap, kGap, 0}), "tabsDock", tr("Waypoints, Frames, I/O, Log"), this);
-    addDockWidget(Qt::RightDockWidgetArea, tabsDock_);
+    return panel;
 }
 
 void MainWindow::connectParts() {
@@ -323,20 +326,21 @@ void MainWindow::connectProject() {
 
 void MainWindow::connectIo() {
     io_->setNames(settings_.ioNames());
-    const auto tellNames = [this] {
-        session_->outputs().setNames(io_->names());
-        gripper_->setNames(io_->names());
-    };
-    tellNames();
-    connect(io_, &IoTab::namesChanged, this, [this, tellNames] {
+    tellIoNames();
+    connect(io_, &IoTab::namesChanged, this, [this] {
         settings_.setIoNames(io_->names());
-        tellNames();
+        tellIoNames();
     });
     gripper_->setMemory(
         {[this](const QString& robot) { return settings_.gripper(robot); },
          [this](const QString& robot, const QString& choice) { settings_.setGripper(robot, choice); }});
     connect(ioPages_, &IoPages::pageChanged, this,
             [this] { stopMotion(control::StopCause::SelectionChanged); });
+}
+
+void MainWindow::tellIoNames() {
+    session_->outputs().setNames(io_->names());
+    gripper_->setNames(io_->names());
 }
 
 void MainWindow::connectFrames() {
@@ -545,6 +549,11 @@ void MainWindow::selectWaypoint(int row) {
 }
 
 void MainWindow::showTab(const QString& name) {
+    selectTab(name);
+    stage_->reveal(*tabsDock_);
+}
+
+void MainWindow::selectTab(const QString& name) {
     if (name == QLatin1String("gripper") || name == QLatin1String("io")) {
         ioPages_->show(name == QLatin1String("io") ? IoPages::Page::Signals : IoPages::Page::Gripper);
     }
@@ -567,15 +576,28 @@ void MainWindow::changeEvent(QEvent* event) {
     QMainWindow::changeEvent(event);
 }
 
+void MainWindow::keepLayout() {
+    settings_.setWindowGeometry(saveGeometry());
+    if (layoutRestored_) {
+        perspectives_->keep(findChild<QDockWidget*>("jogDock")->width());
+    }
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
     stopMotion(control::StopCause::WindowClosed);
     if (!files_->mayLeave(this)) {
         event->ignore();
         return;
     }
-    settings_.setWindow(saveGeometry(), saveState());
+    keepLayout();
     session_->disconnectFromRobot();
     QMainWindow::closeEvent(event);
+    // No panel stays behind on another screen.
+    for (PanelDock* dock : stage_->docks()) {
+        if (dock->isFloating()) {
+            dock->hide();
+        }
+    }
 }
 
 // ---- commands -----------------------------------------------------------------------------------------------
@@ -627,6 +649,9 @@ void MainWindow::buildActions() {
             main->addMenu(menus_[id]);
         }
     }
+    auto* perspectives = findChild<PerspectiveActions*>();
+    perspectives->fill(*menus_["perspective"]);
+    status_->addKey(perspectives->key());
     recentProjects_ = new QMenu(tr("Open recent project"), this);
     recentProjects_->setObjectName("menu.project.recent");
     QMenu* project = menus_["project"];
@@ -681,29 +706,20 @@ void MainWindow::addViewActions() {
                    tr("Brings the gripper's page of I/O to the front."),
                    {},
                    [this] { showTab("gripper"); }});
-    const QList<QDockWidget*> docks = findChildren<QDockWidget*>();
-    for (QDockWidget* dock : docks) {
-        if (dock->features().testFlag(QDockWidget::DockWidgetFloatable)) {
-            dock->toggleViewAction()->setObjectName("view.toggle." + dock->objectName());
-            actions_->adopt("view", dock->toggleViewAction());
-            actions_->add({"view.float." + dock->objectName(),
-                           tr("Float %1").arg(dock->windowTitle()),
-                           tr("Makes it a window of its own, for a second screen, or puts it back."),
-                           {},
-                           [dock] { dock->setFloating(!dock->isFloating()); }});
-        }
+    for (PanelDock* dock : stage_->docks()) {
+        addPanelActions(*dock);
     }
-    const QByteArray defaultLayout = saveState();
     actions_->add({"view.reset",
                    tr("Reset layout"),
-                   tr("All parts back to where they were at first."),
+                   tr("All panels back to where the current perspective has them."),
                    {},
-                   [this, defaultLayout] {
-                       stopMotion(control::StopCause::SelectionChanged);
-                       restoreState(defaultLayout);
-                       layoutRemembered_ = false;
-                       proportion();
-                   }});
+                   [this] { perspectives_->reset(); }});
+    auto* perspectives =
+        new PerspectiveActions(*actions_, *perspectives_,
+                               {.dialogOpens = [this] { stopMotion(control::StopCause::DialogOpened); },
+                                .refresh = [this] { actions_->applyState(session_->state()); }},
+                               *this);
+    perspectives->setObjectName("perspectiveActions");
     for (const auto& [name, title] :
          {std::pair<QString, QString>{"light", tr("Light colours")}, {"dark", tr("Dark colours")}}) {
         actions_->add({"view." + name,
@@ -755,6 +771,38 @@ void MainWindow::addViewActions() {
                    }});
     actions_->add({"app.quit", tr("Quit"), tr("Stops the arm, ends the connection and closes the window."),
                    QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); }});
+}
+
+void MainWindow::addPanelActions(PanelDock& dock) {
+    const QString name = dock.objectName();
+    QAction* toggle = dock.toggleViewAction();
+    toggle->setObjectName("view.toggle." + name);
+    toggle->setText(tr("Show or hide %1").arg(dock.windowTitle()));
+    actions_->adopt("view", toggle);
+    QAction* floats =
+        actions_->add({"view.float." + name,
+                       tr("Float %1").arg(dock.windowTitle()),
+                       tr("Makes it a window of its own, for a second screen, or puts it back."),
+                       {},
+                       [&dock] {
+                           dock.show();
+                           dock.setFloating(!dock.isFloating());
+                       }});
+    dock.menu().addActions({floats, toggle});
+    dock.menu().addSeparator();
+    const auto move = [&](const char* where, const QString& text, Qt::DockWidgetArea area) {
+        dock.menu().addAction(actions_->add({QStringLiteral("panel.%1.%2").arg(name, QLatin1String(where)),
+                                             text.arg(dock.windowTitle()),
+                                             tr("Moves this panel to that side of the others."),
+                                             {},
+                                             [this, &dock, area] { stage_->move(dock, area); }}));
+    };
+    move("left", tr("%1 to the left"), Qt::LeftDockWidgetArea);
+    move("right", tr("%1 to the right"), Qt::RightDockWidgetArea);
+    move("top", tr("%1 to the top"), Qt::TopDockWidgetArea);
+    move("bottom", tr("%1 to the bottom"), Qt::BottomDockWidgetArea);
+    connect(&dock.menu(), &QMenu::aboutToShow, this,
+            [this] { stopMotion(control::StopCause::DialogOpened); });
 }
 
 void MainWindow::showRecovery() {
@@ -824,7 +872,7 @@ void MainWindow::showSettings(bool atRecording) {
 
 void MainWindow::connectTransfer() {
     connect(transfer_, &SettingsTransfer::upToDateWanted, this,
-            [this] { settings_.setWindow(saveGeometry(), saveState()); });
+            [this] { keepLayout(); });
     connect(transfer_, &SettingsTransfer::imported, this, &MainWindow::readSettingsAgain);
     connect(transfer_, &SettingsTransfer::message, this,
             [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
@@ -837,11 +885,9 @@ void MainWindow::readSettingsAgain() {
     }
     applyPreferences(settings_.preferences());
     io_->setNames(settings_.ioNames());
-    session_->outputs().setNames(io_->names());
+    tellIoNames();
     listRobots();
-    if (const QByteArray layout = settings_.windowState(); layout != saveState()) {
-        layoutRemembered_ = restoreState(layout) || layoutRemembered_;
-    }
+    perspectives_->readAgain();
 }
 
 void MainWindow::applyPreferences(const Preferences& preferences) {

@@ -15,7 +15,6 @@
 #include "widgets/common/hold_witness.h"
 #include "widgets/session/robot_session.h"
 
-class QDockWidget;
 class QTabBar;
 class QMenu;
 class QStackedWidget;
@@ -45,7 +44,10 @@ class WaypointsTab;
 namespace app {
 
 class ActionTable;
+class DockStage;
 class Lessons;
+class PanelDock;
+class Perspectives;
 class SettingsTransfer;
 
 class MainWindow : public QMainWindow {
@@ -94,18 +96,22 @@ public:
     void selectWaypoint(int row);
     /// For the demonstration and tests: "waypoints", "frames", "io", "gripper" (a page of "io"), "log".
     void showTab(const QString& name);
+    Perspectives& perspectives() { return *perspectives_; }
 
 protected:
     void changeEvent(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     void buildDocks();
-    void buildTabs();
+    Panel* buildTabs();
     void buildActions();
     void addProjectActions();
     void addViewActions();
+    void selectTab(const QString& name);
+    void addPanelActions(PanelDock& dock);
     void showRecovery();
     void showSamples();
     void askForProgram();
@@ -113,7 +119,8 @@ private:
     void connectTransfer();
     /// Settings that came from elsewhere hold at once.
     void readSettingsAgain();
-    void proportion();
+    void keepLayout();
+    void tellIoNames();
     void connectParts();
     void connectProject();
     void followJog();
@@ -160,9 +167,10 @@ private:
     QMap<QString, QMenu*> menus_;
     QMenu* recentProjects_ = nullptr;
     QList<QAction*> robotActions_;  ///< the remembered robots, in the robot menu
-    QDockWidget* plotsDock_ = nullptr;
-    QDockWidget* tabsDock_ = nullptr;
-    bool layoutRemembered_ = false;  ///< the operator's own layout is kept as it is
+    DockStage* stage_ = nullptr;
+    PanelDock* tabsDock_ = nullptr;
+    Perspectives* perspectives_ = nullptr;
+    bool layoutRestored_ = false;  ///< as it was left last
     QTabBar* tabs_ = nullptr;
     QStackedWidget* pages_ = nullptr;
 };

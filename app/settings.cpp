@@ -20,8 +20,6 @@ constexpr qsizetype kLongestIoText = 100;
 /// Beyond these one of the robot's ports would be none.
 constexpr int kLowestPortOffset = -29000;
 constexpr int kHighestPortOffset = 35000;
-/// Raised when the docks change so much that an old layout would not fit.
-constexpr int kLayoutVersion = 1;
 
 /// A slash would begin a group within the group.
 QString gripperKey(const QString& robot) {
@@ -92,18 +90,8 @@ QByteArray Settings::windowGeometry() const {
     return openSettings(file_).value("window/geometry").toByteArray();
 }
 
-QByteArray Settings::windowState() const {
-    const QSettings settings = openSettings(file_);
-    return settings.value("window/version").toInt() == kLayoutVersion
-               ? settings.value("window/state").toByteArray()
-               : QByteArray();
-}
-
-void Settings::setWindow(const QByteArray& geometry, const QByteArray& state) {
-    QSettings settings = openSettings(file_);
-    settings.setValue("window/geometry", geometry);
-    settings.setValue("window/state", state);
-    settings.setValue("window/version", kLayoutVersion);
+void Settings::setWindowGeometry(const QByteArray& geometry) {
+    openSettings(file_).setValue("window/geometry", geometry);
 }
 
 QMap<QString, QString> Settings::ioNames() const {

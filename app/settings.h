@@ -10,6 +10,7 @@
 #include <QStringList>
 #include <QVector>
 
+#include "app/perspective_store.h"
 #include "app/preferences.h"
 #include "app/settings_file.h"
 #include "widgets/session/robot_session.h"
@@ -37,9 +38,8 @@ public:
     void forgetRobot(const RobotAddress& robot);
     QString theme() const;  ///< "light" or "dark"; empty when never chosen
     void setTheme(const QString& theme);
-    QByteArray windowState() const;
     QByteArray windowGeometry() const;
-    void setWindow(const QByteArray& geometry, const QByteArray& state);
+    void setWindowGeometry(const QByteArray& geometry);
     /// The operator's names of inputs and outputs, by terminal: "DI 0".
     QMap<QString, QString> ioNames() const;
     void setIoNames(const QMap<QString, QString>& names);
@@ -64,6 +64,12 @@ public:
     /// Returns  the path of that file
     /// Errors  FileNotWritable, DiskFull
     Result<QString> replace(const SettingsBundle& bundle, const QSet<SettingsPart>& parts);
+    /// The operator's own perspectives, in the order of saving.
+    QVector<SavedPerspective> perspectives() const { return readPerspectives(file_); }
+    void setPerspectives(const QVector<SavedPerspective>& all) { writePerspectives(file_, all); }
+    /// How the panels stood when the window was closed last.
+    LastArrangement arrangement() const { return readArrangement(file_); }
+    void setArrangement(const LastArrangement& arrangement) { writeArrangement(file_, arrangement); }
 
 private:
     QString backupPath() const;

@@ -134,9 +134,10 @@ SettingsPart partOf(const QString& key) {
         {QStringLiteral("shortcuts"), SettingsPart::Keys},
         {QStringLiteral("devices"), SettingsPart::Devices},
         {QStringLiteral("robots"), SettingsPart::Robots},
+        {QStringLiteral("grippers"), SettingsPart::Robots},
         {QStringLiteral("io"), SettingsPart::IoNames},
         {QStringLiteral("window"), SettingsPart::Layout},
-        {QStringLiteral("layouts"), SettingsPart::Layout},
+        {QStringLiteral("arrangement"), SettingsPart::Layout},
         {QStringLiteral("perspectives"), SettingsPart::Layout},
     };
     return parts.value(key.section(u'/', 0, 0), SettingsPart::Other);

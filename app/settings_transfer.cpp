@@ -40,7 +40,7 @@ QString titleOf(SettingsPart part) {
         case SettingsPart::Devices:
             return ImportDialog::tr("Gamepad and SpaceMouse");
         case SettingsPart::Robots:
-            return ImportDialog::tr("Robots");
+            return ImportDialog::tr("Robots and their grippers");
         case SettingsPart::IoNames:
             return ImportDialog::tr("Names and scales of inputs and outputs");
         case SettingsPart::Layout:

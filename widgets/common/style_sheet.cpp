@@ -15,6 +15,7 @@ namespace {
 constexpr char kTemplate[] = R"(
 QMainWindow, QDialog, QMessageBox { background: @background; }
 QMainWindow::separator { background: @background; width: 10px; height: 10px; }
+#stage::separator { width: 9px; height: 9px; }
 QSplitter::handle { background: transparent; }
 QToolTip { background: @raised; color: @text; border: 1px solid @border; padding: 4px 6px; font-size: 13px; }
 
@@ -101,7 +102,6 @@ QProgressBar { background: @border; border: none; border-radius: 3px; max-height
 QProgressBar::chunk { background: @moving; border-radius: 3px; }
 QGroupBox { border: 1px solid @border; border-radius: 6px; margin-top: 18px; padding: 8px; }
 QGroupBox::title { subcontrol-origin: margin; left: 8px; color: @secondary; }
-QDockWidget { titlebar-close-icon: none; titlebar-normal-icon: none; }
 )";
 
 // What is small for a mouse and has room for a finger everywhere: it scrolls, or it stands in front.

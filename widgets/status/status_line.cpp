@@ -91,6 +91,12 @@ StatusLine::StatusLine(RobotSession& session, QWidget* parent) : StatusLine(pare
     connect(&session, &RobotSession::message, this, &StatusLine::showMessage);
 }
 
+void StatusLine::addKey(QWidget* key) {
+    auto* row = qobject_cast<QHBoxLayout*>(layout());
+    row->addSpacing(16);
+    row->addWidget(key, 0, Qt::AlignVCenter);
+}
+
 QString StatusLine::recordingText() const {
     return recording_->text();
 }

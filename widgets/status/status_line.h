@@ -24,6 +24,8 @@ public:
 
     /// name  of the file, without its folder; empty for none
     void setProjectFile(const QString& name, bool saved);
+    /// Puts a key of fixed width at the right end. The line becomes its parent.
+    void addKey(QWidget* key);
     QString recordingText() const;
     QString messageText() const;
 

@@ -275,7 +275,9 @@ private Q_SLOTS:
         here.setTheme("dark");
         here.rememberRobot({"Lab UR5e", "10.0.0.7", 0, false});
         here.setIoNames({{"DO 0", "gripper, left"}, {"AI 0 scale", "0|10|bar"}});
-        here.setWindow("geometry", QByteArray("\x00state", 6));
+        here.setWindowGeometry("geometry");
+        here.setPerspectives({{1, "Night", "log", QByteArray("\x00state", 6)}});
+        here.setGripper("10.0.0.7", "hand-e");
         Preferences chosen;
         chosen.density = Density::Touch;
         chosen.longestHold = 40;
@@ -294,7 +296,8 @@ private Q_SLOTS:
         QCOMPARE(next.theme(), QString("dark"));
         QCOMPARE(next.rememberedRobots().first().name, QString("Lab UR5e"));
         QCOMPARE(next.ioNames(), here.ioNames());
-        QCOMPARE(next.windowState(), here.windowState());
+        QCOMPARE(next.perspectives(), here.perspectives());
+        QCOMPARE(next.gripper("10.0.0.7"), QString("hand-e"));
         QVERIFY(next.windowGeometry().isEmpty());
         QVERIFY(next.preferences() == chosen);
     }

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dock_stage.h"
+
+#include <QEvent>
+#include <QPainter>
+#include <QScopedValueRollback>
+#include <QStyle>
+#include <QTimer>
+#include <algorithm>
+
+#include "app/panel_dock.h"
+#include "widgets/common/theme.h"
+
+namespace tiller::app {
+namespace {
+
+/// Raised when the panels change so much that an old state would not fit.
+constexpr int kStateVersion = 1;
+
+}  // namespace
+
+DockStage::DockStage(QWidget* parent) : QMainWindow(parent, Qt::Widget) {
+    setObjectName("stage");
+    setDockOptions(QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    setContextMenuPolicy(Qt::NoContextMenu);
+    // There is nothing in the middle: the sides are as high as all of it, or they would lie between top and
+    // bottom.
+    setCorner(Qt::TopLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::TopRightCorner, Qt::RightDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+}
+
+void DockStage::add(PanelDock& dock) {
+    dock.setParent(this);
+    docks_.append(&dock);
+    connect(&dock, &PanelDock::rearranged, this, &DockStage::changeByHand);
+    connect(&dock, &PanelDock::attentionLost, this, &DockStage::attentionLost);
+}
+
+void DockStage::changeByHand() {
+    if (!arranging_) {
+        plan_.reset();
+        Q_EMIT rearranged();
+    }
+}
+
+PanelDock* DockStage::find(const QString& name) const {
+    const auto found = std::find_if(docks_.begin(), docks_.end(),
+                                    [&name](const PanelDock* dock) { return dock->objectName() == name; });
+    return found != docks_.end() ? *found : nullptr;
+}
+
+void DockStage::arrange(const StagePlan& plan) {
+    const QScopedValueRollback<bool> arranging(arranging_, true);
+    for (PanelDock* dock : std::as_const(docks_)) {
+        dock->setFloating(false);
+        removeDockWidget(dock);
+    }
+    PanelDock* before = nullptr;
+    for (const StagePlan::Place& place : plan.row) {
+        PanelDock* dock = find(place.dock);
+        if (before == nullptr) {
+            addDockWidget(Qt::TopDockWidgetArea, dock);
+        } else {
+            splitDockWidget(before, dock, Qt::Horizontal);
+        }
+        before = dock;
+    }
+    PanelDock* below = find(plan.below);
+    addDockWidget(Qt::BottomDockWidgetArea, below);
+    below->show();
+    // What is not shown has its place all the same, and comes back to it.
+    for (const StagePlan::Place& place : plan.row) {
+        find(place.dock)->setVisible(place.shown);
+    }
+    plan_ = plan;
+    proportion();
+}
+
+void DockStage::proportion() {
+    if (!plan_) {
+        return;
+    }
+    const int gap = style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent, nullptr, this);
+    const QSize whole = window()->size();
+    QList<QDockWidget*> row;
+    QList<int> widths;
+    int left = width() + gap;
+    int rest = -1;
+    for (const StagePlan::Place& place : plan_->row) {
+        if (!place.shown) {
+            continue;
+        }
+        const int share = place.percent > 0 ? whole.width() * place.percent / 100 - gap : 0;
+        rest = place.percent > 0 ? rest : static_cast<int>(row.size());
+        row.append(find(place.dock));
+        widths.append(share);
+        left -= share + gap;
+    }
+    if (row.isEmpty()) {
+        return;
+    }
+    if (rest >= 0) {
+        widths[rest] = std::max(1, left);
+    }
+    resizeDocks(row, widths, Qt::Horizontal);
+    const int below = whole.height() * plan_->belowPercent / 100 - gap;
+    resizeDocks({row.first(), find(plan_->below)}, {std::max(1, height() - gap - below), below},
+                Qt::Vertical);
+}
+
+void DockStage::move(PanelDock& dock, Qt::DockWidgetArea area) {
+    {
+        const QScopedValueRollback<bool> arranging(arranging_, true);
+        dock.setFloating(false);
+        removeDockWidget(&dock);
+        addDockWidget(area, &dock);
+        dock.show();
+    }
+    changeByHand();
+}
+
+void DockStage::reveal(PanelDock& dock) {
+    if (dock.isHidden()) {
+        {
+            const QScopedValueRollback<bool> arranging(arranging_, true);
+            dock.show();
+        }
+        changeByHand();
+    }
+    dock.raise();
+}
+
+QByteArray DockStage::state() const {
+    return saveState(kStateVersion);
+}
+
+bool DockStage::restore(const QByteArray& state) {
+    const QScopedValueRollback<bool> arranging(arranging_, true);
+    if (!restoreState(state, kStateVersion)) {
+        return false;
+    }
+    plan_.reset();
+    return true;
+}
+
+bool DockStage::event(QEvent* event) {
+    const bool taken = QMainWindow::event(event);
+    // Nothing but the line between two panels takes a press here.
+    if (event->type() == QEvent::MouseButtonPress && taken && event->isAccepted()) {
+        changeByHand();
+    }
+    return taken;
+}
+
+void DockStage::paintEvent(QPaintEvent* event) {
+    QMainWindow::paintEvent(event);
+    const bool empty = std::none_of(docks_.begin(), docks_.end(), [](const PanelDock* dock) {
+        return dock->isVisible() && !dock->isFloating();
+    });
+    if (empty) {
+        QPainter painter(this);
+        painter.setFont(textFont(15));
+        painter.setPen(Theme::current().secondary);
+        painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
+                         tr("No panel is here. Choose a perspective at the lower right, or show a panel with "
+                            "the menu View."));
+    }
+}
+
+void DockStage::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    proportion();
+}
+
+void DockStage::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    // Once the panels know how large they have to be.
+    QTimer::singleShot(0, this, &DockStage::proportion);
+}
+
+}  // namespace tiller::app

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panel_dock.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QToolButton>
+
+#include "widgets/common/panel.h"
+#include "widgets/common/theme.h"
+
+namespace tiller::app {
+
+using control::StopCause;
+
+namespace {
+
+QToolButton* quietKey(const QString& text, const QString& name) {
+    auto* key = new QToolButton;
+    key->setObjectName(name);
+    key->setText(text);
+    key->setAccessibleName(text);
+    key->setProperty("quiet", true);
+    key->setFocusPolicy(Qt::TabFocus);
+    return key;
+}
+
+}  // namespace
+
+/// The bar of the dock. Docked it is a line of one pixel, floating it is what the window is moved by.
+class PanelDock::Bar : public QWidget {
+public:
+    explicit Bar(PanelDock& dock) : QWidget(&dock), layout_(new QHBoxLayout(this)) {
+        auto* name = new QLabel(dock.windowTitle());
+        name->setFont(textFont(14, QFont::Bold));
+        auto* back = quietKey(PanelDock::tr("Put back"), "dock.back." + dock.objectName());
+        back->setToolTip(PanelDock::tr("Back into the main window"));
+        auto* close = quietKey(PanelDock::tr("Close"), "dock.close." + dock.objectName());
+        close->setToolTip(PanelDock::tr("Closes this panel. The menu View brings it back."));
+        connect(back, &QToolButton::clicked, &dock, [&dock] { dock.setFloating(false); });
+        connect(close, &QToolButton::clicked, &dock, [&dock] { dock.close(); });
+        parts_ = {name, back, close};
+        layout_->setSpacing(8);
+        layout_->addWidget(name, 1);
+        layout_->addWidget(back);
+        layout_->addWidget(close);
+        setFloating(false);
+        connect(&dock, &QDockWidget::topLevelChanged, this, &Bar::setFloating);
+    }
+
+private:
+    void setFloating(bool floating) {
+        for (QWidget* part : std::as_const(parts_)) {
+            part->setVisible(floating);
+        }
+        layout_->setContentsMargins(floating ? QMargins(12, 4, 6, 4) : QMargins(0, 0, 0, kDockedBar));
+        updateGeometry();
+    }
+
+    QHBoxLayout* layout_;
+    QList<QWidget*> parts_;
+};
+
+/// In the title bar of the panel: a click opens the menu, a drag moves the panel.
+class PanelDock::Key : public QToolButton {
+public:
+    explicit Key(PanelDock& dock) : dock_(dock) {
+        setObjectName("dock.menu." + dock.objectName());
+        setProperty("quiet", true);
+        setFocusPolicy(Qt::TabFocus);
+        setText(QStringLiteral("···"));
+        setAccessibleName(PanelDock::tr("Move, float or close %1").arg(dock.windowTitle()));
+        setToolTip(PanelDock::tr("Click: move, float or close this panel. Drag: take it elsewhere."));
+        connect(this, &QToolButton::clicked, this,
+                [this] { dock_.menu_->popup(mapToGlobal(QPoint(0, height()))); });
+    }
+
+protected:
+    void mousePressEvent(QMouseEvent* event) override {
+        pressedAt_ = event->globalPosition();
+        QToolButton::mousePressEvent(event);
+    }
+    void mouseMoveEvent(QMouseEvent* event) override {
+        const bool far =
+            (event->globalPosition() - pressedAt_).manhattanLength() > QApplication::startDragDistance();
+        if (isDown() && far && !dock_.isFloating()) {
+            setDown(false);
+            dock_.beginDrag(pressedAt_, *event);
+            return;
+        }
+        QToolButton::mouseMoveEvent(event);
+    }
+
+private:
+    PanelDock& dock_;
+    QPointF pressedAt_;
+};
+
+PanelDock::PanelDock(Panel& panel, const QString& name, const QString& title, QWidget* parent)
+    : QDockWidget(title, parent), panel_(panel), menu_(new QMenu(this)) {
+    setObjectName(name);
+    setFeatures(DockWidgetFloatable | DockWidgetMovable | DockWidgetClosable);
+    menu_->setObjectName("menu." + name);
+    menu_->setToolTipsVisible(true);
+    setTitleBarWidget(new Bar(*this));
+    setWidget(&panel);
+    panel.addHeaderWidget(new Key(*this));
+    connect(this, &QDockWidget::topLevelChanged, this, &PanelDock::rearranged);
+    connect(this, &QDockWidget::dockLocationChanged, this, &PanelDock::rearranged);
+    connect(toggleViewAction(), &QAction::triggered, this, &PanelDock::rearranged);
+}
+
+bool PanelDock::event(QEvent* event) {
+    switch (event->type()) {
+        case QEvent::MouseButtonPress:
+        case QEvent::MouseMove:
+        case QEvent::MouseButtonRelease:
+            if (!isFloating()) {
+                return barEvent(*static_cast<QMouseEvent*>(event));
+            }
+            break;
+        case QEvent::WindowDeactivate:
+            if (isWindow()) {
+                Q_EMIT attentionLost(StopCause::WindowDeactivated);
+            }
+            break;
+        case QEvent::WindowStateChange:
+            if (isWindow() && isMinimized()) {
+                Q_EMIT attentionLost(StopCause::WindowDeactivated);
+            }
+            break;
+        default:
+            break;
+    }
+    return QDockWidget::event(event);
+}
+
+void PanelDock::closeEvent(QCloseEvent* event) {
+    Q_EMIT attentionLost(StopCause::WindowClosed);
+    QDockWidget::closeEvent(event);
+    Q_EMIT rearranged();
+}
+
+// A press on the title bar of the panel means the bar of the dock, which is somewhere above it.
+bool PanelDock::barEvent(QMouseEvent& event) {
+    if (event.type() == QEvent::MouseButtonPress) {
+        const QRect bar(panel_.mapTo(this, QPoint(0, 0)), QSize(panel_.width(), Panel::kHeaderHeight));
+        const bool onBar = bar.contains(event.position().toPoint());
+        pressedY_ = onBar ? std::optional(event.position().y()) : std::nullopt;
+    }
+    if (!pressedY_) {
+        return QDockWidget::event(&event);
+    }
+    QMouseEvent onBar(event.type(), event.position() - QPointF(0, *pressedY_), event.globalPosition(),
+                      event.button(), event.buttons(), event.modifiers());
+    const bool taken = QDockWidget::event(&onBar);
+    event.setAccepted(onBar.isAccepted());
+    return taken;
+}
+
+void PanelDock::beginDrag(const QPointF& pressedAt, const QMouseEvent& now) {
+    const QPointF local(mapFromGlobal(pressedAt).x(), 0);
+    QMouseEvent press(QEvent::MouseButtonPress, local, pressedAt, Qt::LeftButton, Qt::LeftButton,
+                      Qt::NoModifier);
+    QDockWidget::event(&press);
+    QMouseEvent move(QEvent::MouseMove, local + now.globalPosition() - pressedAt, now.globalPosition(),
+                     Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QDockWidget::event(&move);
+}
+
+}  // namespace tiller::app

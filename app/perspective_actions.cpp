@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/perspective_actions.h"
+
+#include <QActionGroup>
+#include <QDialog>
+#include <QFontMetrics>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/action_table.h"
+#include "widgets/common/theme.h"
+
+namespace tiller::app {
+namespace {
+
+/// Of the key that shows the current one; it is the same for every name. [px]
+constexpr int kKeyWidth = 150;
+
+}  // namespace
+
+PerspectiveActions::PerspectiveActions(ActionTable& table, Perspectives& perspectives, Hooks hooks,
+                                       QWidget& window)
+    : QObject(&window)
+    , table_(table)
+    , perspectives_(perspectives)
+    , hooks_(std::move(hooks))
+    , window_(window)
+    , group_(new QActionGroup(this)) {
+    list();
+    addCommands();
+    connect(&perspectives_, &Perspectives::listChanged, this, &PerspectiveActions::list);
+    connect(&perspectives_, &Perspectives::currentChanged, this, &PerspectiveActions::showCurrent);
+    showCurrent();
+}
+
+QString PerspectiveActions::ownOnly(const QString& what) const {
+    return perspectives_.current().builtIn ? what : QString();
+}
+
+void PerspectiveActions::addCommands() {
+    const auto own = [this](const QString& what) {
+        return [this, what](const SessionState&) { return ownOnly(what); };
+    };
+    table_.add({"perspective.save",
+                tr("Save perspective"),
+                tr("The panels as they stand now, into the current perspective."),
+                {},
+                [this] { perspectives_.save(); },
+                own(tr("This perspective is built in. Save it under a name of your own."))});
+    table_.add({"perspective.saveAs",
+                tr("Save perspective as…"),
+                tr("The panels as they stand now, under a name of your own."),
+                {},
+                [this] {
+                    askForName(tr("Save perspective as"), {}, {},
+                               [this](const QString& name) { perspectives_.saveAs(name); });
+                }});
+    table_.add({"perspective.rename",
+                tr("Rename perspective…"),
+                tr("Gives the current perspective another name."),
+                {},
+                [this] {
+                    const Perspectives::Entry current = perspectives_.current();
+                    askForName(
+                        tr("Rename perspective"), current.name, current.id,
+                        [this, current](const QString& name) { perspectives_.rename(current.id, name); });
+                },
+                own(tr("This perspective is built in and keeps its name."))});
+    table_.add({"perspective.delete",
+                tr("Delete perspective…"),
+                tr("Forgets the current perspective. The panels stay as they are."),
+                {},
+                [this] { askToDelete(); },
+                own(tr("This perspective is built in and stays."))});
+}
+
+// Anew where the list is another one: the commands of the table have the names of the perspectives.
+void PerspectiveActions::list() {
+    const QList<Perspectives::Entry> entries = perspectives_.all();
+    if (entries != listed_) {
+        listed_ = entries;
+        for (QAction* action : std::exchange(choices_, {})) {
+            group_->removeAction(action);
+            table_.remove(action);
+        }
+        for (const Perspectives::Entry& entry : entries) {
+            QAction* action =
+                table_.add({"perspective." + entry.id, tr("Perspective %1").arg(entry.name), entry.help,
+                            entry.shortcut, [this, id = entry.id] { perspectives_.choose(id); }});
+            action->setCheckable(true);
+            action->setData(entry.id);
+            group_->addAction(action);
+            choices_.append(action);
+        }
+        fillMenu();
+    }
+    showCurrent();
+}
+
+void PerspectiveActions::showCurrent() {
+    const Perspectives::Entry current = perspectives_.current();
+    for (QAction* action : std::as_const(choices_)) {
+        action->setChecked(action->data().toString() == current.id);
+    }
+    if (key_ != nullptr) {
+        // As large as the style sheet writes it, which may not have reached it yet.
+        const QFontMetrics metrics(textFont(14));
+        const QString arrow = QStringLiteral(" ▾");
+        const int room = kKeyWidth - 16 - metrics.horizontalAdvance(arrow);
+        key_->setText(metrics.elidedText(current.name, Qt::ElideRight, room) + arrow);
+        key_->setAccessibleName(tr("Perspective %1").arg(current.name));
+        key_->setToolTip(
+            tr("Perspective %1. Choose how the panels stand, or save how they stand now.").arg(current.name));
+    }
+    hooks_.refresh();
+}
+
+void PerspectiveActions::fill(QMenu& menu) {
+    menu_ = &menu;
+    menu.setToolTipsVisible(true);
+    fillMenu();
+}
+
+void PerspectiveActions::fillMenu() {
+    if (menu_ != nullptr) {
+        menu_->clear();
+        menu_->addActions(choices_);
+        menu_->addSeparator();
+        for (const char* id :
+             {"perspective.save", "perspective.saveAs", "perspective.rename", "perspective.delete"}) {
+            menu_->addAction(table_.find(QLatin1String(id)));
+        }
+        if (QAction* reset = table_.find("view.reset")) {
+            menu_->addSeparator();
+            menu_->addAction(reset);
+        }
+    }
+}
+
+QToolButton* PerspectiveActions::key() {
+    if (key_ == nullptr) {
+        key_ = new QToolButton(&window_);
+        key_->setObjectName("perspectiveKey");
+        key_->setProperty("quiet", true);
+        key_->setFont(textFont(13));
+        key_->setFixedWidth(kKeyWidth);
+        key_->setFocusPolicy(Qt::TabFocus);
+        key_->setPopupMode(QToolButton::InstantPopup);
+        key_->setMenu(menu_);
+        connect(menu_, &QMenu::aboutToShow, this, [this] { hooks_.dialogOpens(); });
+        showCurrent();
+    }
+    return key_;
+}
+
+void PerspectiveActions::askForName(const QString& title, const QString& proposal, const QString& except,
+                                    const std::function<void(const QString&)>& done) {
+    hooks_.dialogOpens();
+    auto* dialog = new QDialog(&window_);
+    dialog->setObjectName("perspectiveDialog");
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(title);
+    dialog->setMinimumWidth(460);
+    auto* name = new QLineEdit(proposal);
+    name->setObjectName("perspectiveName");
+    name->setAccessibleName(tr("Name of the perspective"));
+    auto* hint = new QLabel;
+    hint->setObjectName("perspectiveHint");
+    hint->setWordWrap(true);
+    hint->setProperty("role", "secondary");
+    // Room for the longest hint, so that nothing moves while somebody types.
+    hint->setMinimumHeight(2 * hint->fontMetrics().lineSpacing());
+    auto* save = new QPushButton(tr("Save"));
+    save->setObjectName("perspectiveSave");
+    save->setProperty("primary", true);
+    save->setDefault(true);
+    auto* cancel = new QPushButton(tr("Cancel"));
+    cancel->setObjectName("perspectiveCancel");
+    cancel->setAutoDefault(false);
+
+    auto* layout = new QVBoxLayout(dialog);
+    auto* label = new QLabel(tr("Name"));
+    label->setBuddy(name);
+    layout->addWidget(label);
+    layout->addWidget(name);
+    layout->addWidget(hint);
+    auto* keys = new QHBoxLayout;
+    keys->addStretch(1);
+    keys->addWidget(cancel);
+    keys->addWidget(save);
+    layout->addLayout(keys);
+
+    const auto look = [this, hint, save, except](const QString& text) {
+        const QString why = perspectives_.obstacle(text, except);
+        hint->setText(why);
+        save->setEnabled(why.isEmpty());
+    };
+    connect(name, &QLineEdit::textChanged, dialog, look);
+    look(proposal);
+    connect(save, &QPushButton::clicked, dialog, &QDialog::accept);
+    connect(cancel, &QPushButton::clicked, dialog, &QDialog::reject);
+    connect(dialog, &QDialog::accepted, this, [name, done] { done(name->text()); });
+    dialog->open();
+    name->selectAll();
+    name->setFocus();
+}
+
+void PerspectiveActions::askToDelete() {
+    hooks_.dialogOpens();
+    const Perspectives::Entry current = perspectives_.current();
+    auto* question = new QMessageBox(&window_);
+    question->setObjectName("perspectiveDelete");
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    question->setWindowTitle(tr("Delete perspective"));
+    question->setText(tr("Delete the perspective “%1”? This cannot be undone.").arg(current.name));
+    QPushButton* remove = question->addButton(tr("Delete"), QMessageBox::DestructiveRole);
+    remove->setObjectName("perspectiveDeleteYes");
+    QPushButton* keep = question->addButton(tr("Keep it"), QMessageBox::RejectRole);
+    question->setDefaultButton(keep);
+    question->setEscapeButton(keep);
+    connect(remove, &QPushButton::clicked, this, [this, current] { perspectives_.remove(current.id); });
+    question->open();
+}
+
+}  // namespace tiller::app

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The commands of the perspectives: one to choose each, save, rename, delete. They fill the menu of the
+// perspectives and the key that shows which one is chosen.
+
+#include <QList>
+#include <QObject>
+#include <functional>
+
+#include "app/perspectives.h"
+
+class QAction;
+class QActionGroup;
+class QDialog;
+class QMenu;
+class QToolButton;
+
+namespace tiller::app {
+
+class ActionTable;
+
+class PerspectiveActions : public QObject {
+    Q_OBJECT
+
+public:
+    struct Hooks {
+        /// Ends whatever is held: a dialog opens.
+        std::function<void()> dialogOpens;
+        /// The obstacles may be others.
+        std::function<void()> refresh;
+    };
+
+    /// All must outlive this.
+    /// window  parent of the dialogs
+    PerspectiveActions(ActionTable& table, Perspectives& perspectives, Hooks hooks, QWidget& window);
+
+    /// menu  is filled from now on
+    void fill(QMenu& menu);
+    /// For the status line; becomes a child of whoever takes it. Only after fill().
+    QToolButton* key();
+
+private:
+    void addCommands();
+    void list();
+    void showCurrent();
+    void fillMenu();
+    void askForName(const QString& title, const QString& proposal, const QString& except,
+                    const std::function<void(const QString&)>& done);
+    void askToDelete();
+    QString ownOnly(const QString& what) const;
+
+    ActionTable& table_;
+    Perspectives& perspectives_;
+    Hooks hooks_;
+    QWidget& window_;
+    QActionGroup* group_;
+    QMenu* menu_ = nullptr;
+    QToolButton* key_ = nullptr;
+    QList<QAction*> choices_;
+    QList<Perspectives::Entry> listed_;
+};
+
+}  // namespace tiller::app
