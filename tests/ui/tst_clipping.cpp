@@ -101,8 +101,12 @@ private:
         keepPicture(bench.window, QStringLiteral("window-%1-%2").arg(what, densityName()));
         bench.window.resize(kSmallestWindow);
         QTest::qWait(50);
-        const QRect tabs = bench.window.findChild<QDockWidget*>("tabsDock")->geometry();
-        const QRect plots = bench.window.findChild<QDockWidget*>("plotsDock")->geometry();
+        const auto placeOf = [&bench](const char* name) {
+            const auto* dock = bench.window.findChild<QDockWidget*>(QLatin1String(name));
+            return QRect(dock->mapTo(&bench.window, QPoint(0, 0)), dock->size());
+        };
+        const QRect tabs = placeOf("tabsDock");
+        const QRect plots = placeOf("plotsDock");
         QVERIFY2(!tabs.intersects(plots) && plots.bottom() < bench.window.height(),
                  qPrintable(QStringLiteral("%1: there is no room for all").arg(QLatin1String(what))));
         bench.window.resize(kSmallest);
