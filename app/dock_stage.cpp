@@ -79,11 +79,28 @@ void DockStage::arrange(const StagePlan& plan) {
     proportion();
 }
 
+int DockStage::gap() const {
+    return style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent, nullptr, this);
+}
+
+QSize DockStage::minimumSizeHint() const {
+    // Qt counts no line between two areas while there is nothing in the middle.
+    const auto isUsed = [this](Qt::DockWidgetArea area) {
+        return std::any_of(docks_.begin(), docks_.end(), [this, area](PanelDock* dock) {
+            return dockWidgetArea(dock) == area && !dock->isHidden() && !dock->isFloating();
+        });
+    };
+    const int rows = int(isUsed(Qt::TopDockWidgetArea)) + int(isUsed(Qt::BottomDockWidgetArea));
+    const int columns =
+        int(isUsed(Qt::LeftDockWidgetArea)) + std::min(rows, 1) + int(isUsed(Qt::RightDockWidgetArea));
+    return QMainWindow::minimumSizeHint() + QSize(std::max(0, columns - 1), std::max(0, rows - 1)) * gap();
+}
+
 void DockStage::proportion() {
     if (!plan_) {
         return;
     }
-    const int gap = style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent, nullptr, this);
+    const int gap = this->gap();
     const QSize whole = window()->size();
     QList<QDockWidget*> row;
     QList<int> widths;

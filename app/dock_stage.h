@@ -51,6 +51,8 @@ public:
     /// Returns  false when it is of another version; nothing has changed then
     bool restore(const QByteArray& state);
 
+    QSize minimumSizeHint() const override;
+
 Q_SIGNALS:
     /// The operator moved, closed, floated or resized something.
     void rearranged();
@@ -65,6 +67,7 @@ protected:
 
 private:
     PanelDock* find(const QString& name) const;
+    int gap() const;
     void proportion();
     void changeByHand();
 

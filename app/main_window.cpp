@@ -9,6 +9,7 @@
 #include <QInputDialog>
 #include <QMenu>
 #include <QScreen>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabBar>
@@ -202,8 +203,14 @@ void MainWindow::buildDocks() {
     addDockWidget(Qt::LeftDockWidgetArea, jogDock);
 
     stage_ = new DockStage;
+    // Panels that need more room than there is scroll: they never press upon the jog column.
+    auto* area = new QScrollArea;
+    area->setObjectName("stageArea");
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setWidgetResizable(true);
+    area->setWidget(stage_);
     // The bar of a docked panel is a part of the gap above it.
-    setCentralWidget(withMargins(stage_, {0, kGap - PanelDock::kDockedBar, kGap, kGap}));
+    setCentralWidget(withMargins(area, {0, kGap - PanelDock::kDockedBar, kGap, kGap}));
     stage_->add(*new PanelDock(*scene_, "viewDock", tr("View")));
     tabsDock_ = new PanelDock(*buildTabs(), "tabsDock", tr("Waypoints, Frames, I/O, Log"));
     stage_->add(*tabsDock_);

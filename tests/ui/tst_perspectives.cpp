@@ -11,6 +11,8 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
 #include <QTabBar>
 #include <QTableView>
@@ -176,6 +178,8 @@ private Q_SLOTS:
         keepPicture(bench.window, QStringLiteral("perspective-") + QTest::currentDataTag());
         QCOMPARE(bench.window.size(), size);
         QVERIFY2(missing(bench.window).isEmpty(), qPrintable(missing(bench.window).join(", ")));
+        const auto& area = bench.find<QScrollArea>("stageArea");
+        QTRY_VERIFY(!area.horizontalScrollBar()->isVisible() && !area.verticalScrollBar()->isVisible());
         QTRY_VERIFY2(clipped(bench.window).isEmpty(), qPrintable(clipped(bench.window).join('\n')));
     }
 
@@ -472,6 +476,30 @@ private Q_SLOTS:
         QVERIFY(panel.isVisible());
         QTest::keyClick(&bench.window, Qt::Key_F6);
         QTRY_VERIFY(standsAsInTeach(bench.window));
+    }
+
+    // What has no room scrolls; the keys of the arm keep theirs.
+    void noArrangementPressesUponTheJogColumn() {
+        WindowBench bench;
+        bench.show(QSize(1280, 720));
+        const QSize before = bench.window.jogColumn().size();
+        for (const char* dock : {"plotsDock", "tabsDock", "viewDock"}) {
+            for (const char* side : {"left", "right", "top", "bottom"}) {
+                const QByteArray id = QByteArray("panel.") + dock + '.' + side;
+                run(bench.window, id);
+                QTest::qWait(30);
+                QCOMPARE(bench.window.size(), QSize(1280, 720));
+                QVERIFY2(bench.window.jogColumn().size() == before, id);
+                QVERIFY2(missing(bench.window).isEmpty(), qPrintable(missing(bench.window).join(", ")));
+            }
+        }
+        const auto& area = bench.find<QScrollArea>("stageArea");
+        QTest::keyClick(&bench.window, Qt::Key_F6);
+        QTRY_VERIFY(standsAsInTeach(bench.window));
+        QTRY_VERIFY(!area.horizontalScrollBar()->isVisible() && !area.verticalScrollBar()->isVisible());
+        run(bench.window, "panel.plotsDock.left");
+        QTRY_VERIFY(area.horizontalScrollBar()->isVisible());
+        QVERIFY(bench.window.jogColumn().size() == before);
     }
 
     void aTabOfAClosedPanelIsShownByItsCommand() {
