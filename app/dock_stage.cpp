@@ -24,12 +24,6 @@ DockStage::DockStage(QWidget* parent) : QMainWindow(parent, Qt::Widget) {
     setDockOptions(QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     setContextMenuPolicy(Qt::NoContextMenu);
-    // There is nothing in the middle: the sides are as high as all of it, or they would lie between top and
-    // bottom.
-    setCorner(Qt::TopLeftCorner, Qt::LeftDockWidgetArea);
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    setCorner(Qt::TopRightCorner, Qt::RightDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
 }
 
 void DockStage::add(PanelDock& dock) {
@@ -52,24 +46,25 @@ PanelDock* DockStage::find(const QString& name) const {
     return found != docks_.end() ? *found : nullptr;
 }
 
+// All panels are in one of Qt's areas, one within the other: between areas with nothing in the middle Qt forgets
+// a line, and what is beside it is cut off.
 void DockStage::arrange(const StagePlan& plan) {
     const QScopedValueRollback<bool> arranging(arranging_, true);
     for (PanelDock* dock : std::as_const(docks_)) {
         dock->setFloating(false);
         removeDockWidget(dock);
     }
-    PanelDock* before = nullptr;
+    PanelDock* before = find(plan.row.first().dock);
+    PanelDock* below = find(plan.below);
+    addDockWidget(Qt::TopDockWidgetArea, before);
+    splitDockWidget(before, below, Qt::Vertical);
     for (const StagePlan::Place& place : plan.row) {
         PanelDock* dock = find(place.dock);
-        if (before == nullptr) {
-            addDockWidget(Qt::TopDockWidgetArea, dock);
-        } else {
+        if (dock != before) {
             splitDockWidget(before, dock, Qt::Horizontal);
+            before = dock;
         }
-        before = dock;
     }
-    PanelDock* below = find(plan.below);
-    addDockWidget(Qt::BottomDockWidgetArea, below);
     below->show();
     // What is not shown has its place all the same, and comes back to it.
     for (const StagePlan::Place& place : plan.row) {
@@ -81,19 +76,6 @@ void DockStage::arrange(const StagePlan& plan) {
 
 int DockStage::gap() const {
     return style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent, nullptr, this);
-}
-
-QSize DockStage::minimumSizeHint() const {
-    // Qt counts no line between two areas while there is nothing in the middle.
-    const auto isUsed = [this](Qt::DockWidgetArea area) {
-        return std::any_of(docks_.begin(), docks_.end(), [this, area](PanelDock* dock) {
-            return dockWidgetArea(dock) == area && !dock->isHidden() && !dock->isFloating();
-        });
-    };
-    const int rows = int(isUsed(Qt::TopDockWidgetArea)) + int(isUsed(Qt::BottomDockWidgetArea));
-    const int columns =
-        int(isUsed(Qt::LeftDockWidgetArea)) + std::min(rows, 1) + int(isUsed(Qt::RightDockWidgetArea));
-    return QMainWindow::minimumSizeHint() + QSize(std::max(0, columns - 1), std::max(0, rows - 1)) * gap();
 }
 
 void DockStage::proportion() {
@@ -128,13 +110,41 @@ void DockStage::proportion() {
                 Qt::Vertical);
 }
 
-void DockStage::move(PanelDock& dock, Qt::DockWidgetArea area) {
+void DockStage::move(PanelDock& dock, StageSide side) {
     {
         const QScopedValueRollback<bool> arranging(arranging_, true);
+        QList<PanelDock*> others;
+        for (PanelDock* other : std::as_const(docks_)) {
+            if (other != &dock && !other->isHidden() && !other->isFloating()) {
+                others.append(other);
+            }
+        }
+        // The others stay as they are to each other: side by side, or one above the other.
+        std::sort(others.begin(), others.end(), [](const PanelDock* one, const PanelDock* other) {
+            return one->x() + one->y() < other->x() + other->y();
+        });
+        const bool stacked = others.size() == 2 &&
+                             others.first()->geometry().left() <= others.last()->geometry().right() &&
+                             others.last()->geometry().left() <= others.first()->geometry().right();
         dock.setFloating(false);
-        removeDockWidget(&dock);
-        addDockWidget(area, &dock);
-        dock.show();
+        const bool first = side == StageSide::Left || side == StageSide::Top;
+        QList<PanelDock*> moved = others;
+        moved.insert(first ? 0 : std::min<qsizetype>(1, others.size()), &dock);
+        for (PanelDock* one : std::as_const(moved)) {
+            removeDockWidget(one);
+        }
+        addDockWidget(Qt::TopDockWidgetArea, moved.first());
+        if (moved.size() > 1) {
+            splitDockWidget(
+                moved[0], moved[1],
+                side == StageSide::Left || side == StageSide::Right ? Qt::Horizontal : Qt::Vertical);
+        }
+        for (qsizetype i = 1; i < others.size(); ++i) {
+            splitDockWidget(others[i - 1], others[i], stacked ? Qt::Vertical : Qt::Horizontal);
+        }
+        for (PanelDock* one : std::as_const(moved)) {
+            one->show();
+        }
     }
     changeByHand();
 }

@@ -28,6 +28,8 @@ struct StagePlan {
     int belowPercent = 0;  ///< of the window's height, where something stands above
 };
 
+enum class StageSide { Left, Right, Top, Bottom };
+
 class DockStage : public QMainWindow {
     Q_OBJECT
 
@@ -42,7 +44,7 @@ public:
     /// changes something.
     void arrange(const StagePlan& plan);
     /// Takes one panel to that side of all others.
-    void move(PanelDock& dock, Qt::DockWidgetArea area);
+    void move(PanelDock& dock, StageSide side);
     /// Brings a panel into sight, wherever it is.
     void reveal(PanelDock& dock);
     /// How the panels stand now.
@@ -50,8 +52,6 @@ public:
     /// state  from state(), unharmed: what Qt reads it with does not survive every other
     /// Returns  false when it is of another version; nothing has changed then
     bool restore(const QByteArray& state);
-
-    QSize minimumSizeHint() const override;
 
 Q_SIGNALS:
     /// The operator moved, closed, floated or resized something.

@@ -797,17 +797,17 @@ void MainWindow::addPanelActions(PanelDock& dock) {
                        }});
     dock.menu().addActions({floats, toggle});
     dock.menu().addSeparator();
-    const auto move = [&](const char* where, const QString& text, Qt::DockWidgetArea area) {
+    const auto move = [&](const char* where, const QString& text, StageSide side) {
         dock.menu().addAction(actions_->add({QStringLiteral("panel.%1.%2").arg(name, QLatin1String(where)),
                                              text.arg(dock.windowTitle()),
                                              tr("Moves this panel to that side of the others."),
                                              {},
-                                             [this, &dock, area] { stage_->move(dock, area); }}));
+                                             [this, &dock, side] { stage_->move(dock, side); }}));
     };
-    move("left", tr("%1 to the left"), Qt::LeftDockWidgetArea);
-    move("right", tr("%1 to the right"), Qt::RightDockWidgetArea);
-    move("top", tr("%1 to the top"), Qt::TopDockWidgetArea);
-    move("bottom", tr("%1 to the bottom"), Qt::BottomDockWidgetArea);
+    move("left", tr("%1 to the left"), StageSide::Left);
+    move("right", tr("%1 to the right"), StageSide::Right);
+    move("top", tr("%1 to the top"), StageSide::Top);
+    move("bottom", tr("%1 to the bottom"), StageSide::Bottom);
     connect(&dock.menu(), &QMenu::aboutToShow, this,
             [this] { stopMotion(control::StopCause::DialogOpened); });
 }
