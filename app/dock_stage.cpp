@@ -28,6 +28,7 @@ DockStage::DockStage(QWidget* parent) : QMainWindow(parent, Qt::Widget) {
 
 void DockStage::add(PanelDock& dock) {
     dock.setParent(this);
+    dock.setAllowedAreas(Qt::TopDockWidgetArea);  // the one that all are in
     docks_.append(&dock);
     connect(&dock, &PanelDock::rearranged, this, &DockStage::changeByHand);
     connect(&dock, &PanelDock::attentionLost, this, &DockStage::attentionLost);

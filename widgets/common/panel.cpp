@@ -72,7 +72,7 @@ void Panel::setHeaderWidget(QWidget* widget) {
     title_->hide();
     subtitle_->hide();
     hint_->hide();
-    headerLayout_->setContentsMargins(0, 0, 0, 0);
+    headerLayout_->setContentsMargins(0, 0, 6, 0);  // what stands behind the widget keeps off the border
     headerLayout_->insertWidget(0, widget, 1);
 }
 
