@@ -16,7 +16,7 @@ struct BuiltIn {
     const char* id;
     const char* name;
     const char* help;
-    Qt::Key key;
+    Qt::Key key;  ///< with Shift
     const char* tab;
     StagePlan plan;
 };
@@ -76,8 +76,8 @@ Perspectives::Perspectives(DockStage& stage, Settings& settings, Hooks hooks, QO
 QList<Perspectives::Entry> Perspectives::all() const {
     QList<Entry> entries;
     for (const BuiltIn& one : builtIns()) {
-        entries.append(
-            {QString::fromLatin1(one.id), tr(one.name), tr(one.help), QKeySequence(one.key), true});
+        entries.append({QString::fromLatin1(one.id), tr(one.name), tr(one.help),
+                        QKeySequence(Qt::SHIFT | one.key), true});
     }
     for (const SavedPerspective& saved : saved_) {
         entries.append({idOf(saved), saved.name, tr("Shows the panels as you saved them."), {}, false});

@@ -172,7 +172,7 @@ private Q_SLOTS:
         bench.window.applyPreferences(preferences);
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         bench.window.waypoints().teach();
-        QTest::keyClick(&bench.window, Qt::Key(key));
+        QTest::keyClick(&bench.window, Qt::Key(key), Qt::ShiftModifier);
         bench.cell.advanceMs(100);
         QTest::qWait(50);
         keepPicture(bench.window, QStringLiteral("perspective-") + QTest::currentDataTag());
@@ -188,7 +188,7 @@ private Q_SLOTS:
         bench.show(QSize(1280, 720));
         QTRY_VERIFY(standsAsInTeach(bench.window));
         QVERIFY(shown(bench).startsWith("Teach"));
-        QTest::keyClick(&bench.window, Qt::Key_F7);
+        QTest::keyClick(&bench.window, Qt::Key_F7, Qt::ShiftModifier);
         QVERIFY(shown(bench).startsWith("Monitor"));
         auto& tabs = bench.find<QTabBar>("tabs");
         QCOMPARE(tabs.tabData(tabs.currentIndex()).toString(), QStringLiteral("io"));
@@ -233,7 +233,7 @@ private Q_SLOTS:
         answer(*bench, "Inspection");
         QVERIFY(shown(*bench).startsWith("Inspection"));
 
-        QTest::keyClick(&bench->window, Qt::Key_F6);
+        QTest::keyClick(&bench->window, Qt::Key_F6, Qt::ShiftModifier);
         QTRY_VERIFY(standsAsInTeach(bench->window));
         run(bench->window, "perspective.saved.1");
         QTRY_VERIFY(placeOf(bench->window, "plotsDock").bottom() < placeOf(bench->window, "viewDock").top());
@@ -306,12 +306,12 @@ private Q_SLOTS:
         bench.show(QSize(1280, 720));
         bench.window.perspectives().saveAs("Mine");
         app::Preferences preferences;
-        preferences.shortcuts["perspective.saved.1"] = QKeySequence(Qt::Key_F9);
+        preferences.shortcuts["perspective.saved.1"] = QKeySequence(Qt::Key_F12);
         bench.window.applyPreferences(preferences);
         bench.window.perspectives().rename("saved.1", "Ours");
-        QTest::keyClick(&bench.window, Qt::Key_F6);
+        QTest::keyClick(&bench.window, Qt::Key_F6, Qt::ShiftModifier);
         QCOMPARE(bench.window.perspectives().current().id, QStringLiteral("teach"));
-        QTest::keyClick(&bench.window, Qt::Key_F9);
+        QTest::keyClick(&bench.window, Qt::Key_F12);
         QCOMPARE(bench.window.perspectives().current().name, QStringLiteral("Ours"));
     }
 
@@ -474,7 +474,7 @@ private Q_SLOTS:
         // The command that floats it shows it as well, and the perspective brings it home.
         run(bench.window, "view.toggle." + dock);
         QVERIFY(panel.isVisible());
-        QTest::keyClick(&bench.window, Qt::Key_F6);
+        QTest::keyClick(&bench.window, Qt::Key_F6, Qt::ShiftModifier);
         QTRY_VERIFY(standsAsInTeach(bench.window));
     }
 
@@ -494,7 +494,7 @@ private Q_SLOTS:
             }
         }
         const auto& area = bench.find<QScrollArea>("stageArea");
-        QTest::keyClick(&bench.window, Qt::Key_F6);
+        QTest::keyClick(&bench.window, Qt::Key_F6, Qt::ShiftModifier);
         QTRY_VERIFY(standsAsInTeach(bench.window));
         QTRY_VERIFY(!area.horizontalScrollBar()->isVisible() && !area.verticalScrollBar()->isVisible());
         run(bench.window, "panel.plotsDock.left");
@@ -505,7 +505,7 @@ private Q_SLOTS:
     void aTabOfAClosedPanelIsShownByItsCommand() {
         WindowBench bench;
         bench.show(QSize(1280, 720));
-        QTest::keyClick(&bench.window, Qt::Key_F8);
+        QTest::keyClick(&bench.window, Qt::Key_F8, Qt::ShiftModifier);
         QVERIFY(!dockOf(bench.window, "tabsDock").isVisible());
         run(bench.window, "view.log");
         QVERIFY(dockOf(bench.window, "tabsDock").isVisible());
@@ -666,7 +666,7 @@ private Q_SLOTS:
         QVERIFY(standsStill(bench.cell));
         QTest::keyRelease(&panel, Qt::Key_Up);
         // The commands of the window are heard in the panel all the same.
-        QTest::keyClick(&panel, Qt::Key_F6);
+        QTest::keyClick(&panel, Qt::Key_F6, Qt::ShiftModifier);
         QTRY_VERIFY(standsAsInTeach(bench.window));
     }
 
