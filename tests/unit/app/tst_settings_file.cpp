@@ -124,7 +124,7 @@ private Q_SLOTS:
         row("no values", R"({"format": "tiller-settings", "version": 1})");
         row("values are a list", withValues("[]"));
         row("no key", withValues(R"({"": 1})"));
-        row("a key of groups only", withValues(R"({"a//b": 1})"));
+        row("a key of groups only", withValues("{\"a//b\": 1}"));  // not raw: moc would see a comment
         row("a key that begins with a group", withValues(R"({"/a": 1})"));
         row("a key that ends with a group", withValues(R"({"a/": 1})"));
         row("a key with a line break", withValues(R"({"a\nb": 1})"));
