@@ -878,8 +878,7 @@ void MainWindow::showSettings(bool atRecording) {
 }
 
 void MainWindow::connectTransfer() {
-    connect(transfer_, &SettingsTransfer::upToDateWanted, this,
-            [this] { keepLayout(); });
+    connect(transfer_, &SettingsTransfer::upToDateWanted, this, [this] { keepLayout(); });
     connect(transfer_, &SettingsTransfer::imported, this, &MainWindow::readSettingsAgain);
     connect(transfer_, &SettingsTransfer::message, this,
             [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });

@@ -422,7 +422,8 @@ int JogColumn::heightFor(Fold fold) const {
     const int joints = JointRows::heightWhen(fold == Fold::Pairs, fold == Fold::Snug);
     return Panel::kHeaderHeight + kFrame + 2 * kMargin + selectors_->heightWhen(row, apart) + kAbovePad +
            padHeight(keyFor(fold)) + limiter_->sizeHint().height() + 2 * kAroundLimiter +
-           pose_->minimumSizeHint().height() + kBelowPose + joints + kAboveKeys + freedrive_->sizeHint().height();
+           pose_->minimumSizeHint().height() + kBelowPose + joints + kAboveKeys +
+           freedrive_->sizeHint().height();
 }
 
 JogColumn::Fold JogColumn::foldFor(int height) const {
