@@ -39,6 +39,26 @@
         <source>Program Tiller</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>I/O</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Perspectives</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move panels</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>BackTrack</name>
@@ -661,6 +681,13 @@
     </message>
 </context>
 <context>
+    <name>InterfaceSize</name>
+    <message>
+        <source>This screen has small pixels. &quot;Size of everything&quot; in Settings makes text, keys and plots larger.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>JogActions</name>
     <message>
         <source>Jog speed %1</source>
@@ -727,10 +754,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Asks for the length of a step; turns make as many degrees as millimetres.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Jog until contact, other force…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -744,6 +767,18 @@
     </message>
     <message>
         <source>What the hand can move while Freedrive is held.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks for the length of a step; the angle of turns stays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog turn, other…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks for the angle of a step that turns the tool or a joint; the length stays.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1055,6 +1090,18 @@
     </message>
     <message>
         <source> · %1 late</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FREEDRIVE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm follows the hand that moves it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Freedrive</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1378,6 +1425,327 @@
     </message>
 </context>
 <context>
+    <name>OutputGripper</name>
+    <message>
+        <source>The robot did not confirm the outputs. Another program or the installation may own them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gripper: close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gripper: open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pending…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>told to open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>told to close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>both outputs off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>both outputs on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose two different outputs: one closes, the other opens.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PanelActions</name>
+    <message>
+        <source>Record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes every packet of the robot to a CSV file, until it is stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A recording runs already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect to a robot first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends the recording; its file is complete.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is recorded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause or resume the plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holds the plots still; data and recording go on. Once more: back to the newest samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the plots…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saves the shown range as a picture, a drawing, a page or values.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plots show %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much time the plots show.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search inputs and outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finds a terminal or a register by its number or name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename the chosen input or output</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The row of the tab I/O that has the focus.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch the chosen output</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The output of the tab I/O that has the focus: on, or off again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pulse the chosen output</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The output of the tab I/O that has the focus: on for half a second, then off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search the log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows only the lines with these words.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Log: show all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Log: show warnings and worse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Log: show errors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chooses which lines of the log are shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copies the selected lines, or all that are shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the log…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes the lines that are shown to a file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Practice</name>
+    <message>
+        <source>Waiting for the stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is in a protective stop. Press Recover in the header.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unlocked. The arm does not run yet: follow the recovery page.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unlocked. Take control again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm runs and is under your control again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No new frame yet. Three points is in the tab Frames.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” lies as it was asked for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1”: its Z is %2° off the base&apos;s. The third point lies on the side of +Y.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1”: its X is %2° off the base&apos;s Y.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” was not taken with the arm: the TCP has not been at its origin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The waypoint is not there any more. Start puts a new one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is where it was. The arm is %2 along X from it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” has moved by %2, and is %3 from where it should be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is at the place, but the tool was turned.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is at the part again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is at the place, but the arm is not there. Touch up with the arm at the part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slowed down to %1. Go on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No limit yet. The line below the pad will name it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That is the limit. Now back: %1 of %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Found it, and out of it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording: %1 s of %2 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That recording is too short. Record again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No recording yet. Record is above the plots.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorded. Enter the force that the plot shows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not what was recorded. Look at the curve Fz.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right: it was %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recover from a protective stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach a frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up a waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find the reach limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record and measure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start makes the simulated arm collide, and it goes into a protective stop. Look at what stopped it, wait for the five seconds, unlock it and take control again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach a frame from three points in the tab Frames. Its X shall go along the base&apos;s Y+, its Z up: take the origin, then a point further along Y+, then one further along X−.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start puts a waypoint “part” where the arm stands. The part has since moved by %1 along the base&apos;s X+. Jog there, select the waypoint and touch it up (U).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog away from the base, outwards, until a limit slows the arm down to half. The line below the pad names it and the way out. Then jog %1 back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start makes a hand press on the tool from above. Record for at least three seconds and stop. Read in the plots how large the force Fz is, and enter it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Reasons</name>
     <message>
         <source>No robot connected. Choose one at the top left.</source>
@@ -1401,6 +1769,21 @@
     </message>
     <message>
         <source>Not in control. Press “Take control” in the header.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RecordingChoice</name>
+    <message>
+        <source>A file needs a name that does not begin with a point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A file name cannot contain “%1”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This name is too long.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1668,6 +2051,14 @@
         <source>Speed slider: %1 %</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1: on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: off</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>RobotServices</name>
@@ -1729,6 +2120,76 @@
     </message>
 </context>
 <context>
+    <name>SampleProjects</name>
+    <message>
+        <source>Pick and place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A part is taken from a feeder and put into one of six places of a tray. The places are given in the frame of the tray and move with it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gluing along a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A seam around a lid with rounded corners, slow and in straight lines. Blends keep the nozzle moving through the corners.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measuring round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A probe touches a part from above and from four sides, each from an approach point and with the tool tilted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SceneActions</name>
+    <message>
+        <source>Look from the first side, in perspective</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From between front and side, a little above, with everything in the picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look from the front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X of the base to the right, Z up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look from the side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Y of the base to the right, Z up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look from above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X of the base to the right, Y up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit everything into the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm, target and waypoints into the picture, from the side it is looked from now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>SessionRecording</name>
     <message>
         <source>Nothing is recorded: connect to a robot first.</source>
@@ -1744,6 +2205,49 @@
             <numerusform>Recorded %n row to %1</numerusform>
             <numerusform>Recorded %n rows to %1</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>SettingsFile</name>
+    <message>
+        <source>write %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The value of &quot;%1&quot; is none that settings can have.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is too large for settings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is damaged at byte %1: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file holds no settings of Tiller.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file was written by a newer Tiller. Update Tiller to import it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file does not say which version it has.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file has no list of values, or one that is too long.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no name of a setting.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>read %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1836,6 +2340,10 @@
     </message>
     <message>
         <source>Idle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Freedrive</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2278,6 +2786,25 @@ Right click or F2 to rename and scale.</source>
     </message>
 </context>
 <context>
+    <name>tiller::ArmKey</name>
+    <message>
+        <source>Keyboard armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm keyboard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop. Click, or wait half a minute: the keyboard is disarmed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Then the arrow keys move the arm while they are held; a frame stands around the window.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::DeviceTrainer</name>
     <message>
         <source>Moves the arm (until the program ends)</source>
@@ -2336,6 +2863,56 @@ Right click or F2 to rename and scale.</source>
     <name>tiller::FigureBox</name>
     <message>
         <source>“%1” was not taken: %2 to %3. Nothing was changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FirstSteps</name>
+    <message>
+        <source>Power on (header)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Release brakes (header)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take control, hold a pad key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach here (T)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog away, hold Go to (G)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record (above the plots)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FirstStepsCard</name>
+    <message>
+        <source>First steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The list does not come again by itself. The command “First steps” brings it back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First steps · %1 of %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2768,7 +3345,266 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves the arm to the selected waypoint while the key is held (G)</source>
+        <source>Moves the arm to the selected waypoint while the key is held (G), no faster than the jog speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GripperPanel</name>
+    <message>
+        <source>State of the gripper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the gripper is open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the gripper holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Activate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Activate the gripper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the gripper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close the gripper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the fingers to this opening</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gripper: open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gripper: close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gripper: to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which gripper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robotiq %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One output: on closes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two outputs: open, close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Output that closes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Output that opens</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opening wanted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the fingers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force of the fingers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What to do about the gripper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opens</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the fingers shall open, 0 to %1. “Move” sends them there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the next motion. 0 % is about %1, 100 % about %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the next grip. 0 % is about %1, 100 % about %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gripper of this robot: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (speed %2, force %3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect to a robot first: each robot remembers its gripper.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No data from the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One moment…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose what is at the wrist. It is remembered with this robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>being activated…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not active</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pending…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>active</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>active, standing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown while it moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an object, from outside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an object, from inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With this port offset no gripper can be reached.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Being activated: the fingers open and close once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Activate the gripper first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gripper is active.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A stop of the arm leaves the gripper as it is: it goes on holding.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The fingers open and close once; what they hold falls. Keep fingers out of the gripper.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opens the gripper; what it holds is let go.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closes the gripper. Keep fingers out of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sends the fingers to this opening.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2848,6 +3684,17 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
     </message>
 </context>
 <context>
+    <name>tiller::HoldButton</name>
+    <message>
+        <source>hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold this key: it moves the arm only as long as it is held.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::HoldRules</name>
     <message>
         <source>The window was not the active one. Press again.</source>
@@ -2920,6 +3767,21 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
 </context>
 <context>
+    <name>tiller::IoPages</name>
+    <message>
+        <source>Signals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part of I/O</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::IoTab</name>
     <message>
         <source>Inputs and outputs</source>
@@ -2958,10 +3820,6 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ The robot did not confirm %1. Another program or the installation may own it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Analog</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2973,15 +3831,23 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <source>No data from the robot.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Go to a row of the tab I/O with the key Tab first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot did not confirm %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program or the installation may own it.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::JogColumn</name>
     <message>
         <source>Jog</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hold to move · release to stop</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3068,6 +3934,14 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <source>Ends in %1 s</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Hold to move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last stop: not seen, data ended while the arm moved</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::JogKey</name>
@@ -3089,10 +3963,6 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
 </context>
 <context>
     <name>tiller::JogSelectors</name>
-    <message>
-        <source>%1, turns %2°</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>Base</source>
         <translation type="unfinished"></translation>
@@ -3174,15 +4044,39 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Step in %1 (turns: as many degrees as millimetres)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Speed of the TCP in %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Force that ends the motion, in N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns while the key is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One turn a press, of the tool or a joint: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One turn a press, of the tool or a joint: %1. Click again for other turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other turn…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn in degrees</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3337,6 +4231,22 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
 </context>
 <context>
+    <name>tiller::NothingFound</name>
+    <message>
+        <source>Nothing found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing found with these filters.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing found for “%1”.
+Clear the search to see everything.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::NoticeBar</name>
     <message>
         <source>Notice</source>
@@ -3406,15 +4316,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Click in the plots to place the cursors A and B; drag them, or use the keys A, B and the arrows. Click a name in a legend to read that signal.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Time window</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How much time the plots show. The wheel over the plots zooms.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3435,10 +4337,6 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Record to a CSV file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Record every packet of the robot to a CSV file</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3529,15 +4427,89 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <source>name the file .png, .svg or .pdf for a picture, .csv for values</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Click in the plots to place the cursors A and B; drag them, or use the keys A, B and the arrows. Click a name in a legend to hide its curve, with Ctrl to read that signal.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much time the plots show. The wheel over the plots zooms; over the values at the left, or with Ctrl, it zooms them, and a double click there lets the curves decide again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zero the force shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zero force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record what the robot sends to a CSV file; the key beside it says what and where</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The force was not zeroed: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the force as the robot measures it again. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Count the force from what it is now. Only what the plots show: the robot, recordings and exported values keep what was measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rows, signals, folder and file name of the next recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A row for every packet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>A row for every %n packet(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All signals…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s)…</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>File name %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder for recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotView</name>
     <message>
         <source>Plots of TCP force and joint current over time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; plus and minus change the time window; End goes back to the newest samples</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3558,6 +4530,22 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>No samples yet: connect to a robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; End goes back to the newest samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (zeroed)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale held · double click the axis to let it go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zeroed: %1 %2 taken off</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3591,15 +4579,109 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
 <context>
     <name>tiller::PoseView</name>
     <message>
-        <source>TCP pose in Base</source>
+        <source>TCP at the flange</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>TCP pose in Base, orientation as chosen in Settings. Δ₀: way since zero. Click: way since the press</source>
+        <source>TCP %1 from the flange</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>TCP pose in Base, orientation as chosen in Settings. Δ: way since the press. Click: zero here</source>
+        <source>in %1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP pose in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>orientation as chosen in Settings. Δ₀: way since zero. Click: way since the press</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>orientation as chosen in Settings. Δ: way since the press. Click: zero here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP in the frame of the flange: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::Practice</name>
+    <message>
+        <source>Start the simulated robot first: it is in the robot menu.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power the arm on and release the brakes first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is in a stop. Recover from it first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done. Start does it once more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press Start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PracticeCard</name>
+    <message>
+        <source>Practice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force Fz in newtons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>figure, then Return</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fz [N]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The task before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The next task</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practice · %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begins the task, or begins it anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes on to the next task</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Possible once the check above says so</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3737,6 +4819,26 @@ Let go of the key and the arm stops.</source>
             <numerusform>Open %n waypoints</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Opened a copy of “%1”. Save it to a file to keep changes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is a copy and has changes that are in no file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drop the changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectStore</name>
@@ -3762,6 +4864,10 @@ Let go of the key and the arm stops.</source>
     </message>
     <message>
         <source>no file chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 — a copy, not saved to a file</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3801,6 +4907,10 @@ Let go of the key and the arm stops.</source>
     </message>
     <message>
         <source>Asked; waiting for the robot…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting for data from the robot…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3844,6 +4954,60 @@ Let go of the key and the arm stops.</source>
     </message>
     <message>
         <source>Write</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RobotPopup</name>
+    <message>
+        <source>Error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Popup on the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It could not be closed from here: close it on the teach pendant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No data from the robot: close it on the teach pendant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more on the robot.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A program that waits for it goes on once it is closed: keep clear of the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close the popup on the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide the popup</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3913,6 +5077,109 @@ Let go of the key and the arm stops.</source>
         <source>Taking control was ended by a stop</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The program on the robot waits for an answer on the teach pendant: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RobotiqLink</name>
+    <message>
+        <source>Connecting to the gripper…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gripper gives no values. Power the arm on; if it stays so, check the gripper&apos;s cable at the wrist.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gripper answers again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gripper is active</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gripper did not become active. See that nothing blocks its fingers, then press Activate again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gripper holds an object (%1 open)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gripper lost the object it held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gripper: activate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 failed. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody answers for the gripper at %1:%2. Install Robotiq&apos;s URCap on the robot and choose the gripper in its Installation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if it stays so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The connection to the gripper was ended by the robot, which may be restarting. It comes back by itself; the gripper goes on holding.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gripper did not take it. Activate it; if it is active, look at its page in the robot&apos;s Installation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gripper is being activated: what was asked for is done afterwards.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gripper was sent somewhere before it was active. Press Activate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gripper is too hot. Let it cool down, then press Activate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gripper heard nothing for a second. Check its cable at the wrist, then press Activate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gripper has too little voltage. Set the tool&apos;s voltage to 24 V, then press Activate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gripper&apos;s automatic release is under way. Wait until it ends, then press Activate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gripper&apos;s automatic release has ended. Press Activate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gripper has an internal fault. Press Activate; if it comes again, ask Robotiq.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The activation failed. See that nothing blocks the fingers, then press Activate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gripper draws too much current. See that nothing blocks the fingers, then press Activate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gripper reports fault %1. Press Activate; if it comes again, see its manual.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneDock</name>
@@ -3922,13 +5189,52 @@ Let go of the key and the arm stops.</source>
     </message>
 </context>
 <context>
-    <name>tiller::SceneView</name>
+    <name>tiller::SceneKeys</name>
     <message>
-        <source>View of the arm</source>
+        <source>3D</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Drag or use the arrow keys to look from another side, the wheel or plus and minus to come nearer, double click or Home for the first view. Nothing here moves the robot.</source>
+        <source>Look from the first side, in perspective</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look from the front: X of the base to the right, Z up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look from the side: Y of the base to the right, Z up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look from above: X of the base to the right, Y up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm, target and waypoints into the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SceneView</name>
+    <message>
+        <source>View of the arm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3946,6 +5252,21 @@ Let go of the key and the arm stops.</source>
     <message>
         <source>ghost “%1” · reachable · largest turn %2 %3 · %4 s at %5</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag or use the arrow keys to look from another side, with Shift or the right button to move the picture, the wheel or plus and minus to come nearer, double click or Home for the first view. Nothing here moves the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 name hidden: come nearer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n names hidden: come nearer</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4045,6 +5366,17 @@ not an e-stop</source>
     </message>
 </context>
 <context>
+    <name>tiller::TickLine</name>
+    <message>
+        <source>done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not done yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::TravelWatch</name>
     <message>
         <source>%1: %2 left, then %3 is at its limit</source>
@@ -4052,6 +5384,29 @@ not an e-stop</source>
     </message>
     <message>
         <source>%1: %2 left, then the end of the reach or a singularity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 left to the plane the base stands on</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ViewCard</name>
+    <message>
+        <source>Fold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view is too small to unfold this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unfold</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4509,6 +5864,14 @@ Jog the arm to a place and press Teach here (T).</source>
         <source>Takes the selected robot off this list (Delete). Nothing is changed on the robot.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>With a sample project…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starts the simulated robot, and opens a project that is taught already.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::Demonstration</name>
@@ -4714,6 +6077,13 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
 </context>
 <context>
+    <name>tiller::app::DockStage</name>
+    <message>
+        <source>No panel is here. Choose a perspective at the lower right, or show a panel with the menu View.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::app::HelpPage</name>
     <message>
         <source>Help</source>
@@ -4721,6 +6091,120 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
     <message>
         <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while a key of the pad is held, and stops when it is let go. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second button is pressed, or another hand joins in;&lt;/li&gt;&lt;li&gt;a modifier, or a key that contradicts, goes down beside a held key of the keyboard;&lt;/li&gt;&lt;li&gt;the window loses the focus, anything opens over it, or another frame, speed, step or tab is chosen;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, the robot leaves Running, or its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the device is unplugged or falls silent;&lt;/li&gt;&lt;li&gt;nobody can prove that the key is still held: on X11 the display server is asked a hundred times a second whether the button or key is down, and a “no”, or no answer for 100 ms, ends the motion. Where nobody can be asked, header and Settings say so;&lt;/li&gt;&lt;li&gt;it has been held for long: a jog for %1 s (Settings), Freedrive for five minutes, a move to a place for 5 s more than it takes. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from everywhere, programs of others too. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters a letter below means its place on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::ImportDialog</name>
+    <message>
+        <source>Colours, sizes and units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed cap and longest hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys of the commands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robots and their grippers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Names and scales of inputs and outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Layout of the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything else</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not imported. Nothing was changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is ticked is replaced by what %1 holds:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is ticked is replaced by what %1, written by Tiller %2, holds:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the same already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: none in the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 here, %3 in the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is replaced is kept in a file of its own, which can be imported again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing in the file that is not here already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Lessons</name>
+    <message>
+        <source>First steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A checklist in the view: from power on to a recording.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Five tasks on the simulated robot, each with a check.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practice is for the simulated robot of this program alone. This is “%1”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practice: put “%1”</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4831,10 +6315,6 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>All parts back to where they were at first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Light colours</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4892,6 +6372,352 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
     <message>
         <source>Speed cap %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open sample project…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A copy of one of three projects, to try on the simulated robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show gripper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brings the gripper&apos;s page of I/O to the front.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All panels back to where the current perspective has them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zero the force in the plots, or show it as measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counts the TCP force from what it is now; once more: as the robot measures it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export settings…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One file with everything that is remembered, for another computer or as a copy.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import settings…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes over what such a file holds; says first what it replaces.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show or hide %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves this panel to that side of the others.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to the top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to the bottom</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::PanelDock</name>
+    <message>
+        <source>Put back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back into the main window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closes this panel. The menu View brings it back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move, float or close %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click: move, float or close this panel. Drag: take it elsewhere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::PerspectiveActions</name>
+    <message>
+        <source>Save perspective</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The panels as they stand now, into the current perspective.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This perspective is built in. Save it under a name of your own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save perspective as…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The panels as they stand now, under a name of your own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save perspective as</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename perspective…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gives the current perspective another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename perspective</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This perspective is built in and keeps its name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete perspective…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forgets the current perspective. The panels stay as they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This perspective is built in and stays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Perspective %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Perspective %1. Choose how the panels stand, or save how they stand now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the perspective</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete perspective</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the perspective “%1”? This cannot be undone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Perspectives</name>
+    <message>
+        <source>Teach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows the view, the waypoints beside it and the plots below.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Monitor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows inputs and outputs, a smaller view beside them and higher plots below.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows the plots alone, as large as the window allows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows the panels as you saved them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The perspective “%1” cannot be shown: its layout in the settings is damaged. Arrange the panels and save it anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name is too long.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are as many perspectives as can be kept. Delete one first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is a perspective of this name. Choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The panels stand as in the perspective “%1”: the layout of the earlier version does not fit this one. Arrange them anew; it is remembered.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The panels stand as in the perspective “%1”: the layout in the settings is damaged or of another version. Arrange them anew; it is remembered.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::RecordingSettings</name>
+    <message>
+        <source>Folder for recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the folder for recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pattern of the file name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{date}, {time}, {robot} and {number} are filled in when a recording begins.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One row every so many packets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search signals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signals in a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All signals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One row every</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lab UR5e</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For example %1. {date}, {time}, {robot} and {number} are filled in; a file that is there is never replaced.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n packet(s) a row: %1 rows a second from a robot that sends 500 packets a second.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::SampleDialog</name>
+    <message>
+        <source>Open sample project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each is taught for a UR5e and can be gone through with the simulated robot. You work on a copy: saving asks for a file of your own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open “%1”</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5031,6 +6857,77 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
     <message>
         <source>After this time a jog ends and its key has to be pressed again. Freedrive has five minutes, a move to a place the time it takes and 5 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export settings…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One file with everything that is remembered, for another computer or as a copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import settings…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes over what such a file holds; says first what it replaces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size of everything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch: as high as a finger needs. In a window lower than %1 px the keys of joints, tabs and title bars stay smaller.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Text, keys, rows, plots and the view, all alike.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holds at the next start of Tiller. The screen has room for %1 % only, which it will have there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holds at the next start of Tiller.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::SettingsTransfer</name>
+    <message>
+        <source>Settings of Tiller (*.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings exported to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not imported. Nothing was changed. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings imported from %1. What was here before is in %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
