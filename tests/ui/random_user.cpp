@@ -913,7 +913,9 @@ bool RandomUser::comesToRest() {
     const QList<HoldButton*> keys = window_.findChildren<HoldButton*>();
     const bool stepRuns =
         std::any_of(keys.begin(), keys.end(), [](const HoldButton* key) { return key->isHolding(); });
-    if ((stepRuns || window_.jogColumn().isHolding()) && stepRunsToEnd(window_.jogColumn().selection())) {
+    const JogSelection selection = window_.jogColumn().selection();
+    if ((stepRuns || window_.jogColumn().isHolding()) &&
+        (stepRunsToEnd(selection, false) || stepRunsToEnd(selection, true))) {
         // A short step is no hold: it runs to its end, or until it is stopped.
         note(QStringLiteral("ends a short step by Esc"));
         hand_.keyClick(Qt::Key_Escape, {}, QStringLiteral("\x1b"));
