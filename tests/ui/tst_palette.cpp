@@ -105,7 +105,7 @@ private Q_SLOTS:
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         const QString folder = bench.folder.filePath("recordings");
-        bench.find<PlotDock>("plots").setRecordingFolder(folder);
+        bench.find<PlotDock>("plots").setRecordingChoice({.folder = folder});
         const auto records = [&bench] {
             bench.cell.advanceMs(20);
             return bench.window.session().state().recording.active;

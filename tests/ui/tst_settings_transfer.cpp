@@ -234,7 +234,7 @@ private Q_SLOTS:
                                << "Update Tiller";
         QTest::newRow("a project") << QByteArray(R"({"format": "tiller-project", "version": 1})")
                                    << "no settings";
-        QTest::newRow("cut off") << QByteArray(R"({"format": "tiller-settings", "vers)") << "damaged";
+        QTest::newRow("cut off") << QByteArray("{\"format\": \"tiller-settings\", \"vers") << "damaged";
     }
     void aFileThatCannotBeTakenChangesNothingAndSaysWhy() {
         QFETCH(QByteArray, bytes);
