@@ -193,7 +193,7 @@ private Q_SLOTS:
         choose(kTwoF85);
         activate();
         click("gripper.open");
-        QVERIFY(until([this] { return text("gripper.opening") == "85.0 mm"; }));
+        QVERIFY(until([this] { return text("gripper.opening") == "85.0 mm" && wasSaid("Gripper: open"); }));
         said_.clear();
         type("gripper.position", "86");
         click("gripper.move");

@@ -128,7 +128,7 @@ private Q_SLOTS:
     void thePlotsPauseAndGoOnFromThePalette() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
-        bench.cell.advanceMs(500);
+        bench.cell.advanceMs(1500);  // Space means stop for a second after a motion
         const PlotView& view = bench.find<PlotDock>("plots").view();
         QVERIFY(view.window().follows());
         bench.run("pause plots", "plots.action.pause");
@@ -169,7 +169,8 @@ private Q_SLOTS:
         Bench bench;
         bench.run("search log", "log.action.search");
         QCOMPARE(bench.tab(), QString("log"));
-        QTRY_VERIFY(bench.find<QLineEdit>("log.search").hasFocus());
+        QTRY_VERIFY2(bench.find<QLineEdit>("log.search").hasFocus(),
+                     qPrintable(QDebug::toString(QApplication::focusWidget())));
         bench.run("log: show errors", "log.action.from.2");
         QCOMPARE(bench.find<SegmentedControl>("log.severity").currentIndex(), 2);
     }
@@ -177,6 +178,7 @@ private Q_SLOTS:
     void aChosenOutputIsSwitchedAndRenamedFromThePalette() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.cell.advanceMs(1500);
         bench.run("search inputs", "io.action.search");
         QCOMPARE(bench.tab(), QString("io"));
         QTRY_VERIFY(bench.find<QLineEdit>("io.search").hasFocus());

@@ -116,6 +116,7 @@ private Q_SLOTS:
     }
 
     void thePaletteFindsThem() {
+        bench_->cell.advanceMs(1500);  // Space means stop for a second after a motion
         QTest::keyClick(&window(), Qt::Key_K, Qt::ControlModifier);
         QTRY_VERIFY(window().findChild<app::CommandPalette*>() != nullptr);
         auto* words = window().findChild<app::CommandPalette*>()->findChild<QLineEdit*>("paletteWords");

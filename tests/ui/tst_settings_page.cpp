@@ -345,7 +345,7 @@ private Q_SLOTS:
     void theWindowClosesWithThePageStillOpen() {
         auto bench = std::make_unique<Bench>();
         const QPointer<app::SettingsPage> page = bench->open();
-        page->findChild<QTabBar*>()->setCurrentIndex(2);
+        page->findChild<QTabBar*>()->setCurrentIndex(3);
         auto* key = page->findChild<QWidget*>("settings.key.app.help");
         key->setFocus();
         QVERIFY(page->isVisible() && key->isVisible());

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "widgets/common/density.h"
 #include "widgets/common/shapes.h"
 #include "widgets/common/theme.h"
 
@@ -41,7 +42,7 @@ QSize ArmKey::sizeHint() const {
     const QFontMetrics metrics(textFont(13, QFont::Bold));
     const int words = std::max(metrics.horizontalAdvance(tr("Keyboard armed")),
                                metrics.horizontalAdvance(tr("Arm keyboard")));
-    return {words + kShape + 20, kHeight};
+    return {words + kShape + 20, std::max(kHeight, touchHeight())};
 }
 
 void ArmKey::paintEvent(QPaintEvent*) {
@@ -65,6 +66,13 @@ void ArmKey::paintEvent(QPaintEvent*) {
     painter.setFont(textFont(13, armed ? QFont::Bold : QFont::Normal));
     painter.setPen(ink);
     painter.drawText(rect().adjusted(kShape + 12, 0, -6, 0), Qt::AlignLeft | Qt::AlignVCenter, text());
+}
+
+void ArmKey::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::StyleChange) {
+        updateGeometry();  // another density
+    }
+    QAbstractButton::changeEvent(event);
 }
 
 void ArmKey::focusInEvent(QFocusEvent* event) {

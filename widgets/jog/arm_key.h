@@ -23,6 +23,7 @@ public:
 protected:
     void nextCheckState() override {}  // the keyboard says whether it is armed, not the click
     void paintEvent(QPaintEvent* event) override;
+    void changeEvent(QEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
 
 private:

@@ -39,7 +39,7 @@ using control::StopCause;
 namespace {
 
 constexpr int kMargin = 12;
-constexpr int kFoldedMargin = 6;
+constexpr int kSmallMargin = 6;
 constexpr int kRefusalShownMs = 6000;
 constexpr int kDetailTab = 30;  // height of the choice between pose and joints
 /// Below this height of the column, on a screen of 1280 x 720 under a title bar, the keys of the pad and of the rows
@@ -51,6 +51,10 @@ constexpr int kKey = 72;
 constexpr int kSnugKey = 60;
 constexpr int kFoldedKey = 56;
 constexpr int kTightKey = 46;
+
+int marginFor(JogColumn::Fold fold) {
+    return fold == JogColumn::Fold::Folded || fold == JogColumn::Fold::Snug ? kSmallMargin : kMargin;
+}
 
 int padHeight(int key) {
     constexpr int kApart = 8;
@@ -396,7 +400,7 @@ JogColumn::Rows JogColumn::rowsFor(Fold fold) const {
         case Fold::Pairs:
             return {std::max(38, finger_), 6};
         case Fold::Snug:
-            return {28, 4};
+            return {26, 3};
         case Fold::Folded:
             break;
     }
@@ -420,8 +424,8 @@ int JogColumn::heightFor(Fold fold) const {
     constexpr int kFrame = 3;  // the panel's lines, and the one below its title
     const auto [row, apart] = rowsFor(fold);
     const int joints = JointRows::heightWhen(fold == Fold::Pairs, fold == Fold::Snug);
-    return Panel::kHeaderHeight + kFrame + 2 * kMargin + selectors_->heightWhen(row, apart) + kAbovePad +
-           padHeight(keyFor(fold)) + limiter_->sizeHint().height() + 2 * kAroundLimiter +
+    return Panel::kHeaderHeight + kFrame + 2 * marginFor(fold) + selectors_->heightWhen(row, apart) +
+           kAbovePad + padHeight(keyFor(fold)) + limiter_->sizeHint().height() + 2 * kAroundLimiter +
            pose_->minimumSizeHint().height() + kBelowPose + joints + kAboveKeys +
            freedrive_->sizeHint().height();
 }
@@ -458,7 +462,7 @@ void JogColumn::arrange() {
     joints_->setVisible(!folded || jointsChosen);
     const auto [row, apart] = rowsFor(fold_);
     selectors_->setRowHeight(row, apart);
-    const int edge = folded ? kFoldedMargin : kMargin;
+    const int edge = marginFor(fold_);
     content()->layout()->setContentsMargins(0, edge, 0, edge);
     pad_->setMaximumHeight(folded ? QWIDGETSIZE_MAX : padHeight(kKey));
 }

@@ -52,6 +52,14 @@ class JogColumn : public Panel {
     Q_OBJECT
 
 public:
+    /// What the height of the column has room for.
+    enum class Fold {
+        Open,    ///< everything at its size
+        Snug,    ///< joints in low rows, keys a little smaller
+        Pairs,   ///< joints in two columns
+        Folded,  ///< pose or joints, by choice
+    };
+
     explicit JogColumn(MotionPort port, QWidget* parent = nullptr);
     /// Moves the arm of this session and follows its state.
     explicit JogColumn(RobotSession& session, QWidget* parent = nullptr);
@@ -121,13 +129,6 @@ private:
     Result<RobotSession::MotionId> beginFreedrive();
     QString deviceObstacle() const;
     void fillFreedriveMenu(QMenu& menu);
-    /// What the height of the column has room for.
-    enum class Fold {
-        Open,    ///< everything at its size
-        Snug,    ///< joints in low rows, keys a little smaller
-        Pairs,   ///< joints in two columns
-        Folded,  ///< pose or joints, by choice
-    };
     /// Of the rows of selectors at the top [px].
     struct Rows {
         int height;

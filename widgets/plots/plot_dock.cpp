@@ -58,6 +58,22 @@ QToolButton* quietButton(const QString& name, const QString& accessibleName, QWi
 }
 
 /// Changes the text only when it differs: setting it lays out the title bar anew.
+/// As wide as the widest text it will ever have: what stands beside it keeps its place under the pointer.
+/// bold  it may be written so
+void keepWidth(QToolButton* key, const QStringList& texts, bool bold = false) {
+    const QString now = key->text();
+    int width = 0;
+    for (const QString& text : texts) {
+        key->setText(text);
+        const int more = bold ? QFontMetrics(textFont(13, QFont::Bold)).horizontalAdvance(text) -
+                                    QFontMetrics(textFont(13)).horizontalAdvance(text)
+                              : 0;
+        width = std::max(width, key->sizeHint().width() + more);
+    }
+    key->setText(now);
+    key->setFixedWidth(width);
+}
+
 void setTextIfNew(QToolButton* button, const QString& text) {
     if (button->text() != text) {
         button->setText(text);
@@ -136,10 +152,6 @@ void PlotDock::buildHeader() {
     record_ = quietButton(QStringLiteral("plots.record"), tr("Record to a CSV file"), this);
     record_->setToolTip(
         tr("Record what the robot sends to a CSV file; the key beside it says what and where"));
-    // As wide as it gets: what stands beside it keeps its place when a recording begins.
-    record_->setMinimumWidth(
-        QFontMetrics(textFont(13, QFont::Bold)).horizontalAdvance(tr("● REC %1").arg(format::duration(0))) +
-        12);
     connect(record_, &QToolButton::clicked, this, &PlotDock::toggleRecording);
 
     addHeaderWidget(readout_);
@@ -281,6 +293,16 @@ void PlotDock::styleHeader() {
           findChild<QWidget*>(QStringLiteral("plots.separator"))}) {
         widget->setStyleSheet(sheet);
     }
+    QStringList spans{tr("%1 s").arg(format::number(88.8, 1)), tr("%1 min").arg(format::number(88.8, 1))};
+    for (const SpanChoice& choice : kSpans) {
+        spans << tr(choice.text);
+    }
+    for (QString& text : spans) {
+        text += QStringLiteral(" ▾");
+    }
+    keepWidth(span_, spans);
+    keepWidth(pause_, {tr("Pause"), tr("Resume")});
+    keepWidth(record_, {tr("● Record"), tr("● REC %1").arg(format::duration(0))}, true);
 }
 
 void PlotDock::changeEvent(QEvent* event) {

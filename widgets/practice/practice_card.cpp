@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "widgets/common/theme.h"
@@ -54,13 +53,12 @@ PracticeCard::PracticeCard(Practice& practice, QWidget& view)
     addAboveKeys(check_);
 
     const auto turnKey = [this](const char* name, const QString& sign, const QString& text, int by) {
-        auto* key = new QToolButton(this);
+        auto* key = new QPushButton(sign, this);
         key->setObjectName(QLatin1String(name));
-        key->setText(sign);
         key->setAccessibleName(text);
         key->setToolTip(text);
         key->setFocusPolicy(Qt::TabFocus);
-        connect(key, &QToolButton::clicked, this, [this, by] { practice_.turn(by); });
+        connect(key, &QPushButton::clicked, this, [this, by] { practice_.turn(by); });
         return key;
     };
     start_->setObjectName(QStringLiteral("practice.start"));
