@@ -48,6 +48,8 @@ struct Bench : WindowBench {
         QCOMPARE(palette->listed().first()->objectName(), id);
         QTest::keyClick(palette->findChild<QLineEdit*>("paletteWords"), Qt::Key_Return);
         QTRY_VERIFY(window.findChild<app::CommandPalette*>() == nullptr);
+        window.activateWindow();  // no window manager does it here
+        QVERIFY(QTest::qWaitForWindowActive(&window));
     }
     QString tab() {
         const auto& tabs = find<QTabBar>("tabs");

@@ -199,6 +199,8 @@ private Q_SLOTS:
         auto* palette = bench.window.findChild<app::CommandPalette*>();
         QVERIFY(palette != nullptr);
         QTest::keyClicks(palette->findChild<QLineEdit*>("paletteWords"), "Perspective Plots");
+        QVERIFY(!palette->listed().isEmpty());
+        QCOMPARE(palette->listed().first()->objectName(), QString("perspective.plots"));
         QTest::keyClick(palette->findChild<QLineEdit*>("paletteWords"), Qt::Key_Return);
         QTRY_VERIFY(!dockOf(bench.window, "viewDock").isVisible());
         QVERIFY(!dockOf(bench.window, "tabsDock").isVisible());

@@ -121,6 +121,10 @@ private Q_SLOTS:
         QTRY_VERIFY(window().findChild<app::CommandPalette*>() != nullptr);
         auto* words = window().findChild<app::CommandPalette*>()->findChild<QLineEdit*>("paletteWords");
         QTest::keyClicks(words, "look from above");
+        const auto& listed = window().findChild<app::CommandPalette*>()->listed();
+        QVERIFY2(
+            !listed.isEmpty() && listed.first()->objectName() == "view.look.top",
+            qPrintable(words->text() + ": " + (listed.isEmpty() ? QString() : listed.first()->objectName())));
         QTest::keyClick(words, Qt::Key_Return);
         QTRY_VERIFY((view().viewRotation().col(2) - Eigen::Vector3d::UnitZ()).norm() < 1e-9);
     }

@@ -102,7 +102,7 @@ QSize HoldButton::sizeHint() const {
 QSize HoldButton::minimumSizeHint() const {
     const int name = QFontMetrics(textFont(15)).horizontalAdvance(text());
     const int detail = QFontMetrics(textFont(kDetailSize)).horizontalAdvance(widestDetail_);
-    return {std::max(name + 10, detail + 4), 32};
+    return {std::max(name + 10, detail + 4), widestDetail_.isEmpty() ? 24 : 32};
 }
 
 QColor HoldButton::textColor() const {

@@ -157,6 +157,10 @@ struct HoldRules::Book {
         return when(isEvent(n, QEvent::WindowDeactivate),
                     hidden ? StopCause::WindowClosed : StopCause::WindowDeactivated);
     }
+    static StopCause windowFocusLost(const HoldRules&, const HoldNews& n) {
+        // A panel that floats shares the activation of its window: only the focus tells that it was left for it.
+        return when(isEvent(n, QEvent::FocusOut) && n.watched->isWindowType(), StopCause::WindowDeactivated);
+    }
     static StopCause windowMinimised(const HoldRules& h, const HoldNews& n) {
         return when(
             isEvent(n, QEvent::WindowStateChange) && n.watched == h.window_ && h.window_->isMinimized(),
@@ -229,7 +233,9 @@ struct HoldRules::Book {
         // The press that brings a window to the front is not meant for the arm; and the program in front of
         // which the operator sits is the one that may move it.
         if (key != nullptr) {
-            return key->isActiveWindow() ? QString() : tr("The window was not the active one. Press again.");
+            return QApplication::activeWindow() == key->window()
+                       ? QString()
+                       : tr("The window was not the active one. Press again.");
         }
         return QApplication::activeWindow() != nullptr ? QString() : tr("Click into the window first.");
     }
@@ -279,6 +285,7 @@ const HoldRules::Book::Row HoldRules::Book::rows[] = {
     {"the key loses the focus", &Book::focusLost},
     {"an editor gets the focus", &Book::editorEntered},
     {"the window is left", &Book::windowDeactivated},
+    {"the window loses the focus", &Book::windowFocusLost},
     {"the window is minimised", &Book::windowMinimised},
     {"the window is hidden", &Book::windowHidden},
     {"a window is closed", &Book::windowClosed},

@@ -183,8 +183,10 @@ bool KeyboardJog::eventFilter(QObject* watched, QEvent* event) {
                 followWindow();
             }
             return false;
+        case QEvent::FocusOut:  // to a panel that floats: the window stays active with it
         case QEvent::WindowDeactivate:
-            if (watched == &window_) {
+            if (watched == (event->type() == QEvent::FocusOut ? static_cast<QObject*>(window_.windowHandle())
+                                                              : &window_)) {
                 // What is armed stays armed only while the operator looks at it.
                 forget(control::StopCause::WindowDeactivated);
                 setArmed(false);

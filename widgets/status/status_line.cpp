@@ -9,6 +9,7 @@
 #include <QStyle>
 #include <QTime>
 
+#include "widgets/common/density.h"
 #include "widgets/common/elided_label.h"
 #include "widgets/common/format.h"
 #include "widgets/common/shapes.h"
@@ -51,7 +52,7 @@ StatusLine::StatusLine(QWidget* parent)
     , message_(new ElidedLabel({}, this)) {
     setObjectName(QStringLiteral("statusLine"));
     setAccessibleName(tr("Recording, session and last message"));
-    setFixedHeight(kHeight);
+    setFixedHeight(std::max(kHeight, touchHeight()));
     recording_->setObjectName(QStringLiteral("recordingState"));
     details_->setObjectName(QStringLiteral("recordingDetails"));
     file_->setObjectName(QStringLiteral("projectFile"));
@@ -170,6 +171,7 @@ void StatusLine::paintWords() {
 void StatusLine::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::StyleChange) {
+        setFixedHeight(std::max(kHeight, touchHeight()));
         paintWords();
     }
 }

@@ -85,6 +85,7 @@ const Trial kTrials[] = {
     {"the key loses the focus", isKeyOfTheScreen, StopCause::FocusLost},
     {"an editor gets the focus", isAny, StopCause::FocusLost},
     {"the window is left", isAny, StopCause::WindowDeactivated},
+    {"the window loses the focus", isAny, StopCause::WindowDeactivated},
     {"the window is minimised", isAny, StopCause::WindowDeactivated},
     {"the window is hidden", isAny, StopCause::WindowClosed},
     {"a window is closed", isAny, StopCause::WindowClosed},
@@ -248,6 +249,10 @@ void provoke(const QByteArray& rule, Holder& holder) {
         // Any window of the program: with a dock floating, another one may be the active one.
         QWidget other;
         send(other, QEvent::WindowDeactivate);
+    } else if (rule == "the window loses the focus") {
+        QWindow other;
+        QFocusEvent event(QEvent::FocusOut, Qt::ActiveWindowFocusReason);
+        QCoreApplication::sendEvent(&other, &event);
     } else if (rule == "the window is minimised") {
         const QWindowStateChangeEvent event(Qt::WindowNoState);
         h.window.setWindowState(Qt::WindowMinimized);

@@ -231,7 +231,8 @@ private Q_SLOTS:
         Bench b;
         const double wide = b.forces().range().max();
         b.clickLegend(PlotSignal::ForceZ);
-        QVERIFY(b.view().isHidden(PlotSignal::ForceZ));
+        QVERIFY2(b.view().isHidden(PlotSignal::ForceZ),
+                 qPrintable(QDebug::toString(b.forces().legendEntry(PlotSignal::ForceZ))));
         QVERIFY(!b.curve(PlotSignal::ForceZ).isVisible());
         QVERIFY(b.curve(PlotSignal::ForceX).isVisible());
         QVERIFY2(b.forces().range().max() < wide, "the scale is that of the curves that are shown");
