@@ -5,6 +5,7 @@
 #include <QMenu>
 #include <QSignalSpy>
 #include <QTabletEvent>
+#include <QWindow>
 
 #include "tests/support/hands.h"
 #include "widgets/common/hold_rules.h"
