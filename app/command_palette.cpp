@@ -29,10 +29,18 @@ int rank(const QAction& action, const QStringList& words) {
             return -1;
         }
     }
-    if (words.isEmpty() || text.startsWith(words.first(), Qt::CaseInsensitive)) {
+    if (words.isEmpty() || text.startsWith(words.join(QLatin1Char(' ')), Qt::CaseInsensitive)) {
         return 0;
     }
-    return text.contains(words.first(), Qt::CaseInsensitive) ? 1 : 2;
+    const bool named = std::all_of(words.begin(), words.end(), [&text](const QString& word) {
+        return text.contains(word, Qt::CaseInsensitive);
+    });
+    const bool begins = text.startsWith(words.first(), Qt::CaseInsensitive);
+    return named && begins                                     ? 1
+           : named                                             ? 2
+           : begins                                            ? 3
+           : text.contains(words.first(), Qt::CaseInsensitive) ? 4
+                                                               : 5;
 }
 
 }  // namespace

@@ -142,7 +142,7 @@ void PlotDock::buildHeader() {
     pause_ = quietButton(QStringLiteral("plots.pause"), tr("Pause the plots"), this);
     connect(pause_, &QToolButton::clicked, this, [this] { setPaused(view_->window().follows()); });
     zero_ = quietButton(QStringLiteral("plots.zero"), tr("Zero the force shown"), this);
-    zero_->setText(tr("Zero force"));
+    zero_->setText(tr("Zero"));
     zero_->setCheckable(true);
     connect(zero_, &QToolButton::clicked, this, &PlotDock::setForceZeroed);
     export_ = quietButton(QStringLiteral("plots.export"), tr("Export the shown range"), this);
@@ -250,7 +250,7 @@ void PlotDock::updateHeader() {
     const double span = window.span();
     QString spanText = span < 10    ? tr("%1 s").arg(format::number(span, span < 1 ? 2 : 1))
                        : span < 100 ? tr("%1 s").arg(format::number(span, 0))
-                                    : tr("%1 min").arg(format::number(span / 60, 1));
+                                    : tr("%1 min").arg(format::number(span / 60, span < 600 ? 1 : 0));
     for (const SpanChoice& choice : kSpans) {
         if (std::abs(choice.seconds - span) < 1e-6) {
             spanText = tr(choice.text);
@@ -293,7 +293,7 @@ void PlotDock::styleHeader() {
           findChild<QWidget*>(QStringLiteral("plots.separator"))}) {
         widget->setStyleSheet(sheet);
     }
-    QStringList spans{tr("%1 s").arg(format::number(88.8, 1)), tr("%1 min").arg(format::number(88.8, 1))};
+    QStringList spans{tr("%1 s").arg(format::number(88.8, 1)), tr("%1 min").arg(format::number(88, 0))};
     for (const SpanChoice& choice : kSpans) {
         spans << tr(choice.text);
     }

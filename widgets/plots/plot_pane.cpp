@@ -184,7 +184,8 @@ std::vector<QGraphicsItem*> PlotPane::legendEntries() const {
 }
 
 std::optional<PlotSignal> PlotPane::legendAt(const QPointF& place) const {
-    if (place.y() >= area_.top() || place.y() < area_.top() - kLegendHeight - 4) {
+    // The chart's own margins put the names half over the upper edge of the plot area. Elsewhere none is looked for.
+    if (std::abs(place.y() - area_.top()) > kLegendHeight) {
         return std::nullopt;
     }
     const std::vector<QGraphicsItem*> entries = legendEntries();
