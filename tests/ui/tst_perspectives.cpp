@@ -80,6 +80,13 @@ bool standsAsInTeach(app::MainWindow& window) {
     return view.right() < tabs.left() && view.bottom() < plots.top() && tabs.bottom() < plots.top();
 }
 
+/// By its key, in the window that a window manager would have made the active one again.
+void chooseTeach(app::MainWindow& window) {
+    window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    QTest::keyClick(&window, Qt::Key_F6, Qt::ShiftModifier);
+}
+
 /// The part of the window that moves and stops the arm.
 QStringList missing(app::MainWindow& window) {
     QStringList problems;
@@ -235,7 +242,7 @@ private Q_SLOTS:
         answer(*bench, "Inspection");
         QVERIFY(shown(*bench).startsWith("Inspection"));
 
-        QTest::keyClick(&bench->window, Qt::Key_F6, Qt::ShiftModifier);
+        chooseTeach(bench->window);
         QTRY_VERIFY(standsAsInTeach(bench->window));
         run(bench->window, "perspective.saved.1");
         QTRY_VERIFY(placeOf(bench->window, "plotsDock").bottom() < placeOf(bench->window, "viewDock").top());
@@ -311,7 +318,7 @@ private Q_SLOTS:
         preferences.shortcuts["perspective.saved.1"] = QKeySequence(Qt::Key_F12);
         bench.window.applyPreferences(preferences);
         bench.window.perspectives().rename("saved.1", "Ours");
-        QTest::keyClick(&bench.window, Qt::Key_F6, Qt::ShiftModifier);
+        chooseTeach(bench.window);
         QCOMPARE(bench.window.perspectives().current().id, QStringLiteral("teach"));
         QTest::keyClick(&bench.window, Qt::Key_F12);
         QCOMPARE(bench.window.perspectives().current().name, QStringLiteral("Ours"));
@@ -476,7 +483,7 @@ private Q_SLOTS:
         // The command that floats it shows it as well, and the perspective brings it home.
         run(bench.window, "view.toggle." + dock);
         QVERIFY(panel.isVisible());
-        QTest::keyClick(&bench.window, Qt::Key_F6, Qt::ShiftModifier);
+        chooseTeach(bench.window);
         QTRY_VERIFY(standsAsInTeach(bench.window));
     }
 
@@ -496,7 +503,7 @@ private Q_SLOTS:
             }
         }
         const auto& area = bench.find<QScrollArea>("stageArea");
-        QTest::keyClick(&bench.window, Qt::Key_F6, Qt::ShiftModifier);
+        chooseTeach(bench.window);
         QTRY_VERIFY(standsAsInTeach(bench.window));
         QTRY_VERIFY(!area.horizontalScrollBar()->isVisible() && !area.verticalScrollBar()->isVisible());
         run(bench.window, "panel.plotsDock.left");
@@ -673,16 +680,21 @@ private Q_SLOTS:
     }
 
 private:
-    /// A stick that is held upwards from now on.
+    /// A stick that stands in the middle for a moment and is held upwards from then on.
     static void tiltStick(WindowBench& bench) {
         driveKeys(bench.cell, bench.window.jogColumn().holdKeys(), &bench.window.jogColumn().axisJog());
-        bench.cell.everyRefresh = [&bench, pump = bench.cell.everyRefresh] {
-            Deflection stick;
-            stick.deadMan = true;
-            stick.axes[2] = 1;
-            bench.window.jogColumn().axisJog().setInput(stick);
-            pump();
+        const auto hold = [&bench, pump = bench.cell.everyRefresh](double up) {
+            bench.cell.everyRefresh = [&bench, pump, up] {
+                Deflection stick;
+                stick.deadMan = true;
+                stick.axes[2] = up;
+                bench.window.jogColumn().axisJog().setInput(stick);
+                pump();
+            };
         };
+        hold(0);
+        bench.cell.advanceMs(100);
+        hold(1);
     }
 };
 

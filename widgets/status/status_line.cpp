@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QStyle>
 #include <QTime>
+#include <algorithm>
 
 #include "widgets/common/density.h"
 #include "widgets/common/elided_label.h"
@@ -16,6 +17,16 @@
 #include "widgets/common/theme.h"
 
 namespace tiller {
+
+namespace {
+
+/// With a key for a finger and its frame.
+int heightNow() {
+    constexpr int kFrame = 6;
+    return std::max(StatusLine::kHeight, touchHeight() > 0 ? touchHeight() + kFrame : 0);
+}
+
+}  // namespace
 
 /// A small shape in front of words: the red dot of a recording, the triangle of a warning.
 class StatusLine::Sign : public QWidget {
@@ -52,7 +63,7 @@ StatusLine::StatusLine(QWidget* parent)
     , message_(new ElidedLabel({}, this)) {
     setObjectName(QStringLiteral("statusLine"));
     setAccessibleName(tr("Recording, session and last message"));
-    setFixedHeight(std::max(kHeight, touchHeight()));
+    setFixedHeight(heightNow());
     recording_->setObjectName(QStringLiteral("recordingState"));
     details_->setObjectName(QStringLiteral("recordingDetails"));
     file_->setObjectName(QStringLiteral("projectFile"));
@@ -171,7 +182,7 @@ void StatusLine::paintWords() {
 void StatusLine::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::StyleChange) {
-        setFixedHeight(std::max(kHeight, touchHeight()));
+        setFixedHeight(heightNow());
         paintWords();
     }
 }
