@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/project/project_files.h"
 
+#include <QApplication>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -121,6 +122,10 @@ void ProjectFiles::offerRecovery(const QString& path, const Error& error) {
                              .arg(whole)
                              .arg(found->lostWaypoints),
                          tr("Open %n waypoints", nullptr, whole), [this, path] {
+                             // What was open when the file was found damaged may have been changed since.
+                             if (!mayLeave(QApplication::activeWindow())) {
+                                 return;
+                             }
                              if (const auto recovered = store_.openRecovered(path); !recovered) {
                                  warn(tr("The project could not be opened"), recovered.error());
                              }

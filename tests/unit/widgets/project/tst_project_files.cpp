@@ -3,12 +3,16 @@
 // What an operator is told about project files: damaged ones, those of another version, and where new ones
 // go.
 
+#include <QApplication>
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <memory>
 #include <optional>
 
@@ -16,6 +20,36 @@
 #include "widgets/project/project_files.h"
 
 using namespace tiller;
+
+namespace {
+
+/// Presses this key of the question that comes up next.
+class Answer {
+public:
+    explicit Answer(const char* key) {
+        QObject::connect(&timer_, &QTimer::timeout, &timer_, [this, key] {
+            auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            if (question == nullptr) {
+                return;
+            }
+            asked_ = true;
+            timer_.stop();
+            if (auto* button = question->findChild<QPushButton*>(QLatin1String(key))) {
+                button->click();
+            } else {
+                question->reject();
+            }
+        });
+        timer_.start(10);
+    }
+    bool wasAsked() const { return asked_; }
+
+private:
+    QTimer timer_;
+    bool asked_ = false;
+};
+
+}  // namespace
 
 class TestProjectFiles : public QObject {
     Q_OBJECT
@@ -100,6 +134,34 @@ private Q_SLOTS:
         QVERIFY2(notice_->text.contains("line "), qPrintable(notice_->text));
         QCOMPARE(document_->waypoints().size(), 3);
         notice_->accepted();
+        QCOMPARE(document_->waypoints().size(), 2);
+    }
+
+    // The notice stands while a sample is opened and changed.
+    void whatIsReadOfADamagedFileTakesNoChangedCopyAway() {
+        document_->insertWaypoints(0, {named("a"), named("b"), named("c")}, "Teach");
+        const QString sample = directory_->filePath("sample.tiller");
+        files_->saveAs(sample);
+        files_->saveAs(path_);
+        QFile file(path_);
+        QVERIFY(file.resize(content().lastIndexOf("\"joints\"")));
+        files_->open(path_);
+        QVERIFY(notice_ && notice_->accepted);
+        files_->openCopy(sample, "Sample");
+        document_->insertWaypoints(3, {named("mine")}, "Teach");
+        QVERIFY(files_->store().isUnsavedCopy());
+        {
+            const Answer answer("unsavedCopy.stay");
+            notice_->accepted();
+            QVERIFY(answer.wasAsked());
+        }
+        QCOMPARE(files_->store().copyName(), QString("Sample"));
+        QCOMPARE(document_->waypoints().size(), 4);
+        QCOMPARE(document_->waypoints().at(3).name, QString("mine"));
+
+        const Answer answer("unsavedCopy.drop");
+        notice_->accepted();
+        QVERIFY(answer.wasAsked());
         QCOMPARE(document_->waypoints().size(), 2);
     }
 
