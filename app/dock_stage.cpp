@@ -26,12 +26,26 @@ DockStage::DockStage(QWidget* parent) : QMainWindow(parent, Qt::Widget) {
     setContextMenuPolicy(Qt::NoContextMenu);
 }
 
+DockStage::~DockStage() {
+    // The panels go after this part of the object has gone, and may say on their way out that they are hidden.
+    for (PanelDock* dock : std::as_const(docks_)) {
+        disconnect(dock, nullptr, this, nullptr);
+    }
+}
+
 void DockStage::add(PanelDock& dock) {
     dock.setParent(this);
     dock.setAllowedAreas(Qt::TopDockWidgetArea);  // the one that all are in
     docks_.append(&dock);
     connect(&dock, &PanelDock::rearranged, this, &DockStage::changeByHand);
     connect(&dock, &PanelDock::attentionLost, this, &DockStage::attentionLost);
+    // Of panels that lie on each other one comes to the front without being moved. Whoever arranges stops
+    // himself.
+    connect(&dock, &QDockWidget::visibilityChanged, this, [this] {
+        if (!arranging_) {
+            Q_EMIT attentionLost(control::StopCause::SelectionChanged);
+        }
+    });
 }
 
 void DockStage::changeByHand() {

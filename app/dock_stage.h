@@ -35,6 +35,7 @@ class DockStage : public QMainWindow {
 
 public:
     explicit DockStage(QWidget* parent = nullptr);
+    ~DockStage() override;
 
     /// The dock becomes a child; it is shown by the next plan.
     void add(PanelDock& dock);
@@ -56,7 +57,8 @@ public:
 Q_SIGNALS:
     /// The operator moved, closed, floated or resized something.
     void rearranged();
-    /// The window of a floating panel was left, minimised or closed.
+    /// The window of a floating panel was left, minimised or closed, or a panel came into sight or went out of
+    /// it: closed, shown, or one of several that lie on each other.
     void attentionLost(tiller::control::StopCause cause);
 
 protected:

@@ -608,6 +608,42 @@ private Q_SLOTS:
         release(key);
     }
 
+    void aHeldKeyEndsWhenAnotherPanelComesToTheFront_data() {
+        QTest::addColumn<bool>("byCommand");
+        QTest::newRow("by its tab") << false;
+        QTest::newRow("by its command") << true;
+    }
+    // Panels that lie on each other: nothing is moved, and the page in it stays the same.
+    void aHeldKeyEndsWhenAnotherPanelComesToTheFront() {
+        QFETCH(bool, byCommand);
+        WindowBench bench;
+        bench.show(QSize(1280, 720));
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        driveKeys(bench.cell, bench.window.jogColumn().holdKeys());
+        bench.window.showTab("waypoints");
+        PanelDock& front = dockOf(bench.window, "viewDock");
+        PanelDock& behind = dockOf(bench.window, "tabsDock");
+        bench.find<app::DockStage>("stage").tabifyDockWidget(&front, &behind);
+        front.raise();
+        QTRY_VERIFY(!front.visibleRegion().isEmpty() && behind.visibleRegion().isEmpty());
+        auto& key = bench.find<HoldButton>("jog.Z+");
+        press(key);
+        bench.cell.advanceMs(300);
+        QVERIFY(!standsStill(bench.cell));
+        if (byCommand) {
+            run(bench.window, "view.waypoints");
+        } else {
+            behind.raise();
+        }
+        QVERIFY(!key.isHolding());
+        const int ms = timeToStandstill(bench.cell);
+        QVERIFY2(ms >= 0 && ms <= kReleaseToStandstillMs, qPrintable(QString::number(ms)));
+        bench.cell.advanceMs(500);
+        QVERIFY(standsStill(bench.cell));
+        release(key);
+        QTRY_VERIFY(front.visibleRegion().isEmpty() && !behind.visibleRegion().isEmpty());
+    }
+
     void spaceAndEscStopFromAFloatingPanel_data() {
         QTest::addColumn<int>("key");
         QTest::newRow("Space") << int(Qt::Key_Space);
