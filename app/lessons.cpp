@@ -29,9 +29,7 @@ Lessons::Lessons(RobotSession& session, ProjectDocument& document, LocalSimulato
     , practice_(session, document, hooks())
     , stepsCard_(new FirstStepsCard(steps_, view))
     , practiceCard_(new PracticeCard(practice_, view)) {
-    const Learned learned = settings_.learned();
-    steps_.setDone(learned.firstSteps);
-    practice_.setDone(learned.practice);
+    readAgain();
     const auto remember = [this] {
         settings_.setLearned({settings_.learned().dismissed, steps_.done(), practice_.done()});
     };
@@ -53,6 +51,13 @@ Lessons::Lessons(RobotSession& session, ProjectDocument& document, LocalSimulato
 Lessons::~Lessons() {
     delete stepsCard_;
     delete practiceCard_;
+}
+
+void Lessons::readAgain() {
+    const Learned learned = settings_.learned();
+    // The practice first: the steps remember both as soon as they change.
+    practice_.setDone(learned.practice);
+    steps_.setDone(learned.firstSteps);
 }
 
 void Lessons::addTo(ActionTable& table) {

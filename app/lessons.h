@@ -34,6 +34,8 @@ public:
     ~Lessons() override;
 
     void addTo(ActionTable& table);
+    /// The settings now say something else of what was done.
+    void readAgain();
     void showFirstSteps();
     void showPractice();
 

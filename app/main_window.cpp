@@ -892,6 +892,8 @@ void MainWindow::readSettingsAgain() {
     applyPreferences(settings_.preferences());
     io_->setNames(settings_.ioNames());
     tellIoNames();
+    gripper_->readAgain();
+    lessons_->readAgain();
     listRobots();
     perspectives_->readAgain();
 }

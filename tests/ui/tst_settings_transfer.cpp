@@ -3,6 +3,7 @@
 // Everything that is remembered goes from one cell to the next in one file: the operator sees what is replaced
 // before it is, it holds at once, and a file that is broken or too new changes nothing.
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QCheckBox>
 #include <QDir>
@@ -24,7 +25,9 @@
 #include "tests/ui/clipping.h"
 #include "widgets/common/density.h"
 #include "widgets/common/theme.h"
+#include "widgets/io/gripper_panel.h"
 #include "widgets/io/io_channel.h"
+#include "widgets/plots/plot_dock.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -169,6 +172,51 @@ private Q_SLOTS:
         QVERIFY(back != nullptr);
         QTest::mouseClick(back->findChild<QPushButton*>("importSettings.replace"), Qt::LeftButton);
         QVERIFY(bench.robotsInTheMenu().contains("10.0.0.1"));
+    }
+
+    void whatWasLearnedIsNotWrittenOverAfterwards() {
+        Bench bench;
+        app::Settings(bench.file).setLearned({false, {"jog"}, {"measure"}});
+        app::Settings other(bench.folder.filePath("other.ini"));
+        other.setLearned({false, {"powerOn", "teach"}, {"recover"}});
+        const QString path = bench.folder.filePath("other.json");
+        QVERIFY(app::writeSettingsFile(path, other.bundle()).ok());
+        app::ImportDialog* dialog = bench.ask(path);
+        QVERIFY(dialog != nullptr);
+        QTest::mouseClick(dialog->findChild<QPushButton*>("importSettings.replace"), Qt::LeftButton);
+        QTRY_VERIFY(bench.window.findChild<app::ImportDialog*>() == nullptr);
+        QCOMPARE(app::Settings(bench.file).learned().firstSteps, QStringList({"powerOn", "teach"}));
+        QCOMPARE(app::Settings(bench.file).learned().practice, QStringList("recover"));
+        // The next thing that is remembered keeps the rest.
+        bench.window.actions().find("app.firstSteps")->trigger();
+        bench.find<QAbstractButton>("firstSteps.dismiss").click();
+        const app::Learned learned = app::Settings(bench.file).learned();
+        QVERIFY(learned.dismissed);
+        QCOMPARE(learned.firstSteps, QStringList({"powerOn", "teach"}));
+        QCOMPARE(learned.practice, QStringList("recover"));
+    }
+
+    void theGripperOfTheConnectedRobotAndTheRecordingHoldAtOnce() {
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        const auto& gripper = bench.find<GripperPanel>("gripper");
+        QCOMPARE(gripper.choice().toText(), QString());
+        app::Settings other(bench.folder.filePath("other.ini"));
+        other.setGripper("simulator", "output|0");
+        app::Preferences chosen;
+        chosen.recording.pattern = QStringLiteral("cell 7 {number}");
+        chosen.recording.every = 10;
+        other.setPreferences(chosen);
+        const QString path = bench.folder.filePath("other.json");
+        QVERIFY(app::writeSettingsFile(path, other.bundle()).ok());
+        app::ImportDialog* dialog = bench.ask(path);
+        QVERIFY(dialog != nullptr);
+        QTest::mouseClick(dialog->findChild<QPushButton*>("importSettings.replace"), Qt::LeftButton);
+        QCOMPARE(gripper.choice().toText(), QString("output|0"));
+        const auto* plots = bench.window.findChild<PlotDock*>();
+        QVERIFY(plots != nullptr);
+        QCOMPARE(plots->recordingChoice().pattern, QString("cell 7 {number}"));
+        QCOMPARE(plots->recordingChoice().every, 10);
     }
 
     void whatTheFileDoesNotHaveIsReplacedOnlyWhenTicked() {

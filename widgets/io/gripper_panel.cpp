@@ -338,6 +338,17 @@ void GripperPanel::setMemory(GripperMemory memory) {
     follow(session_.state());
 }
 
+void GripperPanel::readAgain() {
+    if (robot_.isEmpty() || !memory_.load) {
+        return;
+    }
+    // The same one goes on: to follow it anew would drop its connection.
+    if (const GripperChoice choice = GripperChoice::fromText(memory_.load(robot_)); choice != choice_) {
+        choose(choice);
+        chosen_.start();
+    }
+}
+
 void GripperPanel::setNames(const QMap<QString, QString>& names) {
     if (names != names_) {
         names_ = names;

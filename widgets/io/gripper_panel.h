@@ -42,6 +42,8 @@ public:
     explicit GripperPanel(RobotSession& session, QWidget* parent = nullptr);
 
     void setMemory(GripperMemory memory);
+    /// The memory may hold another gripper for this robot now.
+    void readAgain();
     /// The operator's own names of outputs, by terminal.
     void setNames(const QMap<QString, QString>& names);
 
