@@ -250,6 +250,27 @@ private Q_SLOTS:
         QVERIFY(!card->isVisible());
     }
 
+    void aPopupHeardBeforeTheAnswerStaysWhenTheOtherIsClosed() {
+        auto* card = window_->findChild<RobotPopup*>("robotPopup");
+        QVERIFY(robot_->inject("popup Put the part in").ok());
+        QTRY_VERIFY_WITH_TIMEOUT(card->isVisible(), 20'000);
+        auto* key = card->findChild<QPushButton*>("robotPopup.close");
+        QTRY_VERIFY_WITH_TIMEOUT(key->isEnabled() && key->text() == "Close", 20'000);
+        key->click();
+        // Before the next turn of the event loop: the robot's answer waits for that.
+        script::ControllerMessage next;
+        next.kind = script::MessageKind::Popup;
+        next.text = QStringLiteral("Close the door");
+        Q_EMIT window_->session().controllerMessage(next);
+        QCOMPARE(card->count(), 2);
+        QTRY_COMPARE_WITH_TIMEOUT(card->count(), 1, 20'000);
+        QCOMPARE(card->findChild<QLabel*>("robotPopup.text")->text(), QString("Close the door"));
+        // That one is closed by a command of its own.
+        QTRY_VERIFY_WITH_TIMEOUT(key->isEnabled(), 20'000);
+        key->click();
+        QTRY_VERIFY_WITH_TIMEOUT(!card->isVisible(), 20'000);
+    }
+
     void aPopupThatCannotBeClosedFromHereSaysSoAndHides() {
         begin(SoftwareVersion{10, 12, 0, 0});
         QTRY_COMPARE_WITH_TIMEOUT(state().service, dashboard::ServiceKind::RobotApi, 20'000);

@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/common/shapes.h"
 #include "widgets/common/theme.h"
@@ -90,7 +91,6 @@ void RobotPopup::hear(const script::ControllerMessage& message) {
         return;
     }
     popups_.append(message);
-    asked_ = false;
     refused_ = false;
     obstacle_ = obstacleNow(session_.state());
     unread_.start();
@@ -124,29 +124,35 @@ void RobotPopup::followCommand(RobotCommand command, bool done) {
     if (command != RobotCommand::ClosePopups || popups_.isEmpty()) {
         return;
     }
-    asked_ = false;
+    const qsizetype newest = popups_.size() - 1;
+    // Another one may have been heard since. Closed by somebody else's command, it was the one on top.
+    const qsizetype which = std::exchange(asked_, std::nullopt).value_or(newest);
     if (done) {
-        removeNewest();
+        remove(which);
         return;
     }
-    refused_ = true;
+    refused_ = refused_ || which == newest;
     obstacle_ = obstacleNow(session_.state());
     showNewest();
 }
 
-void RobotPopup::removeNewest() {
-    popups_.removeLast();
-    refused_ = false;
+void RobotPopup::remove(qsizetype which) {
+    // What was refused is the one that is shown.
+    refused_ = refused_ && which != popups_.size() - 1;
+    popups_.removeAt(which);
     obstacle_ = obstacleNow(session_.state());
     showNewest();
 }
 
 void RobotPopup::closeOnRobot() {
-    if (!obstacle_.isEmpty()) {
-        removeNewest();
+    if (popups_.isEmpty()) {
         return;
     }
-    asked_ = true;
+    if (!obstacle_.isEmpty()) {
+        remove(popups_.size() - 1);
+        return;
+    }
+    asked_ = popups_.size() - 1;
     showKey();
     session_.services().perform(RobotCommand::ClosePopups);
 }
@@ -154,7 +160,7 @@ void RobotPopup::closeOnRobot() {
 void RobotPopup::forget() {
     popups_.clear();
     obstacle_.clear();
-    asked_ = false;
+    asked_.reset();
     refused_ = false;
     showNewest();
 }

@@ -8,6 +8,7 @@
 #include <QFrame>
 #include <QList>
 #include <QTimer>
+#include <optional>
 
 #include "robot/script/controller_message.h"
 #include "widgets/session/robot_session.h"
@@ -41,7 +42,7 @@ private:
     void followCommand(RobotCommand command, bool done);
     void closeOnRobot();
     QString obstacleNow(const SessionState& state) const;
-    void removeNewest();
+    void remove(qsizetype which);
     void forget();
     void showNewest();
     void showKey();
@@ -50,9 +51,9 @@ private:
     RobotSession& session_;
     QWidget& over_;
     QList<script::ControllerMessage> popups_;
-    QString obstacle_;  ///< why it can only be closed on the pendant
-    bool asked_ = false;
-    bool refused_ = false;  ///< the robot did not close the one that is shown
+    QString obstacle_;                ///< why it can only be closed on the pendant
+    std::optional<qsizetype> asked_;  ///< which the robot was asked to close, until it answers
+    bool refused_ = false;            ///< the robot did not close the one that is shown
     QTimer unread_;
     QLabel* heading_;
     QLabel* text_;
