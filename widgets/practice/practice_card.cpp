@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <cmath>
 
 #include "widgets/common/theme.h"
 #include "widgets/practice/practice.h"
@@ -86,7 +87,8 @@ void PracticeCard::readAnswer() {
     typed.replace(QLatin1Char(','), QLatin1Char('.')).replace(QChar(0x2212), QLatin1Char('-'));
     bool ok = false;
     const double figure = typed.toDouble(&ok);
-    practice_.setAnswer(ok ? std::optional(figure) : std::nullopt);
+    // "nan" and "inf" are read as figures too.
+    practice_.setAnswer(ok && std::isfinite(figure) ? std::optional(figure) : std::nullopt);
 }
 
 void PracticeCard::showTask() {

@@ -220,9 +220,12 @@ private Q_SLOTS:
         state.recording.active = false;
         show(state);
         answer->setFocus();
-        QTest::keyClicks(answer, "20,5");
-        QTest::keyClick(answer, Qt::Key_Return);
-        QVERIFY(!practice_->passed());
+        for (const char* wrong : {"20,5", "nan", "-nan", "inf", "-inf"}) {
+            answer->selectAll();
+            QTest::keyClicks(answer, wrong);
+            QTest::keyClick(answer, Qt::Key_Return);
+            QVERIFY2(!practice_->passed(), wrong);
+        }
         answer->selectAll();
         QTest::keyClicks(answer, "-41.0");
         QVERIFY2(!practice_->passed(), "not entered yet");
