@@ -3,7 +3,7 @@
 
 #include <QCoreApplication>
 #include <QDir>
-#include <QFileInfo>
+#include <QSet>
 #include <QStandardPaths>
 #include <algorithm>
 
@@ -39,7 +39,23 @@ QString nameOf(const QString& pattern, const QString& robot, const QDateTime& no
     name.replace(QStringLiteral("{time}"), now.toString(QStringLiteral("HH-mm-ss")));
     name.replace(QStringLiteral("{robot}"), robot);
     std::replace_if(name.begin(), name.end(), isForbidden, QLatin1Char('_'));
+    // As the name of a robot may be: empty, or one that would be hidden.
+    if (name.isEmpty() || name.startsWith(QLatin1Char('.'))) {
+        name.prepend(QLatin1Char('_'));
+    }
     return name.left(kLongestName);
+}
+
+/// What is in the folder, hidden and broken ones too. In one look: a file that is asked for by its name each
+/// takes its time on a network drive. Some file systems know no capital letters.
+QSet<QString> namesIn(const QDir& folder) {
+    QSet<QString> names;
+    const QStringList entries =
+        folder.entryList(QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot);
+    for (const QString& entry : entries) {
+        names.insert(entry.toLower());
+    }
+    return names;
 }
 
 }  // namespace
@@ -91,7 +107,9 @@ QString recordingPath(const RecordingChoice& choice, const QString& robot, const
     const RecordingChoice sane = choice.sane();
     const QDir folder(sane.folder.isEmpty() ? recordingFolder() : sane.folder);
     const QString name = nameOf(sane.pattern, robot, now);
-    const auto free = [&folder](const QString& file) { return !QFileInfo::exists(folder.filePath(file)); };
+    const auto free = [taken = namesIn(folder)](const QString& file) {
+        return !taken.contains(file.toLower());
+    };
     if (name.contains(kNumber)) {
         for (int number = 1; number <= kMostNumber; ++number) {
             const QString counted =

@@ -35,7 +35,13 @@ private Q_SLOTS:
         QCOMPARE(name("gluing"), QString("gluing.csv"));
         QCOMPARE(name(" gluing.CSV "), QString("gluing.csv"));
         // A robot may be called what no file can be.
-        QCOMPARE(name("{robot}", "../cell 7: \"left\""), QString(".._cell 7_ _left_.csv"));
+        QCOMPARE(name("{robot}", "../cell 7: \"left\""), QString("_.._cell 7_ _left_.csv"));
+    }
+
+    void noNameIsHidden() {
+        QCOMPARE(name("{robot}", ""), QString("_.csv"));
+        QCOMPARE(name("{robot}", ".."), QString("_...csv"));
+        QCOMPARE(name("{robot} {number}", ".cell"), QString("_.cell 001.csv"));
     }
 
     void noFileIsWrittenOver() {
@@ -49,6 +55,16 @@ private Q_SLOTS:
             QFile made(folder_.filePath(expected));
             QVERIFY(made.open(QIODevice::WriteOnly));
         }
+    }
+
+    void theFirstFreeNumberIsTaken() {
+        for (const char* there : {"lot 001.csv", "LOT 002.csv", "lot 003.csv", "lot 005.csv"}) {
+            QFile made(folder_.filePath(there));
+            QVERIFY(made.open(QIODevice::WriteOnly));
+        }
+        // A link to nowhere is in the way as well.
+        QVERIFY(QFile::link(folder_.filePath("no such file"), folder_.filePath("lot 004.csv")));
+        QCOMPARE(name("lot {number}"), QString("lot 006.csv"));
     }
 
     void whatCannotBeAFileNameIsSaid_data() {
