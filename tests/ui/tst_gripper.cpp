@@ -21,6 +21,7 @@
 #include "widgets/io/gripper_panel.h"
 #include "widgets/io/io_channel.h"
 #include "widgets/io/io_tab.h"
+#include "widgets/session/robotiq_link.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -254,6 +255,22 @@ private Q_SLOTS:
         gripper.mute = false;
         QVERIFY(until([this] { return text("gripper.holds").contains("an object"); }));
         QVERIFY(until([this] { return wasSaid("The gripper answers again"); }));
+    }
+
+    void anActivationWhosePlaceWasTakenIsNotReported() {
+        HoldingGripper gripper;
+        RawPeer peer([&gripper](RawPeer::Link& link) { gripper.serve(link); });
+        RobotiqLink link(bench_->window.session());
+        link.follow("127.0.0.1", peer.port(), GripperChoice::Model::TwoF85);
+        QVERIFY(untilReal([&link] { return link.state().has_value(); }));
+        said_.clear();
+        link.move(io::kRobotiqMost, 255, 0, "first");
+        link.activate();
+        link.move(io::kRobotiqMost, 255, 0, "second");
+        QVERIFY(untilReal([this] { return wasSaid("second"); }));
+        QVERIFY(untilReal([&link] { return !link.isBusy(); }));
+        QVERIFY(wasSaid("first"));
+        QVERIFY2(!wasSaid("activate") && !wasSaid("is active"), qPrintable(said_.join('\n')));
     }
 
     void withoutThePowerOfTheArmThereIsNothingToKnow() {

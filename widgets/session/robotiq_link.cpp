@@ -213,18 +213,18 @@ void RobotiqLink::learnEnds(const io::RobotiqState& now) {
 // ---- commands -------------------------------------------------------------------------------------------
 
 void RobotiqLink::activate() {
-    send({tr("Gripper: activate"), [](io::RobotiqClient& client, const Deadline& deadline) {
-              return client.beginActivation(deadline);
-          }});
-    if (client_ != nullptr) {
-        activating_.emplace().start();
-    }
+    send(
+        {tr("Gripper: activate"),
+         [](io::RobotiqClient& client, const Deadline& deadline) { return client.beginActivation(deadline); },
+         true});
 }
 
 void RobotiqLink::move(int position, int speed, int force, const QString& what) {
-    send({what, [position, speed, force](io::RobotiqClient& client, const Deadline& deadline) {
+    send({what,
+          [position, speed, force](io::RobotiqClient& client, const Deadline& deadline) {
               return client.move(position, speed, force, deadline);
-          }});
+          },
+          false});
 }
 
 void RobotiqLink::send(const Command& command) {
@@ -238,6 +238,10 @@ void RobotiqLink::send(const Command& command) {
     busy_ = true;
     carriedOut_ = false;
     held_ = false;
+    // Not while it waits: another command may take its place.
+    if (command.activates) {
+        activating_.emplace().start();
+    }
     worker_.post(this, [this, generation = generation_, command, client = client_](const CancelToken& token) {
         const Deadline deadline = Deadline::after(kCommandTime, token);
         // Never over a new connection: what was shown when it was asked for may no longer be so.

@@ -65,6 +65,7 @@ private:
     struct Command {
         QString what;
         Call call;
+        bool activates = false;
     };
 
     void look();
@@ -94,7 +95,7 @@ private:
     QString reason_;
     bool held_ = false;  ///< as the log knows it
     io::RobotiqFault logged_ = io::RobotiqFault::None;
-    std::optional<QElapsedTimer> activating_;  ///< since we asked for it
+    std::optional<QElapsedTimer> activating_;  ///< since the gripper was told to
     // Where the fingers end, in the gripper's own positions: as usual, until they have been there.
     static constexpr int kUsuallyOpen = 3;
     static constexpr int kUsuallyClosed = 230;
