@@ -105,8 +105,13 @@ bool GoToButton::eventFilter(QObject* watched, QEvent* event) {
     if (isKey && watched->isWidgetType() && takeKey(*static_cast<QKeyEvent*>(event))) {
         return true;
     }
-    if (event->type() == QEvent::WindowDeactivate && watched == window()) {
+    // Of whatever window: the panel of this key may have changed to another one since the press.
+    if (event->type() == QEvent::WindowDeactivate && !key_.isEmpty() && watched->isWidgetType() &&
+        static_cast<QWidget*>(watched)->isWindow()) {
         key_.clear();  // its release will not be seen
+        if (watched != window()) {
+            guard().stop(control::StopCause::WindowDeactivated);
+        }
     }
     return HoldButton::eventFilter(watched, event);
 }

@@ -317,6 +317,26 @@ private Q_SLOTS:
         QVERIFY(!goTo()->isHolding());
     }
 
+    // The panel may have come to another window since the press.
+    void theLetterGEndsWithTheWindowItWasPressedIn() {
+        teachThree();
+        feed(liveState(moved(0, 0.3)));
+        tab_->selectRow(1);
+        QWidget& to = *table();
+        keyDown(to, scan::kG, Qt::Key_G);
+        QVERIFY(goTo()->isHolding());
+        QWidget left;
+        QEvent deactivate(QEvent::WindowDeactivate);
+        QApplication::sendEvent(&left, &deactivate);
+        QCOMPARE(arm_.ends, std::vector<StopCause>{StopCause::WindowDeactivated});
+        QVERIFY(!goTo()->isHolding());
+        // Its release went elsewhere: the next press is a new one.
+        keyDown(to, scan::kG, Qt::Key_G);
+        QCOMPARE(arm_.moves.size(), std::size_t(2));
+        keyUp(to, scan::kG, Qt::Key_G);
+        QVERIFY(!goTo()->isHolding());
+    }
+
     void theLetterGIsAKeyFromPressToRelease_data() {
         QTest::addColumn<int>("how");
         QTest::addColumn<StopCause>("cause");
