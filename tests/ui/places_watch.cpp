@@ -10,6 +10,7 @@
 #include <QLineEdit>
 #include <QScrollBar>
 #include <algorithm>
+#include <cstdlib>
 
 #include "widgets/common/state_chip.h"
 
@@ -160,7 +161,9 @@ QStringList PlacesWatch::moved() const {
             continue;
         }
         const QRect now = placeIn(*window_, *place.control);
-        if (now == place.rect) {
+        const auto apart = [](int a, int b) { return std::abs(a - b) > kUnnoticed; };
+        if (!apart(now.left(), place.rect.left()) && !apart(now.top(), place.rect.top()) &&
+            !apart(now.right(), place.rect.right()) && !apart(now.bottom(), place.rect.bottom())) {
             continue;
         }
         if (place.seen || (isNear(now) && !place.control->visibleRegion().isEmpty())) {

@@ -34,6 +34,8 @@ class PlacesWatch {
 public:
     /// How far from the pointer places count, sideways and up or down [px].
     static constexpr int kReach = 40;
+    /// What moves or grows by less is still under the same finger [px].
+    static constexpr int kUnnoticed = 3;
     /// The contract says 500 ms. Timers of the window that keep its places may be 5 % early.
     static constexpr int kKeepMs = 470;
 

@@ -660,7 +660,7 @@ private Q_SLOTS:
         PanelDock& panel = dockOf(bench.window, "tabsDock");
         panel.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&panel));
-        QVERIFY(!bench.window.isActiveWindow());
+        QCOMPARE(QApplication::activeWindow(), &panel);
         tiltStick(bench);
         bench.cell.advanceMs(300);
         QVERIFY2(!standsStill(bench.cell), "the stick moves it");
@@ -705,7 +705,7 @@ private Q_SLOTS:
         PanelDock& panel = dockOf(bench.window, "plotsDock");
         panel.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&panel));
-        QVERIFY2(bench.window.findChild<QWidget*>("armedFrame") == nullptr, "disarmed");
+        QTRY_VERIFY2(bench.window.findChild<QWidget*>("armedFrame") == nullptr, "disarmed");
         QTest::keyPress(&panel, Qt::Key_Up);
         bench.cell.advanceMs(200);
         QVERIFY(standsStill(bench.cell));

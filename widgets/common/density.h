@@ -37,7 +37,7 @@ int touchHeight();
 /// Threads  GUI
 void setRoomForTouch(QApplication& application, bool room);
 /// A window of this height has it [px].
-inline constexpr int kRoomForTouch = 950;
+inline constexpr int kRoomForTouch = 980;
 
 /// Gives the table's rows the height of the density, now and whenever it changes.
 void followDensity(QTableView& table);

@@ -424,8 +424,9 @@ int JogColumn::heightFor(Fold fold) const {
     constexpr int kFrame = 3;  // the panel's lines, and the one below its title
     const auto [row, apart] = rowsFor(fold);
     const int joints = JointRows::heightWhen(fold == Fold::Pairs, fold == Fold::Snug);
-    return Panel::kHeaderHeight + kFrame + 2 * marginFor(fold) + selectors_->heightWhen(row, apart) +
-           kAbovePad + padHeight(keyFor(fold)) + limiter_->sizeHint().height() + 2 * kAroundLimiter +
+    const int header = std::max(Panel::kHeaderHeight, finger_);  // with the key that arms the keyboard
+    return header + kFrame + 2 * marginFor(fold) + selectors_->heightWhen(row, apart) + kAbovePad +
+           padHeight(keyFor(fold)) + limiter_->sizeHint().height() + 2 * kAroundLimiter +
            pose_->minimumSizeHint().height() + kBelowPose + joints + kAboveKeys +
            freedrive_->sizeHint().height();
 }

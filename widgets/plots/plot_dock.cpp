@@ -36,6 +36,8 @@ namespace tiller {
 
 namespace {
 
+constexpr int kLeastReadout = 24;  // [px]
+
 struct SpanChoice {
     double seconds;
     const char* text;
@@ -59,16 +61,12 @@ QToolButton* quietButton(const QString& name, const QString& accessibleName, QWi
 
 /// Changes the text only when it differs: setting it lays out the title bar anew.
 /// As wide as the widest text it will ever have: what stands beside it keeps its place under the pointer.
-/// bold  it may be written so
-void keepWidth(QToolButton* key, const QStringList& texts, bool bold = false) {
+void keepWidth(QToolButton* key, const QStringList& texts) {
     const QString now = key->text();
     int width = 0;
     for (const QString& text : texts) {
         key->setText(text);
-        const int more = bold ? QFontMetrics(textFont(13, QFont::Bold)).horizontalAdvance(text) -
-                                    QFontMetrics(textFont(13)).horizontalAdvance(text)
-                              : 0;
-        width = std::max(width, key->sizeHint().width() + more);
+        width = std::max(width, key->sizeHint().width());
     }
     key->setText(now);
     key->setFixedWidth(width);
@@ -117,6 +115,7 @@ void PlotDock::buildHeader() {
     readout_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     readout_->setProperty("role", QStringLiteral("secondary"));
     readout_->setElideMode(Qt::ElideRight);
+    readout_->setMinimumWidth(kLeastReadout);  // with a text or without: the keys keep their place
     readout_->setToolTip(
         tr("Click in the plots to place the cursors A and B; drag them, or use the keys A, B "
            "and the arrows. Click a name in a legend to hide its curve, with Ctrl to read that signal."));
@@ -302,7 +301,10 @@ void PlotDock::styleHeader() {
     }
     keepWidth(span_, spans);
     keepWidth(pause_, {tr("Pause"), tr("Resume")});
-    keepWidth(record_, {tr("● Record"), tr("● REC %1").arg(format::duration(0))}, true);
+    // Written bold while it records.
+    constexpr int kPadding = 16;
+    const QFontMetrics bold(textFont(13, QFont::Bold));
+    record_->setFixedWidth(bold.horizontalAdvance(tr("● REC %1").arg(format::duration(0))) + kPadding);
 }
 
 void PlotDock::changeEvent(QEvent* event) {
