@@ -15,6 +15,9 @@ namespace {
 using std::chrono::milliseconds;
 using Status = native_socket::Status;
 
+/// Longer than any answer [bytes]: who says more without a line end is no gripper.
+constexpr std::size_t kLongestReply = 1024;
+constexpr std::size_t kQuoted = 80;  // [bytes] of such an answer
 /// Between two questions of one wait.
 constexpr milliseconds kAskEvery(10);
 /// With less time left nothing more is asked: a question broken off ends the connection.
@@ -39,6 +42,13 @@ ErrorCode expired(const Deadline& deadline) {
 
 bool isByte(int value) {
     return value >= 0 && value <= kRobotiqMost;
+}
+
+/// Whether it is one of the gripper's registers, which are bytes. Others, the counter of cycles above all, go further.
+bool isRegister(std::string_view name) {
+    constexpr std::string_view kRegisters[] = {"ACT", "GTO", "ATR", "ARD", "STA", "OBJ", "FLT",
+                                               "POS", "PRE", "SPE", "FOR", "COU", "MOD"};
+    return std::ranges::find(kRegisters, name) != std::end(kRegisters);
 }
 
 }  // namespace
@@ -114,14 +124,22 @@ struct RobotiqClient::Link {
             if (auto reply = takeReply()) {
                 return std::move(*reply);
             }
+            // Every time round, since there is always something to receive from a peer that never pauses.
+            if (received.size() > kLongestReply) {
+                const QString begin = QString::fromStdString(received.substr(0, kQuoted));
+                Error error = broken(ErrorCode::ProtocolError, line);
+                error.controllerMessage = begin;
+                return error;
+            }
+            if (deadline.hasExpired()) {
+                return broken(expired(deadline), line);
+            }
             std::uint8_t bytes[256];
             const auto got = native_socket::receive(descriptor, bytes);
             if (got.status == Status::Ok) {
                 received.append(reinterpret_cast<const char*>(bytes), got.bytes);
             } else if (got.status != Status::WouldBlock) {
                 return broken(ErrorCode::ConnectionClosed, line);
-            } else if (deadline.hasExpired()) {
-                return broken(expired(deadline), line);
             } else {
                 native_socket::waitReadable(descriptor, deadline.nextPoll());
             }
@@ -170,7 +188,7 @@ Result<std::optional<int>> RobotiqClient::get(const std::string& name, const Dea
     const std::string prefix = name + " ";
     if (reply->starts_with(prefix)) {
         const std::string_view value = trimmed(std::string_view(*reply).substr(prefix.size()));
-        if (const auto number = numberIn(value)) {
+        if (const auto number = numberIn(value); number && (isByte(*number) || !isRegister(name))) {
             return number;
         }
         if (value == "?") {

@@ -62,7 +62,8 @@ struct RobotiqState {
 /// Threads  one at a time. Has no thread of its own; every call blocks until the answer or the deadline.
 /// Errors   of every call: NotConnected, ConnectionClosed, Timeout (the URCap is mute), Cancelled. After one
 ///          of them the connection is closed, because a late answer would be taken for that to the next line.
-///          ProtocolError: another answer than was asked for, which is in controllerMessage
+///          ProtocolError: another answer than was asked for, which is in controllerMessage, or a register
+///          that is no byte. After an answer without an end the connection is closed too
 class RobotiqClient {
 public:
     using Values = std::vector<std::pair<std::string, int>>;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The gripper's socket, spoken to a peer that does what the test says.
 #include <QTest>
+#include <limits>
 #include <map>
 
 #include "robot/io/robotiq_client.h"
@@ -147,6 +148,65 @@ private Q_SLOTS:
         const CancelToken token;
         token.cancel();
         QCOMPARE(bench.client.move(0, 0, 0, Deadline::never(token)).error().code, ErrorCode::Cancelled);
+    }
+
+    void anAnswerWithoutAnEndIsCutOff() {
+        Bench bench([](RawPeer::Link& link) {
+            const QByteArray flood(256, 'x');
+            while (!link.isOver()) {
+                link.send(flood);
+            }
+        });
+        const auto got = bench.client.get("POS", patience());
+        QCOMPARE(got.error().code, ErrorCode::ProtocolError);
+        QVERIFY(got.error().controllerMessage.startsWith("xxx"));
+        QVERIFY(got.error().controllerMessage.size() < 200);
+        QVERIFY2(!bench.client.isConnected(), "nobody knows where the next answer begins");
+    }
+
+    void aPeerThatNeverPausesDoesNotOutlastTheDeadline() {
+        Bench bench([](RawPeer::Link& link) {
+            const QByteArray nothing(256, '\n');
+            while (!link.isOver()) {
+                link.send(nothing);
+            }
+        });
+        QCOMPARE(bench.client.get("POS", briefly()).error().code, ErrorCode::Timeout);
+        QVERIFY(bench.client.connect(patience()).ok());
+        const CancelToken token;
+        token.cancel();
+        QCOMPARE(bench.client.get("POS", Deadline::never(token)).error().code, ErrorCode::Cancelled);
+    }
+
+    void whatNoByteHoldsIsNotLearned_data() {
+        QTest::addColumn<QByteArray>("name");
+        QTest::addColumn<int>("value");
+        for (const char* name : {"STA", "FLT", "GTO", "PRE", "OBJ", "POS"}) {
+            for (const int value :
+                 {-1, 256, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()}) {
+                QTest::addRow("%s %d", name, value) << QByteArray(name) << value;
+            }
+        }
+    }
+    void whatNoByteHoldsIsNotLearned() {
+        QFETCH(QByteArray, name);
+        QFETCH(int, value);
+        Gripper gripper;
+        gripper.values[name] = value;
+        Bench bench([&gripper](RawPeer::Link& link) { gripper.serve(link); });
+        const auto look = bench.client.look(patience());
+        QVERIFY(!look.ok());
+        QCOMPARE(look.error().code, ErrorCode::ProtocolError);
+        QCOMPARE(look.error().controllerMessage, QString::fromLatin1(name) + ' ' + QString::number(value));
+        const auto got = bench.client.get(name.toStdString(), patience());
+        QCOMPARE(got.error().code, ErrorCode::ProtocolError);
+    }
+
+    void aCounterGoesFurther() {
+        Bench bench(saying({"NCY 70000\n", "POS 255\n", "POS 0\n"}));
+        QCOMPARE(bench.client.get("NCY", patience()).value(), std::optional(70'000));
+        QCOMPARE(bench.client.get("POS", patience()).value(), std::optional(255));
+        QCOMPARE(bench.client.get("POS", patience()).value(), std::optional(0));
     }
 
     void aPeerThatHangsUpIsSaid() {
