@@ -14,6 +14,8 @@ namespace {
 constexpr double kHeardWithin = 2.0;  ///< [s] between a stop and what is said about it
 constexpr double kBlameWindow = 0.5;  ///< [s] before the stop in which a joint shows itself
 constexpr double kBlameLeast = 0.5;   ///< [A] below this no joint stands out
+constexpr double kLongestGap = 0.5;   ///< [s] between two packets of one story
+constexpr double kElsewhere = 0.002;  ///< [rad] by more than this an arm has moved
 
 /// What the robot does not send is drawn as nothing.
 double orNothing(double value) {
@@ -29,6 +31,11 @@ int suspectOf(const std::vector<StopRecord::Point>& points, double stoppedAt) {
     }
     Eigen::Index joint = 0;
     return worst.maxCoeff(&joint) < kBlameLeast ? -1 : static_cast<int>(joint);
+}
+
+/// Where one of the two is not known, it has.
+bool hasMoved(const JointPositions& from, const JointPositions& to) {
+    return !((to.values - from.values).cwiseAbs().array() <= kElsewhere).all();
 }
 
 }  // namespace
@@ -47,6 +54,8 @@ void StopRecorder::forget() {
     points_.clear();
     said_.clear();
     stopped_ = false;
+    connection_ = 0;
+    q_ = {};
     now_ = 0;
     record_.reset();
 }
@@ -66,9 +75,18 @@ void StopRecorder::take(const receive::Sample& sample) {
     point.speed = orNothing(robot.tcpSpeed().linear.norm());
     point.current = robot.jointCurrent().unaryExpr(&orNothing);
     point.deviation = (robot.jointCurrent() - robot.targetCurrent()).unaryExpr(&orNothing);
-    if (!points_.empty() && point.time < points_.back().time) {
-        points_.clear();  // the controller was restarted
+    bool gap = false;
+    if (!points_.empty()) {
+        const double since = point.time - points_.back().time;
+        gap = sample.connection != connection_ || since < 0 || since > kLongestGap;
+        if (since < 0) {
+            points_.clear();  // the controller was restarted
+        }
     }
+    // Unseen, the arm may have been unlocked, moved and stopped again: the same stop leaves it where it was.
+    const bool another = gap && hasMoved(q_, robot.q());
+    connection_ = sample.connection;
+    q_ = robot.q();
     points_.push_back(point);
     while (points_.front().time < point.time - kSeconds) {
         points_.pop_front();
@@ -77,7 +95,7 @@ void StopRecorder::take(const receive::Sample& sample) {
                                     static_cast<SafetyStatus>(static_cast<std::int32_t>(robot.number(
                                         "safety_status", 0, static_cast<double>(SafetyMode::Undefined)))));
     const bool stopped = !allowsMotion(status);
-    if (stopped && (!stopped_ || (record_ && record_->status != status))) {
+    if (stopped && (!stopped_ || another || (record_ && record_->status != status))) {
         freeze(sample, status);
     }
     stopped_ = stopped;

@@ -6,6 +6,7 @@
 
 #include <QObject>
 #include <QStringList>
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -62,6 +63,8 @@ private:
     std::deque<StopRecord::Point> points_;
     std::deque<std::pair<double, QString>> said_;
     bool stopped_ = false;
+    std::uint64_t connection_ = 0;  ///< of the last sample
+    JointPositions q_;              ///< where the arm was in it
     double now_ = 0;
     std::optional<StopRecord> record_;
 };

@@ -194,7 +194,7 @@ void RecoveryPage::applyState(const SessionState& state) {
         setAccessibleName(guide_.title);
     }
     what_->setText(guide_.what);
-    // A new stop asks to be looked at anew, a link that was lost does not.
+    // A new stop asks to be looked at anew, a link that was lost does not, unless the arm has moved meanwhile.
     const double stoppedAt = stops_.last() ? stops_.last()->stoppedAt : -1;
     if (state.link == LinkState::Live && (guide_.checks != asked_ || stoppedAt != askedFor_)) {
         asked_ = guide_.checks;
