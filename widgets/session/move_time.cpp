@@ -2,8 +2,11 @@
 #include "widgets/session/move_time.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "robot/core/robot_model.h"
+#include "robot/kinematics/arm_kinematics.h"
 #include "robot/kinematics/speed_bounds.h"
 #include "widgets/common/format.h"
 #include "widgets/common/notation.h"
@@ -26,6 +29,20 @@ LineWay lineWay(const Pose& from, const Pose& to) {
     return {(to.position - from.position).norm(),
             rotationVector(rotationMatrix(from.rotation).transpose() * rotationMatrix(to.rotation)).norm(),
             kinematics::lineLength(from, to)};
+}
+
+/// How fast such a line may be, in what its speed counts for, so that TCP and elbow keep below `cap` [m/s].
+double lineBound(const SessionState& state, const Pose& to, double cap) {
+    if (!std::isfinite(cap)) {
+        return std::numeric_limits<double>::infinity();
+    }
+    // Where the model has the TCP, not where the robot says: both figures shall be of one line.
+    const DhParameters& dh = robotModel(state.model).dh;
+    const LineWay way = lineWay(kinematics::forwardTcp(dh, state.q, state.tcpOffset), to);
+    const double tcp = kinematics::lineSpeedBound(dh, state.q, to, state.tcpOffset, cap,
+                                                  std::numeric_limits<double>::infinity())
+                           .speed;
+    return way.distance > 0 ? tcp * way.length / way.distance : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -76,7 +93,8 @@ MoveRequest slowedTo(const HeldSpeed& speed, MoveRequest request, const SessionS
     // The longer of way and turn leads a line; each keeps below its own speed.
     const LineWay way = lineWay(state.tcpPose, request.pose);
     if (way.distance > kNoWay) {
-        request.speed = std::min(request.speed, speed.tcp * way.length / way.distance);
+        request.speed = std::min({request.speed, speed.tcp * way.length / way.distance,
+                                  lineBound(state, request.pose, speed.tcp)});
     }
     if (way.turn > kNoWay) {
         request.speed = std::min(request.speed, speed.rotation * way.length / way.turn);
