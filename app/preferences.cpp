@@ -37,7 +37,15 @@ QString currentName(const QString& id) {
 }  // namespace
 
 bool stopsTheArm(const QKeySequence& keys) {
-    return keys == QKeySequence(Qt::Key_Space) || keys == QKeySequence(Qt::Key_Escape);
+    // The stop keys stop with any modifier, and a shortcut that begins with them or ends in them would take
+    // them away.
+    for (int i = 0; i < keys.count(); ++i) {
+        const Qt::Key key = keys[static_cast<uint>(i)].key();
+        if (key == Qt::Key_Space || key == Qt::Key_Escape) {
+            return true;
+        }
+    }
+    return false;
 }
 
 int readInterfaceSize(const QString& file) {

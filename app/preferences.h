@@ -42,7 +42,7 @@ struct Preferences {
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 
-/// True for the keys that stop the arm everywhere, and so mean nothing else.
+/// True where one of the keys pressed, with whatever modifiers, stops the arm everywhere: it means nothing else.
 bool stopsTheArm(const QKeySequence& keys);
 /// file  where they are kept; empty: the place the system has for them
 /// The one value that is needed before there is an application [%].

@@ -225,6 +225,16 @@ private Q_SLOTS:
                                           << "Space";
         QTest::newRow("another that stops") << "shortcuts/app.help"
                                             << "Esc";
+        QTest::newRow("a key that stops, then another") << "shortcuts/app.help"
+                                                        << "Space, X";
+        QTest::newRow("another, then one that stops") << "shortcuts/app.help"
+                                                      << "X, Esc";
+        QTest::newRow("a key that stops, with Ctrl") << "shortcuts/app.help"
+                                                     << "Ctrl+Space";
+        QTest::newRow("a key that stops, with Shift") << "shortcuts/app.help"
+                                                      << "Shift+Esc";
+        QTest::newRow("a key that stops, in the middle") << "shortcuts/app.help"
+                                                         << "Ctrl+K, Alt+Space, X";
         QTest::newRow("rotations") << "look/rotations"
                                    << "17";
     }
@@ -257,6 +267,7 @@ private Q_SLOTS:
         QVERIFY2(page->hint().contains("Help"), qPrintable(page->hint()));
         QVERIFY(!page->setShortcut("app.palette", QKeySequence(Qt::Key_Space)));
         QVERIFY(!page->setShortcut("app.palette", QKeySequence(Qt::Key_Escape)));
+        QVERIFY(!page->setShortcut("app.palette", QKeySequence(Qt::CTRL | Qt::Key_Space)));
         // As a hand does, in the field of the command.
         auto* field = page->findChild<QWidget*>("settings.key.app.palette");
         QVERIFY(field != nullptr);
