@@ -4,7 +4,6 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
@@ -14,6 +13,7 @@
 #include <cmath>
 
 #include "widgets/common/choice_box.h"
+#include "widgets/common/enter_key.h"
 #include "widgets/common/figure_box.h"
 #include "widgets/common/format.h"
 #include "widgets/common/notation.h"
@@ -34,27 +34,8 @@ constexpr double kFirstSpeed = 50;
 constexpr double kFirstForce = 20;
 constexpr int kRemedyLines = 4;
 
-/// Enter presses it, once for each press; Space stops the arm everywhere and presses nothing.
-class GripperKey : public QPushButton {
-public:
-    using QPushButton::QPushButton;
-
-protected:
-    void keyPressEvent(QKeyEvent* event) override {
-        if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
-            if (!event->isAutoRepeat()) {
-                click();
-            }
-        } else if (event->key() == Qt::Key_Space) {
-            event->ignore();
-        } else {
-            QPushButton::keyPressEvent(event);
-        }
-    }
-};
-
 QPushButton* key(const QString& text, const QString& name, const QString& accessible) {
-    auto* button = new GripperKey(text);
+    auto* button = new EnterKey(text);
     button->setObjectName(name);
     button->setAccessibleName(accessible);
     button->setStyleSheet(QStringLiteral("padding: 0 10px;"));
