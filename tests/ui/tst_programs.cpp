@@ -14,12 +14,14 @@
 #include "app/main_window.h"
 #include "resources/resources.h"
 #include "robot/simulator/simulator.h"
+#include "tests/support/key_events.h"
 #include "widgets/common/state_chip.h"
 #include "widgets/common/theme.h"
 #include "widgets/jog/jog_column.h"
 #include "widgets/status/robot_popup.h"
 
 using namespace tiller;
+using test::sendKey;
 
 class TestPrograms : public QObject {
     Q_OBJECT
@@ -223,6 +225,30 @@ private Q_SLOTS:
         // Gone from the robot too: nothing holds the program up any more.
         QVERIFY(run("control.play"));
         QVERIFY2(reaches(RuntimeState::Playing), qPrintable(errors_.join('\n')));
+    }
+
+    void theStopKeyDoesNotCloseAPopup() {
+        auto* card = window_->findChild<RobotPopup*>("robotPopup");
+        QVERIFY(robot_->inject("popup Put the part in").ok());
+        QTRY_VERIFY_WITH_TIMEOUT(card->isVisible(), 20'000);
+        auto* key = card->findChild<QPushButton*>("robotPopup.close");
+        QTRY_VERIFY_WITH_TIMEOUT(key->isEnabled() && key->text() == QString("Close"), 20'000);
+        window_->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+        key->setFocus(Qt::TabFocusReason);
+        QTRY_VERIFY(key->hasFocus());
+        // For longer than the key keeps meaning stop after something moved.
+        for (int i = 0; i < 15; ++i) {
+            QTest::keyClick(key, Qt::Key_Space);
+            QVERIFY2(key->isEnabled() && !key->isDown(), "the robot was asked to close it");
+            QTest::qWait(100);
+        }
+        QCOMPARE(card->count(), 1);
+        QVERIFY(card->isVisible());
+        sendKey(*key, QEvent::KeyPress, 0, Qt::Key_Return, {.repeat = true});
+        QVERIFY2(key->isEnabled(), "a key held since before");
+        QTest::keyClick(key, Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(!card->isVisible(), 20'000);
     }
 
     void aClickMeantForWhatAPopupCoversDoesNotCloseIt() {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "widgets/common/enter_key.h"
 #include "widgets/common/shapes.h"
 #include "widgets/common/theme.h"
 #include "widgets/session/texts.h"
@@ -42,7 +43,7 @@ RobotPopup::RobotPopup(RobotSession& session, QWidget& window, QWidget& over)
     , heading_(new QLabel)
     , text_(new QLabel)
     , note_(new QLabel)
-    , key_(new QPushButton) {
+    , key_(new EnterKey) {
     setObjectName(QStringLiteral("robotPopup"));
     setAccessibleName(tr("Popup on the robot"));
     heading_->setObjectName(QStringLiteral("robotPopup.heading"));

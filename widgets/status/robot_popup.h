@@ -3,7 +3,7 @@
 
 // A popup that stands on the teach pendant, shown in the window as the robot shows it: heading, text and a key that
 // closes it there. It lies over the view, takes the focus from nobody and moves nothing; a click that was meant for
-// what it covers does not close it.
+// what it covers does not close it, nor does Space, which means stop: a program that waits would go on.
 
 #include <QFrame>
 #include <QList>
