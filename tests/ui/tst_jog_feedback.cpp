@@ -10,6 +10,7 @@
 
 #include "robot/core/angles.h"
 #include "tests/support/jog_window_test.h"
+#include "tests/support/key_events.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/common/state_chip.h"
 #include "widgets/frames/frames_tab.h"
@@ -463,6 +464,24 @@ private Q_SLOTS:
         keyboard().setArmed(false);
         QVERIFY(!arm.isArmed());
         QCOMPARE(arm.text(), before);
+    }
+
+    void spaceArmsNothingAndEnterPressesOnce() {
+        auto& arm = bench_->find<ArmKey>("jog.armKeyboard");
+        window().activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window()));
+        arm.setFocus(Qt::TabFocusReason);
+        QTRY_VERIFY(arm.hasFocus());
+        cell().advanceMs(2000);  // Space means nothing but stop for a while after a motion
+        QTest::keyClick(&arm, Qt::Key_Space);
+        QVERIFY(!arm.isDown());
+        QVERIFY(!keyboard().isArmed() && !arm.isArmed());
+        sendKey(arm, QEvent::KeyPress, 0, Qt::Key_Return, {.repeat = true});
+        QVERIFY2(!keyboard().isArmed(), "a key held since before");
+        QTest::keyClick(&arm, Qt::Key_Return);
+        QVERIFY(keyboard().isArmed() && arm.isArmed());
+        sendKey(arm, QEvent::KeyPress, 0, Qt::Key_Return, {.repeat = true});
+        QVERIFY2(keyboard().isArmed(), "the same key held on");
     }
 };
 

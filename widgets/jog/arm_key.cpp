@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "widgets/common/density.h"
+#include "widgets/common/enter_key.h"
 #include "widgets/common/shapes.h"
 #include "widgets/common/theme.h"
 
@@ -73,6 +74,12 @@ void ArmKey::changeEvent(QEvent* event) {
         updateGeometry();  // another density
     }
     QAbstractButton::changeEvent(event);
+}
+
+void ArmKey::keyPressEvent(QKeyEvent* event) {
+    if (!pressByEnter(*this, *event)) {
+        QAbstractButton::keyPressEvent(event);
+    }
 }
 
 void ArmKey::focusInEvent(QFocusEvent* event) {

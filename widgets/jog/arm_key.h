@@ -24,6 +24,7 @@ protected:
     void nextCheckState() override {}  // the keyboard says whether it is armed, not the click
     void paintEvent(QPaintEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;  ///< Space, which stops the arm, arms nothing.
     void focusInEvent(QFocusEvent* event) override;
 
 private:
