@@ -4440,10 +4440,6 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Zero force</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Record what the robot sends to a CSV file; the key beside it says what and where</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4503,6 +4499,10 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Folder for recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zero</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
