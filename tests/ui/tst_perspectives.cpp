@@ -660,7 +660,7 @@ private Q_SLOTS:
         PanelDock& panel = dockOf(bench.window, "tabsDock");
         panel.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&panel));
-        QCOMPARE(QApplication::activeWindow(), &panel);
+        QTRY_COMPARE(QApplication::activeWindow(), &panel);
         tiltStick(bench);
         bench.cell.advanceMs(300);
         QVERIFY2(!standsStill(bench.cell), "the stick moves it");

@@ -192,11 +192,13 @@ private Q_SLOTS:
         QCOMPARE(keys.watch.controlsAtPointer(), 1);
         QVERIFY(keys.watch.moved().isEmpty());
         keys.first->move(50, 51);
+        QVERIFY2(keys.watch.moved().isEmpty(), "still under the finger");
+        keys.first->move(50, 54);
         QCOMPARE(keys.watch.moved().size(), 1);
         QVERIFY2(keys.watch.moved().first().contains("first"), qPrintable(keys.watch.moved().first()));
         keys.first->move(50, 50);
         QVERIFY(keys.watch.moved().isEmpty());
-        keys.first->resize(101, 30);
+        keys.first->resize(104, 30);
         QCOMPARE(keys.watch.moved().size(), 1);
     }
 

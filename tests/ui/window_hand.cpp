@@ -11,6 +11,16 @@
 namespace tiller::test {
 
 // Qt Test takes 0,0 for the centre, and warns of places outside.
+namespace {
+
+/// The window that has the focus. The offscreen platform names one now and then that is gone already.
+QWindow* focusWindow() {
+    QWindow* window = QGuiApplication::focusWindow();
+    return QGuiApplication::allWindows().contains(window) ? window : nullptr;
+}
+
+}  // namespace
+
 QPoint WindowHand::inside(const QWindow& window, QPoint at) {
     const QSize size = window.geometry().size();
     return {std::clamp(at.x(), 1, std::max(1, size.width() - 1)),
@@ -90,7 +100,7 @@ void WindowHand::wheel(QWidget& window, QPoint at, int notches, Qt::KeyboardModi
 }
 
 void WindowHand::keyDown(Qt::Key key, Qt::KeyboardModifiers modifiers, const QString& text) {
-    if (QWindow* to = QGuiApplication::focusWindow()) {
+    if (QWindow* to = focusWindow()) {
         keys_.append({key, modifiers, text});
         QTest::sendKeyEvent(QTest::Press, to, key, text, modifiers);
     }
@@ -101,7 +111,7 @@ void WindowHand::keyUp() {
         return;
     }
     const HeldKey held = keys_.takeLast();
-    QWindow* to = QGuiApplication::focusWindow();
+    QWindow* to = focusWindow();
     to = to != nullptr ? to : home_.windowHandle();
     if (to != nullptr) {
         QTest::sendKeyEvent(QTest::Release, to, held.key, held.text, held.modifiers);

@@ -97,7 +97,7 @@ private:
 namespace {
 
 int stretchOf(const QWidget& segment) {
-    return std::max(segment.sizeHint().width(), 54);
+    return std::max({segment.sizeHint().width(), segment.minimumWidth(), 54});
 }
 
 }  // namespace
@@ -145,6 +145,15 @@ void SegmentedControl::setText(int index, const QString& text) {
     nameSegment(index);
     layout_->setStretch(index, stretchOf(*segment));
     segment->updateGeometry();
+}
+
+void SegmentedControl::reserve(int index, const QString& widest) {
+    QAbstractButton* segment = segments_.at(index);
+    const QString now = segment->text();
+    segment->setText(widest);
+    segment->setMinimumWidth(segment->sizeHint().width());
+    segment->setText(now);
+    layout_->setStretch(index, stretchOf(*segment));
 }
 
 void SegmentedControl::setSegmentEnabled(int index, bool enabled, const QString& reason) {

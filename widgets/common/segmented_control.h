@@ -26,6 +26,8 @@ public:
     void setCurrentIndex(int index);
     QString text(int index) const;
     void setText(int index, const QString& text);
+    /// Room for the widest text the segment will have: the others keep their places.
+    void reserve(int index, const QString& widest);
     /// reason  tooltip that says why, when disabled
     void setSegmentEnabled(int index, bool enabled, const QString& reason = {});
     QAbstractButton* segment(int index) const;

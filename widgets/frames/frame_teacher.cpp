@@ -30,8 +30,6 @@ FrameTeacher::FrameTeacher(QWidget* parent)
     feedback_->setObjectName(QStringLiteral("frame.teacher.feedback"));
     feedback_->setWordWrap(true);
     feedback_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    // It keeps its room, so that no key moves under the pointer while the words change.
-    feedback_->setMinimumHeight(2 * QFontMetrics(textFont(15)).lineSpacing());
     cancel_->setObjectName(QStringLiteral("frame.teacher.cancel"));
     cancel_->setAccessibleName(tr("Cancel the frame"));
     make_->setObjectName(QStringLiteral("frame.teacher.make"));
@@ -198,6 +196,14 @@ void FrameTeacher::refresh() {
     }
     make_->setEnabled(found.ok());
     make_->setToolTip(found.ok() ? QString() : words);
+}
+
+void FrameTeacher::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    // The feedback keeps its room, so that no key moves under the pointer while the words change.
+    constexpr int kLongest = 850;  // of its sentences in one line [px]
+    const int lines = std::clamp(kLongest / std::max(1, feedback_->width()) + 1, 2, 5);
+    feedback_->setMinimumHeight(lines * QFontMetrics(textFont(15)).lineSpacing());
 }
 
 void FrameTeacher::changeEvent(QEvent* event) {

@@ -346,6 +346,8 @@ void JogSelectors::refreshTexts() {
                                                 format::degreesPerSecond(speed.rotation),
                                                 format::degreesPerSecond(speed.joint)));
     }
+    constexpr double kWidestSpeed = 0.25;  // [m/s]
+    speed_->reserve(kSpeedClassCount - 1, format::speed(kWidestSpeed));
     const double speed = selection_.speed ? selection_.speed->tcp : speedClasses().back().tcp;
     speed_->setText(kSpeedClassCount - 1, format::speed(speed));
     Q_EMIT changed();

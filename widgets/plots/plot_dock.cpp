@@ -36,7 +36,7 @@ namespace tiller {
 
 namespace {
 
-constexpr int kLeastReadout = 24;  // [px]
+constexpr int kLeastReadout = 1;  // [px]
 
 struct SpanChoice {
     double seconds;
@@ -302,7 +302,7 @@ void PlotDock::styleHeader() {
     keepWidth(span_, spans);
     keepWidth(pause_, {tr("Pause"), tr("Resume")});
     // Written bold while it records.
-    constexpr int kPadding = 16;
+    constexpr int kPadding = 8;
     const QFontMetrics bold(textFont(13, QFont::Bold));
     record_->setFixedWidth(bold.horizontalAdvance(tr("● REC %1").arg(format::duration(0))) + kPadding);
 }
