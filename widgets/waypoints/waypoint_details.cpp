@@ -72,6 +72,14 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     layout->addLayout(headline);
     layout->addWidget(pose_);
     layout->addWidget(advice_);
+    // Keys below keep their places, whatever there is to say.
+    for (QWidget* part :
+         {static_cast<QWidget*>(name_), static_cast<QWidget*>(facts_), static_cast<QWidget*>(pose_),
+          static_cast<QWidget*>(frame_), static_cast<QWidget*>(advice_)}) {
+        QSizePolicy policy = part->sizePolicy();
+        policy.setRetainSizeWhenHidden(true);
+        part->setSizePolicy(policy);
+    }
     refresh();
 }
 

@@ -153,6 +153,15 @@ void WaypointsTab::onState(const SessionState& state) {
     updateAvailability();
 }
 
+QSize WaypointsTab::minimumSizeHint() const {
+    QSize least = QWidget::minimumSizeHint();
+    if (details_->isHidden()) {
+        // They come with the first waypoint; a low panel then moves no key from under the pointer.
+        least.rheight() += details_->minimumSizeHint().height() + layout()->spacing();
+    }
+    return least;
+}
+
 void WaypointsTab::onSelection() {
     const int row = currentRow();
     const QUuid id = row < 0 ? QUuid() : document_.waypoints().at(row).id;

@@ -72,6 +72,9 @@ public Q_SLOTS:
     void showNotice(const QString& title, const QString& text, const QString& accept = {},
                     const std::function<void()>& accepted = {});
 
+    /// With room for the details, shown or not.
+    QSize minimumSizeHint() const override;
+
 Q_SIGNALS:
     /// Another waypoint, or none (null), is selected.
     void selectionChanged(const QUuid& waypoint);
