@@ -59,6 +59,9 @@ public:
     /// Row of the selected waypoint; -1 for none.
     int currentRow() const;
 
+    /// With room for the details, shown or not.
+    QSize minimumSizeHint() const override;
+
 public Q_SLOTS:
     /// Adds the live place after the selection.
     void teach();
@@ -71,9 +74,6 @@ public Q_SLOTS:
     /// accept  label of the key that runs `accepted`; empty for a warning that only needs to be put away
     void showNotice(const QString& title, const QString& text, const QString& accept = {},
                     const std::function<void()>& accepted = {});
-
-    /// With room for the details, shown or not.
-    QSize minimumSizeHint() const override;
 
 Q_SIGNALS:
     /// Another waypoint, or none (null), is selected.
