@@ -134,6 +134,7 @@ void PlacesWatch::begin(const QWidget& window, QPoint at) {
         const QRect rect = placeIn(window, *widget);
         places_.append({widget, rect, isNear(rect) && !widget->visibleRegion().isEmpty()});
     }
+    size_ = window.size();
     sincePress_.start();
 }
 
@@ -145,7 +146,8 @@ bool PlacesWatch::isOn() {
         QApplication::activeModalWidget() == modal_.data() && hadModal_ == (modal_ != nullptr);
     const bool sameMenu =
         QApplication::activePopupWidget() == popup_.data() && hadPopup_ == (popup_ != nullptr);
-    if (!window_ || !window_->isVisible() || !sameDialog || !sameMenu || sincePress_.elapsed() >= kKeepMs) {
+    if (!window_ || !window_->isVisible() || window_->size() != size_ || !sameDialog || !sameMenu ||
+        sincePress_.elapsed() >= kKeepMs) {
         end();
     }
     return !places_.isEmpty();
@@ -153,7 +155,7 @@ bool PlacesWatch::isOn() {
 
 QStringList PlacesWatch::moved() const {
     QStringList found;
-    if (!window_) {
+    if (!window_ || window_->size() != size_) {
         return found;
     }
     for (const Place& place : places_) {

@@ -22,6 +22,7 @@
 #include <QPoint>
 #include <QPointer>
 #include <QRect>
+#include <QSize>
 #include <QStringList>
 #include <QWidget>
 
@@ -34,8 +35,9 @@ class PlacesWatch {
 public:
     /// How far from the pointer places count, sideways and up or down [px].
     static constexpr int kReach = 40;
-    /// What moves or grows by less is still under the same finger [px].
-    static constexpr int kUnnoticed = 3;
+    /// What moves or grows by less is still under the same finger: a segment that is chosen, or a scroll bar that
+    /// comes, takes that much [px].
+    static constexpr int kUnnoticed = 12;
     /// The contract says 500 ms. Timers of the window that keep its places may be 5 % early.
     static constexpr int kKeepMs = 470;
 
@@ -71,6 +73,7 @@ private:
     bool hadModal_ = false;
     bool hadPopup_ = false;
     QPoint at_;
+    QSize size_;  ///< of the window when the watch began: with another one everything may move
     QList<Place> places_;
     QElapsedTimer sincePress_;
 };

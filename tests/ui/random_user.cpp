@@ -664,6 +664,7 @@ void RandomUser::resizeWindow() {
                            : QSize(kSmallest.width() + below(kLargest.width() - kSmallest.width()),
                                    kSmallest.height() + below(kLargest.height() - kSmallest.height()));
     note(QStringLiteral("makes the window %1x%2").arg(size.width()).arg(size.height()));
+    places_.end();
     window_.resize(size);
     QTest::qWait(10);
 }

@@ -193,12 +193,12 @@ private Q_SLOTS:
         QVERIFY(keys.watch.moved().isEmpty());
         keys.first->move(50, 51);
         QVERIFY2(keys.watch.moved().isEmpty(), "still under the finger");
-        keys.first->move(50, 54);
+        keys.first->move(50, 63);
         QCOMPARE(keys.watch.moved().size(), 1);
         QVERIFY2(keys.watch.moved().first().contains("first"), qPrintable(keys.watch.moved().first()));
         keys.first->move(50, 50);
         QVERIFY(keys.watch.moved().isEmpty());
-        keys.first->resize(104, 30);
+        keys.first->resize(113, 30);
         QCOMPARE(keys.watch.moved().size(), 1);
     }
 
