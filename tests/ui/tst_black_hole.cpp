@@ -8,6 +8,7 @@
 #include <QDialog>
 #include <QFile>
 #include <QMap>
+#include <QPointer>
 #include <QTest>
 #include <algorithm>
 #include <cmath>
@@ -84,8 +85,10 @@ using Bench = WindowBench;
 using Waits = QMap<QString, double>;
 
 void closeWhatOpened(const QWidget& window) {
-    for (QWidget* top : QApplication::topLevelWidgets()) {
-        if (top != &window && top->isVisible()) {
+    // One that closes may take others with it.
+    const QWidgetList all = QApplication::topLevelWidgets();
+    for (const QPointer<QWidget> top : QList<QPointer<QWidget>>(all.begin(), all.end())) {
+        if (top && top != &window && top->isVisible()) {
             top->close();
         }
     }
