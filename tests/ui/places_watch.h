@@ -33,8 +33,8 @@ QString nameOf(const QWidget& widget);
 
 class PlacesWatch {
 public:
-    /// How far from the pointer places count, sideways and up or down [px].
-    static constexpr int kReach = 40;
+    /// How far from the pointer places count, sideways and up or down: a hand is not steadier [px].
+    static constexpr int kReach = 4;
     /// What moves or grows by less is still under the same finger: a segment that is chosen, or a scroll bar that
     /// comes, takes that much [px].
     static constexpr int kUnnoticed = 12;

@@ -87,7 +87,8 @@ using Waits = QMap<QString, double>;
 void closeWhatOpened(const QWidget& window) {
     // One that closes may take others with it.
     const QWidgetList all = QApplication::topLevelWidgets();
-    for (const QPointer<QWidget> top : QList<QPointer<QWidget>>(all.begin(), all.end())) {
+    const QList<QPointer<QWidget>> still(all.begin(), all.end());
+    for (const QPointer<QWidget>& top : still) {
         if (top && top != &window && top->isVisible()) {
             top->close();
         }
