@@ -304,7 +304,7 @@ private Q_SLOTS:
         watch.begin(window, QPoint(85, 25));
         inside->move(10, 90);
         QVERIFY2(watch.moved().isEmpty(), qPrintable(watch.moved().join("; ")));
-        outside->move(120, 30);
+        outside->move(80, 20);
         QCOMPARE(watch.moved().size(), 1);
     }
 
