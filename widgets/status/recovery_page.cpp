@@ -169,6 +169,7 @@ void RecoveryPage::build() {
     waiting_->setProperty("role", QStringLiteral("secondary"));
     key_ = new QPushButton(this);
     key_->setObjectName(QStringLiteral("recoveryKey"));
+    key_->setMinimumWidth(180);  // its words change; it stays where it is
     key_->setProperty("primary", true);
     // A return key pressed by reflex must not unlock: the key takes a click, or Space with the focus on it.
     key_->setAutoDefault(false);
