@@ -139,6 +139,7 @@ private Q_SLOTS:
 
     void aControllerThatHangsUpIsFoundAgain() {
         Bench bench;
+        bench.look();  // from here on the controller has taken the connection
         bench.robot.controller.closeClients();
         bench.robot.controller.step();
         QCOMPARE(bench.client.look(patience()).error().code, ErrorCode::ConnectionClosed);
