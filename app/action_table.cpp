@@ -30,6 +30,10 @@ void showObstacle(QAction& action, const QString& obstacle) {
 
 }  // namespace
 
+QString plain(const QAction& action) {
+    return QString(action.text()).remove(QLatin1Char('&'));
+}
+
 QList<QPair<QString, QString>> actionMenus() {
     return {{"robot", MenuText::tr("Robot")},
             {"project", MenuText::tr("Project")},
@@ -214,3 +218,5 @@ void ActionTable::applyState(const SessionState& state) {
 }
 
 }  // namespace tiller::app
+
+#include "moc_action_table.cpp"

@@ -26,6 +26,9 @@ struct ActionSpec {
     std::function<QString(const SessionState&)> obstacle = {};
 };
 
+/// The action's text without the mark of its menu key.
+QString plain(const QAction& action);
+
 /// The menus in their order: id and title.
 QList<QPair<QString, QString>> actionMenus();
 

@@ -15,10 +15,6 @@
 namespace tiller::app {
 namespace {
 
-QString plain(const QAction& action) {
-    return QString(action.text()).remove(QLatin1Char('&'));
-}
-
 /// All words must occur somewhere; what begins with them comes first.
 int rank(const QAction& action, const QStringList& words) {
     const QString text = plain(action);
@@ -128,3 +124,5 @@ bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace tiller::app
+
+#include "moc_command_palette.cpp"

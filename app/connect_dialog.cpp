@@ -249,3 +249,5 @@ RobotAddress ConnectDialog::address() const {
 }
 
 }  // namespace tiller::app
+
+#include "moc_connect_dialog.cpp"

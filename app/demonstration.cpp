@@ -277,3 +277,5 @@ bool Demonstration::saveScreenshots() {
 }
 
 }  // namespace tiller::app
+
+#include "moc_demonstration.cpp"

@@ -156,3 +156,5 @@ void DeviceSettings::listDevices() {
 }
 
 }  // namespace tiller::app
+
+#include "moc_device_settings.cpp"

@@ -224,3 +224,5 @@ void DockStage::showEvent(QShowEvent* event) {
 }
 
 }  // namespace tiller::app
+
+#include "moc_dock_stage.cpp"

@@ -57,3 +57,5 @@ HelpPage::HelpPage(int longestHold, const QString& commands, QWidget* parent) : 
 }
 
 }  // namespace tiller::app
+
+#include "moc_help_page.cpp"

@@ -143,3 +143,5 @@ void Lessons::setUp(PracticeTask task) {
 }
 
 }  // namespace tiller::app
+
+#include "moc_lessons.cpp"

@@ -924,3 +924,5 @@ void MainWindow::applyPreferences(const Preferences& preferences) {
 }
 
 }  // namespace tiller::app
+
+#include "moc_main_window.cpp"

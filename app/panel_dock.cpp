@@ -172,3 +172,5 @@ void PanelDock::beginDrag(const QPointF& pressedAt, const QMouseEvent& now) {
 }
 
 }  // namespace tiller::app
+
+#include "moc_panel_dock.cpp"

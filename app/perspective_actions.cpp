@@ -228,3 +228,5 @@ void PerspectiveActions::askToDelete() {
 }
 
 }  // namespace tiller::app
+
+#include "moc_perspective_actions.cpp"

@@ -244,3 +244,5 @@ void Perspectives::keep(int jogWidth) {
 }
 
 }  // namespace tiller::app
+
+#include "moc_perspectives.cpp"

@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kPacketRate = 500;  // [Hz] of an e-Series; a CB3 has a quarter of it
 
-QLabel* secondary(const QString& name) {
+QLabel* namedSecondary(const QString& name) {
     auto* label = new QLabel;
     label->setObjectName(name);
     label->setWordWrap(true);
@@ -39,9 +39,9 @@ RecordingSettings::RecordingSettings(const RecordingChoice& choice, QWidget* par
     , choice_(choice.sane())
     , folder_(new QLineEdit)
     , pattern_(new QLineEdit)
-    , example_(secondary(QStringLiteral("settings.recording.example")))
+    , example_(namedSecondary(QStringLiteral("settings.recording.example")))
     , every_(new FigureBox)
-    , rate_(secondary(QStringLiteral("settings.recording.rate")))
+    , rate_(namedSecondary(QStringLiteral("settings.recording.rate")))
     , search_(new QLineEdit)
     , signals_(new QListWidget)
     , nothing_(nullptr) {
@@ -229,3 +229,5 @@ void RecordingSettings::search(const QString& words) {
 }
 
 }  // namespace tiller::app
+
+#include "moc_recording_settings.cpp"

@@ -89,3 +89,5 @@ void SampleDialog::showEvent(QShowEvent* event) {
 }
 
 }  // namespace tiller::app
+
+#include "moc_sample_projects.cpp"

@@ -30,10 +30,6 @@
 namespace tiller::app {
 namespace {
 
-QString plain(const QAction& action) {
-    return QString(action.text()).remove(QLatin1Char('&'));
-}
-
 /// Room for a field in each.
 int keyRowHeight() {
     return std::max(40, keyHeight(currentDensity()) + 4);
@@ -395,3 +391,5 @@ QString SettingsPage::hint() const {
 }
 
 }  // namespace tiller::app
+
+#include "moc_settings_page.cpp"

@@ -234,3 +234,5 @@ void SettingsTransfer::importFrom(const QString& path, QWidget* over) {
 }
 
 }  // namespace tiller::app
+
+#include "moc_settings_transfer.cpp"

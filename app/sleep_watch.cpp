@@ -39,3 +39,5 @@ void SleepWatch::onScreenSaver(bool active) {
 }
 
 }  // namespace tiller::app
+
+#include "moc_sleep_watch.cpp"

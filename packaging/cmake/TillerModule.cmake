@@ -42,11 +42,9 @@ function(tiller_precompile target)
     if(NOT TILLER_PRECOMPILE OR NOT TILLER_PRECOMPILED)
         return()
     endif()
-    if(NOT TILLER_PRECOMPILED STREQUAL "widgets")
-        # Empty or nearly so outside the widgets: reading the precompiled header would cost more than the file.
-        set_source_files_properties(${CMAKE_CURRENT_BINARY_DIR}/${target}_autogen/mocs_compilation.cpp
-            PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
-    endif()
+    # Empty, since each .cpp includes what moc makes of its header: reading the precompiled one would cost more.
+    set_source_files_properties(${CMAKE_CURRENT_BINARY_DIR}/${target}_autogen/mocs_compilation.cpp
+        PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
     set(owner tiller_precompiled_${TILLER_PRECOMPILED})
     if(NOT TARGET ${owner})
         file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/precompiled/${TILLER_PRECOMPILED}.cpp CONTENT "// SPDX-License-Identifier: MIT\n")

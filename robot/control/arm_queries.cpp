@@ -5,14 +5,13 @@
 
 #include "robot/control/detail/argument_check.h"
 #include "robot/control/detail/controller_private.h"
+#include "robot/control/detail/versions.h"
 #include "robot/kinematics/arm_kinematics.h"
 
 namespace tiller::control {
 
 namespace {
 
-constexpr SoftwareVersion kContactSince{5, 4, 0, 0};
-constexpr SoftwareVersion kESeries{5, 0, 0, 0};
 constexpr SoftwareVersion kNever{};
 constexpr std::size_t kInOnePackage = 6;
 

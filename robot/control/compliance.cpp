@@ -5,13 +5,12 @@
 
 #include "robot/control/detail/argument_check.h"
 #include "robot/control/detail/controller_private.h"
+#include "robot/control/detail/versions.h"
 
 namespace tiller::control {
 
 namespace {
 
-constexpr SoftwareVersion kContactSince{5, 4, 0, 0};
-constexpr SoftwareVersion kESeries{5, 0, 0, 0};
 constexpr SoftwareVersion kDampingOnCb3{3, 5, 0, 0};
 
 std::int32_t bitsOf(const std::array<bool, 6>& axes) {
@@ -24,10 +23,6 @@ std::int32_t bitsOf(const std::array<bool, 6>& axes) {
 
 std::span<const double> numbersOf(const Vector6& values) {
     return {values.data(), 6};
-}
-
-Result<void> noAnswer(const Result<Answer>& answer) {
-    return answer ? Result<void>() : Result<void>(answer.error());
 }
 
 }  // namespace

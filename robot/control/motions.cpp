@@ -430,14 +430,14 @@ Result<ToolSpeed> Motions::startSpeedL(const SpeedParameters& parameters, Holdin
 }
 
 Result<JointTorque> Motions::startTorque(const TorqueParameters& parameters, Holding holding) {
-    constexpr SoftwareVersion kESeries{5, 25, 1, 0};
-    constexpr SoftwareVersion kPolyScopeX{10, 12, 1, 0};
+    constexpr SoftwareVersion kOnESeries{5, 25, 1, 0};
+    constexpr SoftwareVersion kOnPolyScopeX{10, 12, 1, 0};
     const QString context = QStringLiteral("start a stream");
     auto& d = ControllerAccess::of(*controller_);
     if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
         return error;  // without control the version is not known
     }
-    if (const auto known = d.program.needs(kESeries, {}, context, kPolyScopeX); !known) {
+    if (const auto known = d.program.needs(kOnESeries, {}, context, kOnPolyScopeX); !known) {
         return known.error();
     }
     for (const char* name : {"direct_torque", "get_mass_matrix"}) {

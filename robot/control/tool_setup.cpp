@@ -5,19 +5,15 @@
 
 #include "robot/control/detail/argument_check.h"
 #include "robot/control/detail/controller_private.h"
+#include "robot/control/detail/versions.h"
 #include "robot/core/wait_until.h"
 
 namespace tiller::control {
 
 namespace {
 
-constexpr SoftwareVersion kESeries{5, 0, 0, 0};
 constexpr double kHeaviestPayload = 50.0;  ///< [kg] above that of every model; the controller knows its own
 constexpr double kFarthest = 2.0;          ///< [m] from the flange
-
-Result<void> noAnswer(const Result<Answer>& answer) {
-    return answer ? Result<void>() : Result<void>(answer.error());
-}
 
 std::array<double, 7> numbersOf(double first, const Eigen::Vector3d& a,
                                 const Eigen::Vector3d& b = Eigen::Vector3d::Zero()) {

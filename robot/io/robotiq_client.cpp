@@ -5,6 +5,7 @@
 #include <charconv>
 #include <span>
 
+#include "robot/core/ascii.h"
 #include "robot/core/native_socket.h"
 #include "robot/core/tcp_connect.h"
 
@@ -22,12 +23,6 @@ constexpr std::size_t kQuoted = 80;  // [bytes] of such an answer
 constexpr milliseconds kAskEvery(10);
 /// With less time left nothing more is asked: a question broken off ends the connection.
 constexpr milliseconds kLastAnswer(250);
-
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view kBlank = " \t\r";
-    const std::size_t begin = std::min(text.find_first_not_of(kBlank), text.size());
-    return text.substr(begin, text.find_last_not_of(kBlank) + 1 - begin);
-}
 
 std::optional<int> numberIn(std::string_view text) {
     int value = 0;

@@ -20,7 +20,7 @@ using std::chrono::milliseconds;
 using tiller::ErrorCode;
 namespace check = tiller::urrtde::check;
 
-constexpr milliseconds kReplyTime(2000);
+constexpr milliseconds kGripperReplyTime(2000);
 constexpr milliseconds kActivationTime(15000);
 constexpr milliseconds kMotionTime(30000);
 constexpr milliseconds kPollEvery(10);
@@ -43,7 +43,7 @@ struct RobotiqGripper::Private {
     int requested = 0;       ///< the last position commanded, device units
 
     int get(const std::string& name) {
-        const auto value = client.get(name, tiller::urrtde::within(kReplyTime));
+        const auto value = client.get(name, tiller::urrtde::within(kGripperReplyTime));
         if (!value && value.error().code == ErrorCode::ProtocolError) {
             throw std::runtime_error("gripper: unexpected answer \"" +
                                      value.error().controllerMessage.toStdString() + "\" to GET " + name);
@@ -58,7 +58,7 @@ struct RobotiqGripper::Private {
     }
 
     bool set(const std::vector<std::pair<std::string, int>>& values) {
-        const auto done = client.set(values, tiller::urrtde::within(kReplyTime));
+        const auto done = client.set(values, tiller::urrtde::within(kGripperReplyTime));
         if (!done && done.error().code != ErrorCode::Rejected) {
             tiller::urrtde::raise(done.error());
         }
@@ -132,7 +132,7 @@ struct RobotiqGripper::Private {
     void moveDevice(int position, int withSpeed, int withForce) {
         requested = std::clamp(position, 0, kDeviceMax);
         if (!set({{"POS", requested}, {"SPE", withSpeed}, {"FOR", withForce}, {"GTO", 1}}) ||
-            !poll(kReplyTime, [this] { return get("PRE") == requested; })) {
+            !poll(kGripperReplyTime, [this] { return get("PRE") == requested; })) {
             throw std::runtime_error("the gripper does not take the request to move");
         }
     }
@@ -168,7 +168,7 @@ bool RobotiqGripper::isConnected() const {
 void RobotiqGripper::activate(bool auto_calibrate) {
     if (!isActive()) {
         d_->set({{"ACT", 0}, {"ATR", 0}});
-        if (!d_->poll(kReplyTime, [this] { return d_->get("ACT") == 0 && d_->get("STA") == RESET; })) {
+        if (!d_->poll(kGripperReplyTime, [this] { return d_->get("ACT") == 0 && d_->get("STA") == RESET; })) {
             throw std::runtime_error("the gripper cannot be reset");
         }
         d_->set({{"ACT", 1}});
@@ -249,7 +249,7 @@ void RobotiqGripper::emergencyRelease(ePostionId Direction, eMoveMode MoveMode) 
     d_->set({{"ATR", 1}});
     const auto hasEnded = [this] { return faultStatus() == FAULT_EMCY_RELEASE_FINISHED; };
     const auto hasBegun = [&] { return faultStatus() == FAULT_EMCY_RELEASE_ACTIVE || hasEnded(); };
-    if (!d_->poll(kReplyTime, hasBegun)) {
+    if (!d_->poll(kGripperReplyTime, hasBegun)) {
         throw std::runtime_error("the gripper's emergency release does not begin");
     }
     if (MoveMode == WAIT_FINISHED && !d_->poll(kMotionTime, hasEnded)) {

@@ -26,7 +26,7 @@ enum Group : std::size_t { kStandard, kConfigurable, kTool, kSlider, kAnalog, kI
 constexpr int kFirstRegister = 18;
 constexpr int kRegisters = 5;
 constexpr double kLowestSpeed = 0.02;
-constexpr std::chrono::milliseconds kConnectTime(3000);
+constexpr std::chrono::milliseconds kIoConnectTime(3000);
 constexpr std::chrono::milliseconds kReconnectTime(1000);
 
 }  // namespace
@@ -131,7 +131,7 @@ RTDEIOInterface::RTDEIOInterface(std::string hostname, bool verbose, bool use_up
     d_->host = std::move(hostname);
     d_->verbose = verbose;
     d_->offset = use_upper_range_registers ? tiller::rtde::kFirstUpperRegister : 0;
-    if (const auto opened = d_->open(kConnectTime); !opened) {
+    if (const auto opened = d_->open(kIoConnectTime); !opened) {
         tiller::urrtde::raise(opened.error());
     }
 }
@@ -145,7 +145,7 @@ void RTDEIOInterface::disconnect() {
 
 bool RTDEIOInterface::reconnect() {
     const std::lock_guard lock(d_->mutex);
-    return d_->open(kConnectTime).ok();
+    return d_->open(kIoConnectTime).ok();
 }
 
 bool RTDEIOInterface::setStandardDigitalOut(std::uint8_t output_id, bool signal_level) {

@@ -28,7 +28,7 @@ using tiller::rtde::Direction;
 
 namespace {
 
-constexpr milliseconds kConnectTime(3000);
+constexpr milliseconds kReceiveConnectTime(3000);
 constexpr milliseconds kSilenceLimit(2500);
 constexpr double kRampUpTime = 0.2;  // [s] from a standstill to full speed after a pause
 
@@ -149,7 +149,7 @@ void RTDEReceiveInterface::Private::start() {
     if (const auto started = receiver.start(); !started) {
         throw std::invalid_argument(started.error().message());
     }
-    const auto deadline = tiller::urrtde::within(kConnectTime + milliseconds(500));
+    const auto deadline = tiller::urrtde::within(kReceiveConnectTime + milliseconds(500));
     const auto came = [&] { return receiver.counters().packets != before; };
     bool failed = false;
     tiller::waitUntil(deadline, [&] {

@@ -20,7 +20,7 @@ using tiller::urrtde::within;
 
 namespace {
 
-constexpr std::chrono::milliseconds kConnectTime(2000);
+constexpr std::chrono::milliseconds kScriptConnectTime(2000);
 constexpr std::chrono::milliseconds kSendTime(5000);
 
 std::optional<std::string> contentOf(const std::string& path) {
@@ -84,7 +84,7 @@ ScriptClient::~ScriptClient() = default;
 
 void ScriptClient::connect() {
     const std::lock_guard lock(d_->mutex);
-    if (const auto connected = d_->client.connect(within(kConnectTime)); !connected) {
+    if (const auto connected = d_->client.connect(within(kScriptConnectTime)); !connected) {
         tiller::urrtde::raise(connected.error());
     }
 }

@@ -63,3 +63,5 @@ void ElidedLabel::elide() {
 }
 
 }  // namespace tiller
+
+#include "moc_elided_label.cpp"

@@ -133,3 +133,5 @@ void FigureBox::restore() {
 }
 
 }  // namespace tiller
+
+#include "moc_figure_box.cpp"

@@ -228,3 +228,5 @@ bool HoldButton::touchEvent(QEvent* event) {
 }
 
 }  // namespace tiller
+
+#include "moc_hold_button.cpp"

@@ -127,3 +127,5 @@ void HoldGuard::pump() {
 }
 
 }  // namespace tiller
+
+#include "moc_hold_guard.cpp"

@@ -473,3 +473,5 @@ bool HoldRules::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace tiller
+
+#include "moc_hold_rules.cpp"

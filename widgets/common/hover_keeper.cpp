@@ -90,3 +90,5 @@ void HoverKeeper::look() {
 }
 
 }  // namespace tiller
+
+#include "moc_hover_keeper.cpp"

@@ -62,3 +62,5 @@ bool ListTyping::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace tiller
+
+#include "moc_list_typing.cpp"

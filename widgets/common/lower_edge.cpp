@@ -11,7 +11,7 @@ namespace tiller {
 
 namespace {
 
-constexpr int kMargin = 8;  // [px]
+constexpr int kEdgeMargin = 8;  // [px]
 
 }  // namespace
 
@@ -35,16 +35,16 @@ void LowerEdge::place() {
                                    [this](const QWidget* a) { return a->isVisibleTo(&page_); });
     const QRect room =
         area == areas_.cend() ? page_.rect() : QRect((*area)->mapTo(&page_, QPoint(0, 0)), (*area)->size());
-    const int width = std::max(0, room.width() - 2 * kMargin);
+    const int width = std::max(0, room.width() - 2 * kEdgeMargin);
     if (shown_.layout() != nullptr) {
         shown_.layout()->activate();
     }
     const int tall = shown_.hasHeightForWidth() ? shown_.heightForWidth(width) : shown_.sizeHint().height();
     const int height = std::max(tall, shown_.minimumSizeHint().height());
     // Low areas are covered downwards: above them stand keys.
-    const int top = std::max(room.top(), room.bottom() + 1 - kMargin - height);
+    const int top = std::max(room.top(), room.bottom() + 1 - kEdgeMargin - height);
     const int lowest = std::max(0, page_.height() - height);
-    shown_.setGeometry(room.left() + kMargin, std::min(top, lowest), width, height);
+    shown_.setGeometry(room.left() + kEdgeMargin, std::min(top, lowest), width, height);
     shown_.raise();
 }
 
@@ -65,3 +65,5 @@ bool LowerEdge::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace tiller
+
+#include "moc_lower_edge.cpp"

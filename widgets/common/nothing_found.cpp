@@ -47,3 +47,5 @@ bool NothingFound::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace tiller
+
+#include "moc_nothing_found.cpp"

@@ -106,3 +106,5 @@ void NoticeBar::keyPressEvent(QKeyEvent* event) {
 }
 
 }  // namespace tiller
+
+#include "moc_notice_bar.cpp"

@@ -98,3 +98,5 @@ void Panel::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace tiller
+
+#include "moc_panel.cpp"

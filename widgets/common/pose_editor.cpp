@@ -123,3 +123,5 @@ void PoseEditor::changeEvent(QEvent* event) {
 }
 
 }  // namespace tiller
+
+#include "moc_pose_editor.cpp"

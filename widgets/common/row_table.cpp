@@ -79,3 +79,5 @@ QWidget* RowDelegate::named(QWidget* editor, const QModelIndex& index) const {
 }
 
 }  // namespace tiller
+
+#include "moc_row_table.cpp"

@@ -182,3 +182,5 @@ void SegmentedControl::nameSegment(int index) {
 }
 
 }  // namespace tiller
+
+#include "moc_segmented_control.cpp"

@@ -231,3 +231,5 @@ void StateChip::keyPressEvent(QKeyEvent* event) {
 }
 
 }  // namespace tiller
+
+#include "moc_state_chip.cpp"

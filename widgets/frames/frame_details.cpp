@@ -96,3 +96,5 @@ void FrameDetails::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace tiller
+
+#include "moc_frame_details.cpp"

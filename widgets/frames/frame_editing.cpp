@@ -104,3 +104,5 @@ void FrameEditing::remove(const project::Frame& frame) {
 }
 
 }  // namespace tiller
+
+#include "moc_frame_editing.cpp"

@@ -218,3 +218,5 @@ Qt::ItemFlags FrameModel::flags(const QModelIndex& index) const {
 }
 
 }  // namespace tiller
+
+#include "moc_frame_model.cpp"

@@ -35,3 +35,5 @@ void FrameTable::shareWidth() {
 }
 
 }  // namespace tiller
+
+#include "moc_frame_table.cpp"

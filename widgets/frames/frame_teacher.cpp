@@ -215,3 +215,5 @@ void FrameTeacher::changeEvent(QEvent* event) {
 }
 
 }  // namespace tiller
+
+#include "moc_frame_teacher.cpp"

@@ -407,3 +407,5 @@ void FramesTab::showProblem(const QString& text) {
 }
 
 }  // namespace tiller
+
+#include "moc_frames_tab.cpp"

@@ -228,3 +228,5 @@ void AnalogRow::askForScale() {
 }
 
 }  // namespace tiller
+
+#include "moc_analog_row.cpp"

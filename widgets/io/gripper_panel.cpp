@@ -25,7 +25,7 @@ namespace {
 using io::RobotiqActivation;
 using io::RobotiqObject;
 
-constexpr int kRefreshMs = 50;
+constexpr int kGripperRefreshMs = 50;
 /// A second click that was meant for the list of grippers shall meet no key that came in its place.
 constexpr int kSettleMs = 500;
 constexpr int kMostPort = 65535;
@@ -141,7 +141,7 @@ GripperPanel::GripperPanel(RobotSession& session, QWidget* parent)
     connect(&robotiq_, &RobotiqLink::changed, this, &GripperPanel::refresh);
     connect(&session_, &RobotSession::stateChanged, this, &GripperPanel::follow);
     // By itself too: what the gripper said grows old when nothing comes.
-    refreshTimer_.setInterval(kRefreshMs);
+    refreshTimer_.setInterval(kGripperRefreshMs);
     connect(&refreshTimer_, &QTimer::timeout, this, &GripperPanel::refresh);
     refreshTimer_.start();
     refresh();
@@ -541,3 +541,5 @@ void GripperPanel::say(const QString& text, const char* role) {
 }
 
 }  // namespace tiller
+
+#include "moc_gripper_panel.cpp"

@@ -222,3 +222,5 @@ void IoChannel::finishRename() {
 }
 
 }  // namespace tiller
+
+#include "moc_io_channel.cpp"

@@ -42,3 +42,5 @@ void IoPages::show(Page page) {
 }
 
 }  // namespace tiller
+
+#include "moc_io_pages.cpp"

@@ -376,3 +376,5 @@ void IoTab::refreshAnalog(bool known, bool stale) {
 }
 
 }  // namespace tiller
+
+#include "moc_io_tab.cpp"

@@ -7,7 +7,7 @@ namespace tiller {
 namespace {
 
 /// After this long without the robot's word, "pending" would be a lie.
-constexpr std::int64_t kConfirmNs = 2 * kNsPerSecond;
+constexpr std::int64_t kGripperConfirmNs = 2 * kNsPerSecond;
 
 bool isOn(const SessionState& state, int output) {
     return ((state.digitalOutputs >> output) & 1U) != 0;
@@ -26,7 +26,7 @@ void OutputGripper::follow(const SessionState& state, std::int64_t nowNs) {
     hand_ = handIn(state);
     if (pending_ && (state.link != LinkState::Live || hand_ == pending_->wanted)) {
         pending_.reset();
-    } else if (pending_ && nowNs - pending_->sinceNs > kConfirmNs) {
+    } else if (pending_ && nowNs - pending_->sinceNs > kGripperConfirmNs) {
         pending_.reset();
         complaint_ =
             tr("The robot did not confirm the outputs. Another program or the installation may own them.");

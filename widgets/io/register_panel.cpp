@@ -145,3 +145,5 @@ QString RegisterPanel::valueText(const QString& registerName) const {
 }
 
 }  // namespace tiller
+
+#include "moc_register_panel.cpp"

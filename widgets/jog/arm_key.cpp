@@ -88,3 +88,5 @@ void ArmKey::focusInEvent(QFocusEvent* event) {
 }
 
 }  // namespace tiller
+
+#include "moc_arm_key.cpp"

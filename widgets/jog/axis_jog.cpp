@@ -168,3 +168,5 @@ void AxisJog::pump() {
 }
 
 }  // namespace tiller
+
+#include "moc_axis_jog.cpp"

@@ -9,7 +9,7 @@ namespace tiller {
 using control::StopCause;
 
 namespace {
-constexpr int kLookMs = 1000;
+constexpr int kSearchMs = 1000;
 }
 
 DeviceTuning DeviceTuning::sane() const {
@@ -45,7 +45,7 @@ DeviceJog::DeviceJog(AxisJog& jog, QObject* parent) : QObject(parent), jog_(jog)
     pollTimer_.setTimerType(Qt::PreciseTimer);
     pollTimer_.setInterval(kPollMs);
     connect(&pollTimer_, &QTimer::timeout, this, &DeviceJog::poll);
-    lookTimer_.setInterval(kLookMs);
+    lookTimer_.setInterval(kSearchMs);
     connect(&lookTimer_, &QTimer::timeout, this, &DeviceJog::look);
 }
 
@@ -210,3 +210,5 @@ std::chrono::nanoseconds DeviceJog::silenceAtMost() const {
 }
 
 }  // namespace tiller
+
+#include "moc_device_jog.cpp"

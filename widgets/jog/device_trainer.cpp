@@ -234,3 +234,5 @@ void DeviceTrainer::refresh() {
 }
 
 }  // namespace tiller
+
+#include "moc_device_trainer.cpp"

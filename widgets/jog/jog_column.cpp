@@ -38,7 +38,7 @@ using control::StopCause;
 
 namespace {
 
-constexpr int kMargin = 12;
+constexpr int kSideMargin = 12;
 constexpr int kSmallMargin = 6;
 constexpr int kRefusalShownMs = 6000;
 constexpr int kDetailTab = 30;  // height of the choice between pose and joints
@@ -53,7 +53,7 @@ constexpr int kFoldedKey = 56;
 constexpr int kTightKey = 46;
 
 int marginFor(JogColumn::Fold fold) {
-    return fold == JogColumn::Fold::Folded || fold == JogColumn::Fold::Snug ? kSmallMargin : kMargin;
+    return fold == JogColumn::Fold::Folded || fold == JogColumn::Fold::Snug ? kSmallMargin : kSideMargin;
 }
 
 int padHeight(int key) {
@@ -87,14 +87,14 @@ JogColumn::JogColumn(MotionPort port, QWidget* parent) : Panel(tr("Jog"), parent
 
     auto* body = new QWidget(this);
     auto* layout = new QVBoxLayout(body);
-    layout->setContentsMargins(0, kMargin, 0, kMargin);
+    layout->setContentsMargins(0, kSideMargin, 0, kSideMargin);
     layout->setSpacing(0);
     selectors_ = new JogSelectors(port_.limits, body);
     layout->addWidget(selectors_);
 
     const auto inset = [body](QWidget* widget, int above, int below) {
         auto* row = new QHBoxLayout;
-        row->setContentsMargins(kMargin, above, kMargin, below);
+        row->setContentsMargins(kSideMargin, above, kSideMargin, below);
         row->addWidget(widget);
         widget->setParent(body);
         return row;
@@ -486,7 +486,7 @@ void JogColumn::buildBottom(QVBoxLayout* layout) {
         make(QStringLiteral("↶ ") + tr("Back"), "backKey", tr("Goes back the way the arm came while held"));
     back_->setAccessibleName(tr("Back"));
     auto* row = new QHBoxLayout;
-    row->setContentsMargins(kMargin, kAboveKeys, kMargin, 0);
+    row->setContentsMargins(kSideMargin, kAboveKeys, kSideMargin, 0);
     row->setSpacing(8);
     for (HoldButton* key : {freedrive_, homeKey_, align_, back_}) {
         row->addWidget(key);
@@ -753,3 +753,5 @@ void JogColumn::changeEvent(QEvent* event) {
 }
 
 }  // namespace tiller
+
+#include "moc_jog_column.cpp"

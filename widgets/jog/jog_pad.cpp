@@ -137,3 +137,5 @@ void JogPad::resizeEvent(QResizeEvent*) {
 }
 
 }  // namespace tiller
+
+#include "moc_jog_pad.cpp"

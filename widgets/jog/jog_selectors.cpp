@@ -443,3 +443,5 @@ void JogSelectors::askForNumber(const QString& text, double value, double least,
 }
 
 }  // namespace tiller
+
+#include "moc_jog_selectors.cpp"

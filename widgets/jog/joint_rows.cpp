@@ -17,7 +17,7 @@ namespace tiller {
 namespace {
 
 constexpr double kWarnAngle = toRadians(15);
-constexpr int kMargin = 12;  // as the panel's content
+constexpr int kRowMargin = 12;  // as the panel's content
 
 }  // namespace
 
@@ -135,8 +135,8 @@ void JointRow::resizeEvent(QResizeEvent*) {
         return;
     }
     const int wide = finger > 0 ? 44 : 35;
-    plus_->setGeometry(width() - kMargin - wide, middle - high / 2, wide, high);
-    const int bar = std::max(40, std::min(94, width() - 2 * kMargin - 86 - 92 - wide * 2 - 24));
+    plus_->setGeometry(width() - kRowMargin - wide, middle - high / 2, wide, high);
+    const int bar = std::max(40, std::min(94, width() - 2 * kRowMargin - 86 - 92 - wide * 2 - 24));
     bar_->setGeometry(plus_->x() - 9 - bar, middle - 8, bar, 16);
     minus_->setGeometry(bar_->x() - 9 - wide, middle - high / 2, wide, high);
 }
@@ -153,7 +153,7 @@ void JointRow::changeEvent(QEvent* event) {
 void JointRow::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::current();
     QPainter painter(this);
-    const int left = compact_ ? 0 : kMargin;
+    const int left = compact_ ? 0 : kRowMargin;
     const int lower = compact_ ? 9 : 1;
     const QRect text(left, 0, minus_->x() - left - 10, height() - lower);
     // Beside wide keys there is no room for both in one line, and in high rows there is for two.
@@ -185,7 +185,7 @@ void JointRows::arrange() {
     for (JointRow* row : rows_) {
         grid_->removeWidget(row);
     }
-    grid_->setContentsMargins(compact_ ? kMargin : 0, 0, compact_ ? kMargin : 0, 0);
+    grid_->setContentsMargins(compact_ ? kRowMargin : 0, 0, compact_ ? kRowMargin : 0, 0);
     grid_->setHorizontalSpacing(compact_ ? 16 : 0);
     for (int joint = 0; joint < kJointCount; ++joint) {
         rows_[joint]->setCompact(compact_);
@@ -223,3 +223,5 @@ void JointRows::setJoints(const JointPositions& q, bool moving, bool valid, bool
 }
 
 }  // namespace tiller
+
+#include "moc_joint_rows.cpp"

@@ -65,3 +65,5 @@ bool KeyGhosts::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace tiller
+
+#include "moc_key_ghosts.cpp"

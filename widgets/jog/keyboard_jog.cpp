@@ -320,3 +320,5 @@ Deflection KeyboardJog::deflection() const {
 }
 
 }  // namespace tiller
+
+#include "moc_keyboard_jog.cpp"

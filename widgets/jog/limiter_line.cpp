@@ -229,3 +229,5 @@ void LimiterLine::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace tiller
+
+#include "moc_limiter_line.cpp"

@@ -268,3 +268,5 @@ void PoseView::focusOutEvent(QFocusEvent* event) {
 }
 
 }  // namespace tiller
+
+#include "moc_pose_view.cpp"

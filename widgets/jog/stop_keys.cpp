@@ -81,3 +81,5 @@ bool StopKeys::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace tiller
+
+#include "moc_stop_keys.cpp"

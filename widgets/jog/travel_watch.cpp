@@ -89,3 +89,5 @@ QString TravelWatch::heldText() const {
 }
 
 }  // namespace tiller
+
+#include "moc_travel_watch.cpp"

@@ -161,3 +161,5 @@ bool LogFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
 }
 
 }  // namespace tiller
+
+#include "moc_log_model.cpp"

@@ -215,3 +215,5 @@ void LogTab::exportToFile() {
 }
 
 }  // namespace tiller
+
+#include "moc_log_tab.cpp"

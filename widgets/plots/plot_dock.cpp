@@ -470,3 +470,5 @@ void PlotDock::askForFolder() {
 }
 
 }  // namespace tiller
+
+#include "moc_plot_dock.cpp"

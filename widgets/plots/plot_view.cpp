@@ -706,3 +706,5 @@ void PlotView::keyPressEvent(QKeyEvent* event) {
 }
 
 }  // namespace tiller
+
+#include "moc_plot_view.cpp"

@@ -153,3 +153,5 @@ void FirstSteps::onWaypoint(int row) {
 }
 
 }  // namespace tiller
+
+#include "moc_first_steps.cpp"

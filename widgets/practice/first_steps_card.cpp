@@ -45,3 +45,5 @@ void FirstStepsCard::showSteps() {
 }
 
 }  // namespace tiller
+
+#include "moc_first_steps_card.cpp"

@@ -147,3 +147,5 @@ void Practice::follow() {
 }
 
 }  // namespace tiller
+
+#include "moc_practice.cpp"

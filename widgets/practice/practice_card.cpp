@@ -115,3 +115,5 @@ void PracticeCard::showTask() {
 }
 
 }  // namespace tiller
+
+#include "moc_practice_card.cpp"

@@ -12,7 +12,7 @@ namespace tiller {
 namespace {
 
 constexpr int kMark = 16;  // [px]
-constexpr int kGap = 8;
+constexpr int kTickGap = 8;
 
 }  // namespace
 
@@ -21,7 +21,7 @@ TickLine::TickLine(const QString& text, QWidget* parent) : QWidget(parent), text
     text_->setWordWrap(true);
     text_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(kMark + kGap, 0, 0, 0);
+    layout->setContentsMargins(kMark + kTickGap, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(text_);
     describe();
@@ -72,3 +72,5 @@ void TickLine::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace tiller
+
+#include "moc_tick_line.cpp"

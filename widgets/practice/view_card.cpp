@@ -226,3 +226,5 @@ void ViewCard::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace tiller
+
+#include "moc_view_card.cpp"

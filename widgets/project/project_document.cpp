@@ -168,3 +168,5 @@ void ProjectDocument::setFramesRaw(const project::FrameList& frames) {
 }
 
 }  // namespace tiller
+
+#include "moc_project_document.cpp"

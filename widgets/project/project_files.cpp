@@ -140,3 +140,5 @@ void ProjectFiles::saveAs(const QString& path) {
 }
 
 }  // namespace tiller
+
+#include "moc_project_files.cpp"

@@ -195,3 +195,5 @@ Result<void> ProjectStore::saveNow() {
 }
 
 }  // namespace tiller
+
+#include "moc_project_store.cpp"

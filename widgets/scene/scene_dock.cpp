@@ -17,3 +17,5 @@ SceneDock::SceneDock(RobotSession& session, QWidget* parent)
 }
 
 }  // namespace tiller
+
+#include "moc_scene_dock.cpp"

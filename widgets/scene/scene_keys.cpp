@@ -67,3 +67,5 @@ void SceneKeys::changeEvent(QEvent* event) {
 }
 
 }  // namespace tiller
+
+#include "moc_scene_keys.cpp"

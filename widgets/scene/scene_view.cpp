@@ -524,3 +524,5 @@ void SceneView::zoomBy(double factor) {
 }
 
 }  // namespace tiller
+
+#include "moc_scene_view.cpp"

@@ -406,3 +406,5 @@ void RobotSession::reportControllerMessages() {
 }
 
 }  // namespace tiller
+
+#include "moc_robot_session.cpp"

@@ -18,7 +18,7 @@ using io::RobotiqFault;
 using io::RobotiqObject;
 using std::chrono::milliseconds;
 
-constexpr milliseconds kReplyTime{2000};
+constexpr milliseconds kGripperReplyTime{2000};
 constexpr milliseconds kCommandTime{4000};
 constexpr int kActivationMs = 15'000;
 constexpr int kLookEveryMs = 100;
@@ -108,7 +108,7 @@ void RobotiqLink::look() {
     const bool afterCommand = carriedOut_;
     worker_.post(
         this, [this, afterCommand, generation = generation_, client = client_](const CancelToken& token) {
-            const Deadline deadline = Deadline::after(kReplyTime, token);
+            const Deadline deadline = Deadline::after(kGripperReplyTime, token);
             const Result<void> connected = client->isConnected() ? Result<void>() : client->connect(deadline);
             const Look found = connected ? client->look(deadline) : Look(connected.error());
             if (!found) {
@@ -338,3 +338,5 @@ QString RobotiqLink::textOf(io::RobotiqFault fault) {
 }
 
 }  // namespace tiller
+
+#include "moc_robotiq_link.cpp"

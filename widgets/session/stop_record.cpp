@@ -138,3 +138,5 @@ void StopRecorder::hear(const script::ControllerMessage& message) {
 }
 
 }  // namespace tiller
+
+#include "moc_stop_record.cpp"

@@ -371,3 +371,5 @@ void HeaderBar::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace tiller
+
+#include "moc_header_bar.cpp"

@@ -29,7 +29,7 @@ struct Look {
     QColor colour;
 };
 
-Look lookOf(doctor::Verdict verdict) {
+Look verdictLook(doctor::Verdict verdict) {
     const Theme& theme = Theme::current();
     switch (verdict) {
         case doctor::Verdict::Good:
@@ -57,7 +57,7 @@ public:
 protected:
     void paintEvent(QPaintEvent*) override {
         QPainter painter(this);
-        const Look look = lookOf(verdict_);
+        const Look look = verdictLook(verdict_);
         drawShape(painter, look.shape, QRectF(2, 2, 16, 16), look.colour, Theme::current().background);
     }
 
@@ -98,7 +98,7 @@ void FindingRow::showWaiting() {
 void FindingRow::showFinding(const doctor::Finding& finding) {
     finding_ = finding;
     sign_->showVerdict(finding.verdict);
-    const QString word = lookOf(finding.verdict).word;
+    const QString word = verdictLook(finding.verdict).word;
     detail_->setText(finding.detail.isEmpty() ? word : word + QStringLiteral(" · ") + finding.detail);
     fix_->setText(finding.fix);
     fix_->setVisible(!finding.fix.isEmpty());
@@ -278,3 +278,5 @@ void PreflightPage::sortRows() {
 }
 
 }  // namespace tiller
+
+#include "moc_preflight_page.cpp"

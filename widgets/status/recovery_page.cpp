@@ -321,3 +321,5 @@ void RecoveryPage::takeStep() {
 }
 
 }  // namespace tiller
+
+#include "moc_recovery_page.cpp"

@@ -244,3 +244,5 @@ void RobotPopup::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace tiller
+
+#include "moc_robot_popup.cpp"

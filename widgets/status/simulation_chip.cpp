@@ -38,3 +38,5 @@ void SimulationChip::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace tiller
+
+#include "moc_simulation_chip.cpp"

@@ -121,3 +121,5 @@ void SpeedChip::wheelEvent(QWheelEvent* event) {
 }
 
 }  // namespace tiller
+
+#include "moc_speed_chip.cpp"

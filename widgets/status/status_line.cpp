@@ -196,3 +196,5 @@ void StatusLine::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace tiller
+
+#include "moc_status_line.cpp"

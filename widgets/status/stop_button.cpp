@@ -82,3 +82,5 @@ bool StopButton::event(QEvent* event) {
 }
 
 }  // namespace tiller
+
+#include "moc_stop_button.cpp"

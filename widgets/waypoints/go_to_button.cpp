@@ -128,3 +128,5 @@ void GoToButton::hideEvent(QHideEvent* event) {
 }
 
 }  // namespace tiller
+
+#include "moc_go_to_button.cpp"

@@ -168,3 +168,5 @@ void WaypointDetails::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace tiller
+
+#include "moc_waypoint_details.cpp"

@@ -100,3 +100,5 @@ void WaypointEditing::paste() {
 }
 
 }  // namespace tiller
+
+#include "moc_waypoint_editing.cpp"

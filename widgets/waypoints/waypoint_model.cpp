@@ -441,3 +441,5 @@ bool WaypointModel::dropMimeData(const QMimeData* data, Qt::DropAction action, i
 }
 
 }  // namespace tiller
+
+#include "moc_waypoint_model.cpp"

@@ -125,3 +125,5 @@ void WaypointTable::dropEvent(QDropEvent* event) {
 }
 
 }  // namespace tiller
+
+#include "moc_waypoint_table.cpp"

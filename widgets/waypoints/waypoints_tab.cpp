@@ -453,3 +453,5 @@ void WaypointsTab::showProblem(const QString& text, const QString& details) {
 }
 
 }  // namespace tiller
+
+#include "moc_waypoints_tab.cpp"

@@ -15,7 +15,7 @@ namespace {
 
 constexpr auto kIndent = "        ";
 
-QString number(double value) {
+QString fixed(double value) {
     constexpr int kDigits = 6;
     return QString::number(value, 'f', kDigits);
 }
@@ -23,14 +23,14 @@ QString number(double value) {
 QString numbers(const std::array<double, 6>& values) {
     QStringList out;
     for (const double value : values) {
-        out.append(number(value));
+        out.append(fixed(value));
     }
     return out.join(QLatin1String(", "));
 }
 
 QString stepTime(const SoftwareVersion& version) {
     const bool hasFunction = version >= SoftwareVersion{5, 4, 0, 0};
-    return hasFunction ? QStringLiteral("get_steptime()") : number(version.controlPeriod());
+    return hasFunction ? QStringLiteral("get_steptime()") : fixed(version.controlPeriod());
 }
 
 /// "5.10 3.15": from these e-Series and CB3 versions on; with the e-Series version only, or "-" in place of
@@ -155,16 +155,16 @@ ControlScript controlScript(const SoftwareVersion& version, RegisterRange range,
     fill("FIRST", QString::number(firstRegister(range)));
     fill("SESSION", QString::number(session));
     fill("STEP", stepTime(version));
-    fill("BRAKE_LINEAR", number(limits.jogDeceleration));
-    fill("BRAKE_ROTATION", number(limits.jointDeceleration));
-    fill("BRAKE_JOINTS", number(limits.jointDeceleration));
+    fill("BRAKE_LINEAR", fixed(limits.jogDeceleration));
+    fill("BRAKE_ROTATION", fixed(limits.jointDeceleration));
+    fill("BRAKE_JOINTS", fixed(limits.jointDeceleration));
     fill("JOINT_SPEEDS", numbers(arm.maxSpeed));
     fill("JOINT_TORQUES", numbers(arm.maxTorque));
-    fill("UPPER_ARM", number(std::abs(arm.dh.a[1])));
-    fill("LEEWAY", number(kJointLeeway));
+    fill("UPPER_ARM", fixed(std::abs(arm.dh.a[1])));
+    fill("LEEWAY", fixed(kJointLeeway));
     const auto setting = [&](const char* function, const char* since, const std::optional<double>& value) {
         return value && isSince(version, QLatin1String(since))
-                   ? QStringLiteral("%1(%2)").arg(QLatin1String(function), number(*value))
+                   ? QStringLiteral("%1(%2)").arg(QLatin1String(function), fixed(*value))
                    : QString();
     };
     fill("FORCE_DAMPING", setting("force_mode_set_damping", "5.0 3.5", force.damping));

@@ -19,6 +19,11 @@ namespace tiller::control {
 
 class ControlLink;
 
+/// That it came, or why not: of a request whose answer holds no numbers.
+inline Result<void> noAnswer(const Result<Answer>& answer) {
+    return answer ? Result<void>() : Result<void>(answer.error());
+}
+
 /// Threads  any
 class RequestChannel {
 public:

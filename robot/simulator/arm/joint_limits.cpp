@@ -7,7 +7,6 @@
 namespace tiller::simulator::arm {
 
 namespace {
-constexpr double kRangeReserve = 0.002;  // rad kept to the end of the joint range
 // 1/s: close to the end the speed falls with the distance. Joints stop together, so this leaves time enough
 // for the fastest joint of any model to stop from full speed.
 constexpr double kCreepRate = 12;

@@ -8,6 +8,9 @@
 
 namespace tiller::simulator::arm {
 
+/// Kept to the end of the joint range [rad].
+constexpr double kRangeReserve = 0.002;
+
 /// Joint state asked of the drives.
 struct JointTarget {
     Vector6 q = Vector6::Zero();   ///< [rad]

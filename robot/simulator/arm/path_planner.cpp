@@ -7,7 +7,7 @@
 namespace tiller::simulator::arm {
 
 namespace {
-constexpr double kTiny = 1e-9;
+constexpr double kNearlyZero = 1e-9;
 constexpr double kSampleStep = 0.01;        // m
 constexpr double kLargestTurn = 0.12;       // rad between samples
 constexpr double kSmallestFraction = 1e-4;  // of the path, below which a large turn is a singularity
@@ -57,7 +57,7 @@ ProfileRequest PathPlanner::profileRequest(const Segment& segment, const MoveTim
         profile.length = (segment.endQ - segment.from).cwiseAbs().maxCoeff();
         for (int j = 0; j < kJointCount; ++j) {
             const double share = std::abs(segment.direction[j]);
-            if (share > kTiny) {
+            if (share > kNearlyZero) {
                 profile.v = std::min(profile.v, limits_.speed[j] / share);
                 profile.a = std::min(profile.a, limits_.acceleration / share);
             }
@@ -120,7 +120,7 @@ int PathPlanner::sampleToolPath(Segment& segment, const Vector6& startQ) {
     q_[0] = startQ;
     segment.endFault.reset();
     segment.endFaultJoint = -1;
-    while (s_[count - 1] < length - kTiny && count < s_.size()) {
+    while (s_[count - 1] < length - kNearlyZero && count < s_.size()) {
         const double s = std::min(length, s_[count - 1] + step);
         Vector6 q = q_[count - 1];
         const bool reached = geometry_.follow(segment.path.at(s).at.transform(), q, posture_);
@@ -149,7 +149,7 @@ int PathPlanner::sampleToolPath(Segment& segment, const Vector6& startQ) {
         ++count;
         step = std::min(widest, turn < 0.5 * kLargestTurn ? 2 * step : step);
     }
-    if (count == s_.size() && s_[count - 1] < length - kTiny) {
+    if (count == s_.size() && s_[count - 1] < length - kNearlyZero) {
         segment.endFault = StopReason::Singularity;
     }
     segment.endQ = q_[count - 1];
@@ -175,8 +175,8 @@ void PathPlanner::limitSpeeds(Segment& segment, int count, double a) {
             const Vector6 slope = (q_[k + 1] - q_[k]) / (s_[k + 1] - s_[k]);
             for (int j = 0; j < kJointCount; ++j) {
                 const double rate = std::abs(slope[j]);
-                limit = std::min(limit, 0.98 * limits_.speed[j] / std::max(rate, kTiny));
-                a_[i] = std::min(a_[i], 0.5 * usable / std::max(rate, kTiny));
+                limit = std::min(limit, 0.98 * limits_.speed[j] / std::max(rate, kNearlyZero));
+                a_[i] = std::min(a_[i], 0.5 * usable / std::max(rate, kNearlyZero));
             }
         }
         if (i > 0 && i + 1 < n) {
@@ -185,7 +185,7 @@ void PathPlanner::limitSpeeds(Segment& segment, int count, double a) {
             const Vector6 bend =
                 ((q_[i + 1] - q_[i]) / after - (q_[i] - q_[i - 1]) / before) / (0.5 * (before + after));
             const double sharpest = bend.cwiseAbs().maxCoeff();
-            limit = std::min(limit, std::sqrt(0.5 * usable / std::max(sharpest, kTiny)));
+            limit = std::min(limit, std::sqrt(0.5 * usable / std::max(sharpest, kNearlyZero)));
         }
         const double nominal = segment.profile.speedAtLength(s_[i]);
         limited = limited || nominal > limit || a_[i] < segment.profile.peakAcceleration() * (1 - 1e-9);

@@ -7,7 +7,7 @@
 namespace tiller::simulator::arm {
 
 namespace {
-constexpr double kTiny = 1e-12;
+constexpr double kNoDistance = 1e-12;
 double square(double x) {
     return x * x;
 }
@@ -24,7 +24,7 @@ SpeedProfile::Start SpeedProfile::end() const {
 }
 
 void SpeedProfile::append(double acceleration, double duration) {
-    if (duration <= kTiny || full()) {
+    if (duration <= kNoDistance || full()) {
         return;
     }
     const Start from = end();
@@ -37,7 +37,7 @@ void SpeedProfile::append(double acceleration, double duration) {
 // From the present speed to vEnd over `distance`, at most v in between.
 void SpeedProfile::appendRamp(double distance, double v, double vEnd, double a) {
     const double v0 = end().v;
-    if (distance <= kTiny) {
+    if (distance <= kNoDistance) {
         return;
     }
     if (v0 > v &&
@@ -68,10 +68,10 @@ SpeedProfile SpeedProfile::plan(const ProfileRequest& request) {
     SpeedProfile profile;
     profile.origin_.v = request.startSpeed;
     const double L = request.length;
-    if (L <= kTiny || request.v <= 0 || request.a <= 0) {
+    if (L <= kNoDistance || request.v <= 0 || request.a <= 0) {
         return profile;
     }
-    if (request.blendInTime > kTiny) {
+    if (request.blendInTime > kNoDistance) {
         const double T = request.blendInTime;
         double a = std::min(request.a, 2 * request.blendInLength / square(T));
         a = std::min(a, request.v / T);
@@ -85,24 +85,24 @@ SpeedProfile SpeedProfile::plan(const ProfileRequest& request) {
     double main = rest - zone;
     const double v0 = profile.end().v;
     double vEnd = 0;
-    if (zone > kTiny) {
+    if (zone > kNoDistance) {
         vEnd = std::min(request.v, request.zoneSpeed);
         vEnd = std::min(vEnd, std::sqrt(square(v0) + 2 * request.a * main));
     }
     // Too fast for what is left: carry more speed into the zone, or brake harder than asked at the end.
     vEnd = std::max(vEnd, std::sqrt(std::max(0.0, square(v0) - 2 * request.a * main)));
-    if (zone <= kTiny && vEnd > 1e-9) {
+    if (zone <= kNoDistance && vEnd > 1e-9) {
         profile.append(-square(v0) / (2 * rest), 2 * rest / v0);
         profile.zoneTime_ = profile.duration();
         return profile;
     }
-    if (zone <= kTiny) {
+    if (zone <= kNoDistance) {
         vEnd = 0;
     }
     profile.appendRamp(main, request.v, vEnd, request.a);
     profile.zoneTime_ = profile.duration();
     const double entry = profile.end().v;
-    if (zone > kTiny && entry > kTiny) {
+    if (zone > kNoDistance && entry > kNoDistance) {
         profile.append(-square(entry) / (2 * zone), 2 * zone / entry);
     }
     return profile;
@@ -126,7 +126,7 @@ SpeedProfile SpeedProfile::through(std::span<const double> s, std::span<const do
         }
         const double distance = s[i + 1] - s[i];
         const double mean = 0.5 * (v[i] + v[i + 1]);
-        if (distance <= kTiny || mean <= kTiny) {
+        if (distance <= kNoDistance || mean <= kNoDistance) {
             continue;
         }
         const double duration = distance / mean;
@@ -177,7 +177,7 @@ double SpeedProfile::timeAtLength(double s) const {
             const double v = start_[k].v;
             const double vEnd = std::sqrt(std::max(0.0, square(v) + 2 * acceleration_[k] * distance));
             const double mean = 0.5 * (v + vEnd);
-            const double t = mean > kTiny ? distance / mean : duration_[k];
+            const double t = mean > kNoDistance ? distance / mean : duration_[k];
             return start_[k].t + std::min(t, duration_[k]);
         }
     }

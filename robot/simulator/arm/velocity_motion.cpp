@@ -7,12 +7,11 @@
 namespace tiller::simulator::arm {
 
 namespace {
-constexpr double kNoScale = 1e-3;        // program time slower than this counts as standing
-constexpr double kSingular = 0.06;       // margin at which Cartesian motion ends
-constexpr double kCreeping = 1e-3;       // rad/s or a part of the wanted speed: as good as standing
-constexpr double kRangeReserve = 0.002;  // rad kept to the end of the joint range
-constexpr double kExpiryJoint = 2.0;     // rad/s2, at least, when a speed command is not repeated
-constexpr double kExpiryTool = 0.5;      // m/s2
+constexpr double kNoScale = 1e-3;     // program time slower than this counts as standing
+constexpr double kSingular = 0.06;    // margin at which Cartesian motion ends
+constexpr double kCreeping = 1e-3;    // rad/s or a part of the wanted speed: as good as standing
+constexpr double kExpiryJoint = 2.0;  // rad/s2, at least, when a speed command is not repeated
+constexpr double kExpiryTool = 0.5;   // m/s2
 }  // namespace
 
 void VelocityMotion::begin(Kind kind, const JointTarget& now, double timeScale) {

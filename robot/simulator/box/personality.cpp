@@ -39,7 +39,7 @@ QDate dayOf(const SoftwareVersion& software) {
     return release == nullptr ? QDate(2025, 1, 1) : QDate(release->year, release->month, release->day);
 }
 
-Error wrong(const QString& what) {
+Error wrongOption(const QString& what) {
     return {ErrorCode::InvalidArgument, what, {}};
 }
 
@@ -71,7 +71,7 @@ SoftwareVersion firstSoftware(RobotModelId model, bool polyScopeX) {
 Result<SoftwareVersion> parseSoftware(const QString& text) {
     const QStringList parts = text.split('.');
     std::uint32_t numbers[4] = {0, 0, 0, 0};
-    const Error notOne = wrong(
+    const Error notOne = wrongOption(
         QStringLiteral("a software version is of series 3, 5 or 10, such as 3.15, 5.22 or 10.12, not '%1'")
             .arg(text));
     if (parts.size() < 2 || parts.size() > 4) {
@@ -112,16 +112,16 @@ Result<void> checkSoftware(RobotModelId id, const SoftwareVersion& software) {
     const QString name = QString::fromLatin1(model.name);
     const QString version = QString::fromStdString(versionText(software));
     if (software.isCb3() != model.isCb3()) {
-        return wrong(
+        return wrongOption(
             QStringLiteral("a %1 does not run software %2: CB3 models run series 3, all others 5 and 10")
                 .arg(name, version));
     }
     const SoftwareVersion first = firstSoftware(id, software.isPolyScopeX());
     if (!model.isCb3() && software < first) {
-        return wrong(QStringLiteral("a %1 does not run software %2: the first that knows it is %3.%4")
-                         .arg(name, version)
-                         .arg(first.major)
-                         .arg(first.minor));
+        return wrongOption(QStringLiteral("a %1 does not run software %2: the first that knows it is %3.%4")
+                               .arg(name, version)
+                               .arg(first.major)
+                               .arg(first.minor));
     }
     return {};
 }

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kLastAddress = 65535;
 constexpr std::size_t kMostSignals = 1000;
-constexpr double kTimeTolerance = 1e-9;  // sums of periods miss the whole second by rounding
+constexpr double kPeriodTolerance = 1e-9;  // sums of periods miss the whole second by rounding
 
 Error noSignal(std::string_view name) {
     return urscript::scriptError("Modbus signal '" + std::string(name) + "' does not exist");
@@ -213,7 +213,7 @@ void ModbusDevice::update(Signal& signal) {
 void ModbusDevice::step(double dt) {
     for (auto& [name, signal] : signals_) {
         signal.untilUpdate -= dt;
-        if (signal.untilUpdate > kTimeTolerance) {
+        if (signal.untilUpdate > kPeriodTolerance) {
             signal.invalidFor += isAnswered(signal) ? 0 : dt;
             continue;
         }

@@ -4,21 +4,12 @@
 #include <algorithm>
 #include <charconv>
 
+#include "robot/core/ascii.h"
 #include "robot/simulator/urscript/builtin.h"
 
 namespace tiller::simulator::urscript {
 
 namespace {
-
-std::string_view trimmed(std::string_view s) {
-    while (!s.empty() && s.front() == ' ') {
-        s.remove_prefix(1);
-    }
-    while (!s.empty() && s.back() == ' ') {
-        s.remove_suffix(1);
-    }
-    return s;
-}
 
 // The literal of a default: number, bool, string, or a list of numbers.
 Value literal(std::string_view text) {

@@ -11,7 +11,7 @@ constexpr const char* kEuromap = "a Euromap67 interface";
 constexpr const char* kEtherNetIp = "an EtherNet/IP scanner";
 constexpr const char* kRos = "a ROS network";
 
-constexpr BuiltinRow kRows[] = {
+constexpr BuiltinRow kAbsentRows[] = {
     {"get_euromap_input(port_number)", absent, kPlain, {}, kEuromap},
     {"get_euromap_output(port_number)", absent, kPlain, {}, kEuromap},
     {"set_euromap_output(port_number, signal_value)", absent, kPlain, {}, kEuromap},
@@ -27,7 +27,7 @@ constexpr BuiltinRow kRows[] = {
 }  // namespace
 
 std::span<const BuiltinRow> absentBuiltins() {
-    return kRows;
+    return kAbsentRows;
 }
 
 }  // namespace tiller::simulator::urscript

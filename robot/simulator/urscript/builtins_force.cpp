@@ -111,7 +111,7 @@ Status endScrewDriving(Call& c) {
     return Status::Done;
 }
 
-constexpr BuiltinRow kRows[] = {
+constexpr BuiltinRow kForceRows[] = {
     {"force_mode(task_frame, selection_vector, wrench, type, limits)", forceMode},
     {"end_force_mode()", endForceMode},
     {"force_mode_set_damping(damping)", setDamping},
@@ -132,7 +132,7 @@ constexpr BuiltinRow kRows[] = {
 }  // namespace
 
 std::span<const BuiltinRow> forceBuiltins() {
-    return kRows;
+    return kForceRows;
 }
 
 }  // namespace tiller::simulator::urscript

@@ -42,7 +42,7 @@ Status clearInterpreter(Call& c) {
 
 constexpr Since kSince{10, 0, false};
 
-constexpr BuiltinRow kRows[] = {
+constexpr BuiltinRow kInterpreterRows[] = {
     // As a bare statement it is the program from then on, like one that moves.
     {"interpreter_mode(clearQueueOnEnter=True, clearOnEnd=True)", interpreterMode, kMotion, kSince},
     {"end_interpreter()", endInterpreter, kPlain, kSince},
@@ -52,7 +52,7 @@ constexpr BuiltinRow kRows[] = {
 }  // namespace
 
 std::span<const BuiltinRow> interpreterBuiltins() {
-    return kRows;
+    return kInterpreterRows;
 }
 
 }  // namespace tiller::simulator::urscript

@@ -146,7 +146,7 @@ Status setRunStateOutputs(Call& c) {
     return Status::Done;
 }
 
-constexpr BuiltinRow kRows[] = {
+constexpr BuiltinRow kIoRows[] = {
     {"get_standard_digital_in(n)", digitalIn<DigitalBank::Standard, 7>},
     {"get_standard_digital_out(n)", digitalOut<DigitalBank::Standard, 7>},
     {"get_configurable_digital_in(n)", digitalIn<DigitalBank::Configurable, 7>},
@@ -194,7 +194,7 @@ constexpr BuiltinRow kRows[] = {
 }  // namespace
 
 std::span<const BuiltinRow> ioBuiltins() {
-    return kRows;
+    return kIoRows;
 }
 
 }  // namespace tiller::simulator::urscript

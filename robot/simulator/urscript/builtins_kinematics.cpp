@@ -92,7 +92,7 @@ Status coriolis(Call& c) {
     return Status::Done;
 }
 
-constexpr BuiltinRow kRows[] = {
+constexpr BuiltinRow kKinematicsRows[] = {
     {"get_forward_kin(q?, tcp?)", forwardKin},
     {"get_inverse_kin(x, qnear?, maxPositionError=1e-10, maxOrientationError=1e-10, tcp?)", inverseKin},
     {"get_inverse_kin_has_solution(pose, qnear?, maxPositionError=1e-10, maxOrientationError=1e-10, tcp?)",
@@ -109,7 +109,7 @@ constexpr BuiltinRow kRows[] = {
 }  // namespace
 
 std::span<const BuiltinRow> kinematicsBuiltins() {
-    return kRows;
+    return kKinematicsRows;
 }
 
 }  // namespace tiller::simulator::urscript

@@ -175,7 +175,7 @@ Status integerToBinaryList(Call& c) {
     return Status::Done;
 }
 
-constexpr BuiltinRow kRows[] = {
+constexpr BuiltinRow kListRows[] = {
     {"norm(a)", norm},
     {"normalize(v)", normalize},
     {"get_list_length(v)", length},
@@ -191,7 +191,7 @@ constexpr BuiltinRow kRows[] = {
 }  // namespace
 
 std::span<const BuiltinRow> listBuiltins() {
-    return kRows;
+    return kListRows;
 }
 
 }  // namespace tiller::simulator::urscript

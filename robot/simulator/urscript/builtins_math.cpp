@@ -86,7 +86,7 @@ Status random(Call& c) {
     return Status::Done;
 }
 
-constexpr BuiltinRow kRows[] = {
+constexpr BuiltinRow kMathRows[] = {
     {"acos(f)", arc<std::acos>},
     {"asin(f)", arc<std::asin>},
     {"atan(f)", unary<std::atan>},
@@ -107,7 +107,7 @@ constexpr BuiltinRow kRows[] = {
 }  // namespace
 
 std::span<const BuiltinRow> mathBuiltins() {
-    return kRows;
+    return kMathRows;
 }
 
 }  // namespace tiller::simulator::urscript

@@ -146,7 +146,7 @@ Status setFrequency(Call& c) {
     return Status::Done;
 }
 
-Status setWatchdog(Call& c) {
+Status setSignalWatchdog(Call& c) {
     const double seconds = c.finite(1);
     if (seconds < 0 || seconds > 300) {
         fault("Range error: modbus_set_signal_watchdog takes 0 to 300 s");
@@ -188,7 +188,7 @@ Status resetConnection(Call& c) {
     return c.boolean(1) && !c.host.isModbusConnected() ? Status::Again : Status::Done;
 }
 
-constexpr BuiltinRow kRows[] = {
+constexpr BuiltinRow kModbusRows[] = {
     {"modbus_add_signal(IP, slave_number, signal_address, signal_type, signal_name, sequential_mode=False, "
      "register_count?)",
      addSignal},
@@ -202,7 +202,7 @@ constexpr BuiltinRow kRows[] = {
     {"modbus_set_output_register(signal_name, register_value, is_secondary_program=False)", setRegister},
     {"modbus_set_output_signal(signal_name, digital_value, is_secondary_program=False)", setSignal},
     {"modbus_set_signal_update_frequency(signal_name, update_frequency)", setFrequency},
-    {"modbus_set_signal_watchdog(signal_name, new_timeout_in_sec)", setWatchdog},
+    {"modbus_set_signal_watchdog(signal_name, new_timeout_in_sec)", setSignalWatchdog},
     {"modbus_set_digital_input_action(signal_name, action)", setInputAction},
     {"modbus_set_runstate_dependent_choice(signal_name, runstate_choice)", setRunState},
     {"modbus_send_custom_command(IP, slave_number, function_code, data)", sendCommand},
@@ -212,7 +212,7 @@ constexpr BuiltinRow kRows[] = {
 }  // namespace
 
 std::span<const BuiltinRow> modbusBuiltins() {
-    return kRows;
+    return kModbusRows;
 }
 
 }  // namespace tiller::simulator::urscript

@@ -232,7 +232,7 @@ Status jerkGainGet(Call& c) {
     return Status::Done;
 }
 
-constexpr BuiltinRow kRows[] = {
+constexpr BuiltinRow kMotionRows[] = {
     {"movej(q, a=1.4, v=1.05, t=0, r=0)", movej, kMotion},
     {"movel(pose, a=1.2, v=0.25, t=0, r=0)", movel, kMotion},
     {"movep(pose, a=1.2, v=0.25, r=0)", movep, kMotion},
@@ -267,7 +267,7 @@ constexpr BuiltinRow kRows[] = {
 }  // namespace
 
 std::span<const BuiltinRow> motionBuiltins() {
-    return kRows;
+    return kMotionRows;
 }
 
 }  // namespace tiller::simulator::urscript

@@ -83,7 +83,7 @@ Status wrenchTrans(Call& c) {
     return Status::Done;
 }
 
-constexpr BuiltinRow kRows[] = {
+constexpr BuiltinRow kPoseRows[] = {
     {"interpolate_pose(p_from, p_to, alpha)", interpolatePose},
     {"point_dist(p_from, p_to)", pointDist},
     {"pose_dist(p_from, p_to)", poseDist},
@@ -99,7 +99,7 @@ constexpr BuiltinRow kRows[] = {
 }  // namespace
 
 std::span<const BuiltinRow> poseBuiltins() {
-    return kRows;
+    return kPoseRows;
 }
 
 }  // namespace tiller::simulator::urscript

@@ -117,7 +117,7 @@ Status assertTrue(Call& c) {
     return Status::Done;
 }
 
-constexpr BuiltinRow kRows[] = {
+constexpr BuiltinRow kProgramRows[] = {
     {"sync()", sync},
     {"sleep(t)", sleep},
     {"get_steptime()", getSteptime},
@@ -137,7 +137,7 @@ constexpr BuiltinRow kRows[] = {
 }  // namespace
 
 std::span<const BuiltinRow> programBuiltins() {
-    return kRows;
+    return kProgramRows;
 }
 
 }  // namespace tiller::simulator::urscript

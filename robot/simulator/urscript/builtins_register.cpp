@@ -67,7 +67,7 @@ Status writePortRegister(Call& c) {
     return Status::Done;
 }
 
-constexpr BuiltinRow kRows[] = {
+constexpr BuiltinRow kRegisterRows[] = {
     {"read_input_boolean_register(address)", readBool<RegisterSide::Input>},
     {"read_input_integer_register(address)", readInt<RegisterSide::Input>},
     {"read_input_float_register(address)", readFloat<RegisterSide::Input>},
@@ -88,7 +88,7 @@ constexpr BuiltinRow kRows[] = {
 }  // namespace
 
 std::span<const BuiltinRow> registerBuiltins() {
-    return kRows;
+    return kRegisterRows;
 }
 
 }  // namespace tiller::simulator::urscript

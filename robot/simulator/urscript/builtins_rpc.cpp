@@ -35,14 +35,14 @@ Status rpcFactory(Call& c) {
     return Status::Done;
 }
 
-constexpr BuiltinRow kRows[] = {
+constexpr BuiltinRow kRpcRows[] = {
     {"rpc_factory(type, url)", rpcFactory},
 };
 
 }  // namespace
 
 std::span<const BuiltinRow> rpcBuiltins() {
-    return kRows;
+    return kRpcRows;
 }
 
 }  // namespace tiller::simulator::urscript

@@ -192,7 +192,7 @@ Status enableExternalFtSensor(Call& c) {
     return Status::Done;
 }
 
-constexpr BuiltinRow kRows[] = {
+constexpr BuiltinRow kSetupRows[] = {
     {"get_tcp_offset()", getTcpOffset},
     {"set_tcp(pose, tcp_name=\"\")", setTcp},
     {"get_target_payload()", targetPayload},
@@ -224,7 +224,7 @@ constexpr BuiltinRow kRows[] = {
 }  // namespace
 
 std::span<const BuiltinRow> setupBuiltins() {
-    return kRows;
+    return kSetupRows;
 }
 
 }  // namespace tiller::simulator::urscript

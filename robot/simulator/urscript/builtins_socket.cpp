@@ -264,7 +264,7 @@ Status setVar(Call& c) {
     return Status::Done;
 }
 
-constexpr BuiltinRow kRows[] = {
+constexpr BuiltinRow kSocketRows[] = {
     {"socket_open(address, port, socket_name=\"socket_0\")", socketOpen},
     {"socket_close(socket_name=\"socket_0\")", socketClose},
     {"socket_read_binary_integer(number, socket_name=\"socket_0\", timeout=2)", readBinaryInteger},
@@ -285,7 +285,7 @@ constexpr BuiltinRow kRows[] = {
 }  // namespace
 
 std::span<const BuiltinRow> socketBuiltins() {
-    return kRows;
+    return kSocketRows;
 }
 
 }  // namespace tiller::simulator::urscript

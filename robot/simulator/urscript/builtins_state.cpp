@@ -125,7 +125,7 @@ Status rtdeValue(Call& c) {
     return Status::Done;
 }
 
-constexpr BuiltinRow kRows[] = {
+constexpr BuiltinRow kStateRows[] = {
     {"get_actual_joint_positions()", jointPositions<Source::Actual>},
     {"get_actual_joint_positions_history(steps=0)", history},
     {"get_actual_joint_speeds()", jointSpeeds<Source::Actual>},
@@ -158,7 +158,7 @@ constexpr BuiltinRow kRows[] = {
 }  // namespace
 
 std::span<const BuiltinRow> stateBuiltins() {
-    return kRows;
+    return kStateRows;
 }
 
 }  // namespace tiller::simulator::urscript

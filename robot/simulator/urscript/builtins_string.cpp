@@ -121,7 +121,7 @@ Status toNum(Call& c) {
     return Status::Done;
 }
 
-constexpr BuiltinRow kRows[] = {
+constexpr BuiltinRow kStringRows[] = {
     {"str_at(src, index)", strAt}, {"str_cat(op1, op2)", strCat},
     {"str_empty(str)", strEmpty},  {"str_find(src, target, start_from=0)", strFind},
     {"str_len(str)", strLen},      {"str_sub(src, index, len?)", strSub},
@@ -131,7 +131,7 @@ constexpr BuiltinRow kRows[] = {
 }  // namespace
 
 std::span<const BuiltinRow> stringBuiltins() {
-    return kRows;
+    return kStringRows;
 }
 
 }  // namespace tiller::simulator::urscript

@@ -88,7 +88,7 @@ Status encoderUnwind(Call& c) {
     return Status::Done;
 }
 
-constexpr BuiltinRow kRows[] = {
+constexpr BuiltinRow kSuperpositionRows[] = {
     {"path_offset_enable()", pathOffsetEnable},
     {"path_offset_disable(a=20)", stopSuperposition, kMotion},
     {"path_offset_set(offset, type)", pathOffsetSet},
@@ -112,7 +112,7 @@ constexpr BuiltinRow kRows[] = {
 }  // namespace
 
 std::span<const BuiltinRow> superpositionBuiltins() {
-    return kRows;
+    return kSuperpositionRows;
 }
 
 }  // namespace tiller::simulator::urscript

@@ -8,7 +8,7 @@ namespace tiller::simulator::urscript {
 namespace {
 
 template <class T>
-T valueOf(Result<T> outcome) {
+T valueOrFault(Result<T> outcome) {
     if (!outcome.ok()) {
         fault(outcome.error());
     }
@@ -48,12 +48,12 @@ Status resetWorldModel(Call& c) {
     return Status::Done;
 }
 Status getPose(Call& c) {
-    c.result = valueOf(c.host.world().poseOf(c.string(0), c.string(1), c.given(2) ? c.string(2) : c.string(1),
-                                             c.host.armFrames()));
+    c.result = valueOrFault(c.host.world().poseOf(
+        c.string(0), c.string(1), c.given(2) ? c.string(2) : c.string(1), c.host.armFrames()));
     return Status::Done;
 }
 Status convertPose(Call& c) {
-    c.result = valueOf(c.host.convertPose(finitePose(c, 0), c.string(1), c.string(2)));
+    c.result = valueOrFault(c.host.convertPose(finitePose(c, 0), c.string(1), c.string(2)));
     return Status::Done;
 }
 Status isFrame(Call& c) {
@@ -61,12 +61,12 @@ Status isFrame(Call& c) {
     return Status::Done;
 }
 Status frameParent(Call& c) {
-    c.result = Value(valueOf(c.host.world().parentOf(c.string(0))));
+    c.result = Value(valueOrFault(c.host.world().parentOf(c.string(0))));
     return Status::Done;
 }
 Status frameChildren(Call& c) {
     ListData data;
-    for (const std::string& name : valueOf(c.host.world().childrenOf(c.string(0)))) {
+    for (const std::string& name : valueOrFault(c.host.world().childrenOf(c.string(0)))) {
         data.insert(data.size(), Value(name));
     }
     c.result = Value::list(std::move(data));
@@ -90,7 +90,7 @@ Status setPayloadFromFrames(Call& c) {
     return Status::Done;
 }
 
-constexpr BuiltinRow kRows[] = {
+constexpr BuiltinRow kWorldRows[] = {
     {"add_frame(name, pose, ref_name=\"base\")", addFrame, kPlain, kPolyScopeX},
     {"attach_frame(child, parent)", attachFrame, kPlain, kPolyScopeX},
     {"move_frame(name, pose, ref_name=\"base\")", moveFrame, kPlain, kPolyScopeX},
@@ -109,7 +109,7 @@ constexpr BuiltinRow kRows[] = {
 }  // namespace
 
 std::span<const BuiltinRow> worldBuiltins() {
-    return kRows;
+    return kWorldRows;
 }
 
 }  // namespace tiller::simulator::urscript

@@ -42,9 +42,6 @@ constexpr std::array<std::pair<std::string_view, TokenKind>, 28> kKeywords{{
     {"struct", TokenKind::KwStruct},
 }};
 
-bool isLetter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
 bool isDigit(char c) {
     return c >= '0' && c <= '9';
 }

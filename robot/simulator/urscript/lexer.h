@@ -80,6 +80,11 @@ struct Token {
     std::string_view text;  ///< identifier or string content, inside the source
 };
 
+/// What a name begins with.
+constexpr bool isLetter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
 /// Keyword of that spelling, or Identifier.
 TokenKind keywordKind(std::string_view word);
 

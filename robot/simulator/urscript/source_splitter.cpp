@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "robot/core/ascii.h"
 #include "robot/simulator/urscript/lexer.h"
 
 namespace tiller::simulator::urscript {
@@ -14,19 +15,8 @@ namespace {
 constexpr std::array<std::string_view, 6> kUrgent{"stop program",  "power on",   "power off",
                                                   "set robotmode", "set unlock", "pause program"};
 
-bool isLetter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
 bool isWordCharacter(char c) {
     return isLetter(c) || (c >= '0' && c <= '9');
-}
-
-std::string_view trimmed(std::string_view s) {
-    const std::size_t first = s.find_first_not_of(" \t\r\n");
-    if (first == std::string_view::npos) {
-        return {};
-    }
-    return s.substr(first, s.find_last_not_of(" \t\r\n") - first + 1);
 }
 
 // The words and brackets of one line, comments and strings left out.

@@ -17,9 +17,9 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 using Face = ur_rtde::RTDEControlInterface;
 
-constexpr milliseconds kConnectTime(5000);
+constexpr milliseconds kCustomConnectTime(5000);
 constexpr milliseconds kProgramStart(5000);
-constexpr milliseconds kManualStart(60000);
+constexpr milliseconds kCustomManualStart(60000);
 constexpr milliseconds kProgramEnd(5000);
 // A move takes as long as it takes: at a speed slider of 2 % a minute becomes an hour.
 constexpr milliseconds kEver = std::chrono::hours(24 * 365);
@@ -139,7 +139,7 @@ void CustomControl::connect() {
     wanted.frequency = options_.frequency > 0 ? options_.frequency : 0;
     wanted.offset = options_.offset();
     wanted.priority = options_.priority;
-    auto opened = RegisterLink::open(wanted, within(kConnectTime));
+    auto opened = RegisterLink::open(wanted, within(kCustomConnectTime));
     if (!opened) {
         raise(opened.error());
     }
@@ -148,7 +148,8 @@ void CustomControl::connect() {
         const std::lock_guard lock(linkMutex_);
         link_ = fresh;
     }
-    if (!fresh->wait([](const RegisterState& state) { return state.sequence > 0; }, never, kConnectTime)) {
+    if (!fresh->wait([](const RegisterState& state) { return state.sequence > 0; }, never,
+                     kCustomConnectTime)) {
         throw std::runtime_error("RTDE at " + options_.host + " sends no data");
     }
     fresh->clear();
@@ -170,7 +171,7 @@ void CustomControl::startProgram(RegisterLink& link) {
         }
         return;
     }
-    if (!options_.has(Face::FLAG_NO_WAIT) && !awaitProgram(link, kManualStart)) {
+    if (!options_.has(Face::FLAG_NO_WAIT) && !awaitProgram(link, kCustomManualStart)) {
         throw std::logic_error("No program was started on the robot within 60 s");
     }
 }

@@ -5,13 +5,11 @@
 #include <cctype>
 #include <charconv>
 
+#include "robot/core/ascii.h"
+
 namespace tiller::simulator {
 
 namespace {
-
-char lower(char c) {
-    return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-}
 
 std::string lowered(std::string_view text) {
     std::string out(text);
@@ -19,7 +17,8 @@ std::string lowered(std::string_view text) {
     return out;
 }
 
-std::string_view trimmed(std::string_view text) {
+/// The blanks of HTTP are spaces and tabs, no others.
+std::string_view withoutBlanks(std::string_view text) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) {
         text.remove_prefix(1);
     }
@@ -199,7 +198,7 @@ void HttpParser::readHeader(std::string_view text) {
         return;
     }
     const std::string name = lowered(text.substr(0, colon));
-    const std::string_view value = trimmed(text.substr(colon + 1));
+    const std::string_view value = withoutBlanks(text.substr(colon + 1));
     if (name == "content-length") {
         const auto size = number(value, 10);
         if (!size || (sawLength_ && *size != length_)) {
@@ -249,7 +248,7 @@ bool HttpParser::readChunks() {
                 return false;
             }
             headSize_ = 0;
-            const auto size = number(trimmed(text->substr(0, text->find(';'))), 16);
+            const auto size = number(withoutBlanks(text->substr(0, text->find(';'))), 16);
             if (!size) {
                 fail(400);
                 return false;
@@ -308,10 +307,10 @@ std::optional<std::string> parameter(std::string_view header, std::string_view n
         for (bool quoted = false; end < header.size() && (quoted || header[end] != ';'); ++end) {
             quoted = header[end] == '"' ? !quoted : quoted;
         }
-        std::string_view piece = trimmed(header.substr(at + 1, end - at - 1));
+        std::string_view piece = withoutBlanks(header.substr(at + 1, end - at - 1));
         const std::size_t equals = piece.find('=');
-        if (equals != std::string_view::npos && lowered(trimmed(piece.substr(0, equals))) == name) {
-            std::string_view value = trimmed(piece.substr(equals + 1));
+        if (equals != std::string_view::npos && lowered(withoutBlanks(piece.substr(0, equals))) == name) {
+            std::string_view value = withoutBlanks(piece.substr(equals + 1));
             if (value.size() >= 2 && value.front() == '"' && value.back() == '"') {
                 value = value.substr(1, value.size() - 2);
             }

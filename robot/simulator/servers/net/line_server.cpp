@@ -8,7 +8,7 @@ namespace tiller::simulator {
 namespace {
 constexpr std::size_t kLongestLine = 16 * 1024;
 /// Bytes of one client read at a stretch, so that one that floods does not keep the others waiting.
-constexpr std::size_t kReadShare = 64 * 1024;
+constexpr std::size_t kLineShare = 64 * 1024;
 }  // namespace
 
 void LineServer::service() {
@@ -29,7 +29,7 @@ void LineServer::service() {
 void LineServer::read(Client& client) {
     std::array<std::uint8_t, 4096> buffer;
     std::size_t total = 0;
-    while (client.peer.isOpen() && total < kReadShare) {
+    while (client.peer.isOpen() && total < kLineShare) {
         const std::size_t got = client.peer.receive(buffer);
         if (got == 0) {
             return;

@@ -15,7 +15,7 @@ namespace {
 using urscript::Value;
 
 constexpr unsigned kProgramState = 25;
-enum Kind : unsigned { kSetup = 0, kUpdate = 1 };
+enum Content : unsigned { kSetup = 0, kUpdate = 1 };
 enum : unsigned { kNone = 0, kString = 3 };  // in all software
 /// The other types' numbers, which changed when matrices came.
 struct TypeNumbers {
@@ -35,7 +35,7 @@ constexpr std::size_t kLargest = 3000;
 constexpr std::size_t kLargestValue = 2800;
 
 /// Cuts a row of items into packages. item  appends the n-th one
-std::vector<Bytes> packed(Kind kind, std::size_t count,
+std::vector<Bytes> packed(Content kind, std::size_t count,
                           const std::function<void(std::size_t, Bytes&)>& item) {
     std::vector<Bytes> all;
     Bytes one;

@@ -12,7 +12,7 @@ namespace tiller::simulator {
 namespace {
 constexpr std::size_t kMostInputRecipes = 255;
 /// Bytes of one client read at a stretch, so that one that floods does not keep the others waiting.
-constexpr std::size_t kReadShare = 256 * 1024;
+constexpr std::size_t kRtdeShare = 256 * 1024;
 /// A CB3 serves so many clients; a further one completes its handshake and is closed after so long [s].
 /// Source: Universal Robots forum, threads 2793 and 3673
 constexpr int kMostCb3Clients = 3;
@@ -63,7 +63,7 @@ void RtdeServer::removeGone() {
 
 void RtdeServer::read(Client& client) {
     std::size_t total = 0;
-    while (client.peer.isOpen() && total < kReadShare) {
+    while (client.peer.isOpen() && total < kRtdeShare) {
         const std::size_t got = client.peer.receive(client.splitter.writable());
         if (got == 0) {
             return;

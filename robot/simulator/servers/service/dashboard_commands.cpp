@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "robot/core/ascii.h"
 #include "robot/simulator/box/personality.h"
 #include "robot/simulator/box/plant.h"
 #include "robot/simulator/programs/program_runner.h"
@@ -22,22 +23,9 @@ constexpr const char* kRefusedInLocal =
     "Command is not allowed due to safety reasons, please switch robot to Remote Control mode and reconnect "
     "to port 29999";
 
-char lower(char c) {
-    return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-}
-
 bool startsWithIgnoringCase(std::string_view text, std::string_view start) {
     return text.size() >= start.size() && std::equal(start.begin(), start.end(), text.begin(),
                                                      [](char a, char b) { return lower(a) == lower(b); });
-}
-
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view kBlank = " \t\r";
-    const std::size_t first = text.find_first_not_of(kBlank);
-    if (first == std::string_view::npos) {
-        return {};
-    }
-    return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
 std::string upper(std::string text) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "robot/core/ascii.h"
 #include "robot/simulator/box/plant.h"
 #include "robot/simulator/programs/program_runner.h"
 #include "robot/simulator/urscript/interpreter_mode.h"
@@ -15,13 +16,7 @@ namespace {
 
 using urscript::InterpreterMode;
 
-constexpr std::size_t kReadShare = 256 * 1024;  ///< of one client at a stretch [bytes]
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r");
-    return first == std::string_view::npos ? std::string_view()
-                                           : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
+constexpr std::size_t kInterpreterShare = 256 * 1024;  ///< of one client at a stretch [bytes]
 
 std::string discard(std::string_view reason, std::string_view line) {
     // The reason ends where the statement begins.
@@ -74,7 +69,7 @@ void InterpreterServer::service() {
 void InterpreterServer::read(Client& client) {
     std::array<std::uint8_t, 16 * 1024> buffer;
     std::size_t total = 0;
-    while (client.peer.isOpen() && total < kReadShare && client.lines.size() < kMostWaiting) {
+    while (client.peer.isOpen() && total < kInterpreterShare && client.lines.size() < kMostWaiting) {
         const std::size_t got = client.peer.receive(buffer);
         if (got == 0) {
             return;

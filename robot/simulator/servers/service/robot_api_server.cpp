@@ -9,7 +9,7 @@ namespace tiller::simulator {
 
 namespace {
 /// Bytes of one client read at a stretch, so that one that floods does not keep the others waiting.
-constexpr std::size_t kReadShare = 256 * 1024;
+constexpr std::size_t kRequestShare = 256 * 1024;
 /// How long an answer waits for the robot [s]: the vendor's client gives up after 10.
 constexpr double kMostPatience = 8.0;
 }  // namespace
@@ -31,7 +31,7 @@ void RobotApiServer::read(Client& client) {
     std::array<std::uint8_t, 16 * 1024> buffer;
     std::size_t total = 0;
     // What comes while an answer is kept back is left to the network, which holds only so much.
-    while (client.peer.isOpen() && !client.next && total < kReadShare) {
+    while (client.peer.isOpen() && !client.next && total < kRequestShare) {
         const std::size_t got = client.peer.receive(buffer);
         if (got == 0) {
             return;

@@ -10,14 +10,14 @@
 namespace tiller::simulator {
 
 namespace {
-constexpr std::size_t kReadShare = 256 * 1024;  ///< of one client at a stretch [bytes]
+constexpr std::size_t kScriptShare = 256 * 1024;  ///< of one client at a stretch [bytes]
 constexpr std::int32_t kReadOnlyInLocal = 210;
 }  // namespace
 
 void ScriptIntake::read(Peer& peer, Plant* plant) {
     std::array<std::uint8_t, 16 * 1024> buffer;
     std::size_t total = 0;
-    while (peer.isOpen() && total < kReadShare) {
+    while (peer.isOpen() && total < kScriptShare) {
         const std::size_t got = peer.receive(buffer);
         if (got == 0) {
             break;
