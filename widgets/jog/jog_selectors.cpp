@@ -105,8 +105,10 @@ JogSelectors::JogSelectors(std::function<control::MotionLimits()> limits, QWidge
 
 void JogSelectors::connectControls() {
     connect(frame_, &SegmentedControl::currentChanged, this, &JogSelectors::chooseFrame);
-    connect(motion_, &SegmentedControl::currentChanged, this, &JogSelectors::chooseLength);
-    connect(turn_, &SegmentedControl::currentChanged, this, &JogSelectors::chooseAngle);
+    connect(motion_, &SegmentedControl::currentChanged, this,
+            [this](int segment) { chooseStep(&StepSize::length, segment); });
+    connect(turn_, &SegmentedControl::currentChanged, this,
+            [this](int segment) { chooseStep(&StepSize::angle, segment); });
     connect(speed_, &SegmentedControl::currentChanged, this, [this](int index) {
         Q_EMIT changing(StopCause::SelectionChanged);
         selection_.speedClass = index;
@@ -222,7 +224,7 @@ void JogSelectors::setFreeSpeed(double tcpSpeed) {
     refreshTexts();
 }
 
-void JogSelectors::chooseLength(int segment) {
+void JogSelectors::chooseStep(double StepSize::*size, int segment) {
     if (following_) {
         return;
     }
@@ -231,22 +233,8 @@ void JogSelectors::chooseLength(int segment) {
         choose(MotionChoice::Hold);
         return;
     }
-    step_.length =
-        segment == kOtherSegment ? other_.length : stepSize(static_cast<MotionChoice>(segment)).length;
-    choose(MotionChoice::CoarseStep);
-}
-
-void JogSelectors::chooseAngle(int segment) {
-    if (following_) {
-        return;
-    }
-    Q_EMIT changing(StopCause::SelectionChanged);
-    if (segment == kHoldSegment) {
-        choose(MotionChoice::Hold);
-        return;
-    }
-    step_.angle =
-        segment == kOtherSegment ? other_.angle : stepSize(static_cast<MotionChoice>(segment)).angle;
+    step_.*size =
+        segment == kOtherSegment ? other_.*size : stepSize(static_cast<MotionChoice>(segment)).*size;
     choose(MotionChoice::CoarseStep);
 }
 

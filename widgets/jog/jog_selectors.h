@@ -66,8 +66,8 @@ private:
     void showFrames();
     void offerChoices(SegmentedControl* control, int segment, std::function<void(QMenu&)> fill);
     void choose(MotionChoice motion);
-    void chooseLength(int segment);
-    void chooseAngle(int segment);
+    /// A key of the row of lengths or of angles.
+    void chooseStep(double StepSize::*size, int segment);
     void fillLengthMenu(QMenu& menu);
     void fillAngleMenu(QMenu& menu);
     void fillSpeedMenu(QMenu& menu);
