@@ -19,6 +19,7 @@ namespace {
 
 constexpr int kGap = 8;            // between the card and the edges of the view [px]
 constexpr int kMargin = 10;        // inside
+constexpr int kHeadMargin = 6;     // above and below the title
 constexpr int kLeastContent = 44;  // below this it is folded
 
 QToolButton* quietKey(const QString& name, const QString& text, QWidget* parent) {
@@ -78,11 +79,12 @@ ViewCard::ViewCard(const QString& name, const QString& title, int height, QWidge
     head->addWidget(fold_);
     head->addWidget(close_);
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(kMargin, 6, kMargin, kMargin);
+    layout->setContentsMargins(kMargin, kMargin, kMargin, kHeadMargin);
     layout->setSpacing(6);
-    layout->addLayout(head);
+    // A drawer at the lower edge of the view: its keys stay in their place when it folds and unfolds.
     layout->addWidget(scroll_, 1);
     layout->addWidget(foot_);
+    layout->addLayout(head);
 
     connect(fold_, &QToolButton::clicked, this, [this] { setFolded(!folded_); });
     connect(close_, &QToolButton::clicked, this, &ViewCard::closeRequested);
@@ -153,17 +155,15 @@ int ViewCard::wantedHeight() const {
     const int width = kWidth - 2 * kMargin;
     const int content = contentLayout_->hasHeightForWidth() ? contentLayout_->totalHeightForWidth(width)
                                                             : contentLayout_->totalSizeHint().height();
-    const QMargins margins = layout()->contentsMargins();
-    return margins.top() + fold_->sizeHint().height() + layout()->spacing() + content + layout()->spacing() +
-           footHeight() + margins.bottom();
+    return kMargin + content + layout()->spacing() + footHeight() + layout()->spacing() +
+           fold_->sizeHint().height() + kHeadMargin;
 }
 
 void ViewCard::place() {
     const int width = std::min(kWidth, view_.width() - 2 * kGap);
     const int room = view_.height() - 2 * kGap;
-    const QMargins margins = layout()->contentsMargins();
-    const int head = margins.top() + fold_->sizeHint().height() + margins.bottom();
-    const int least = head + kLeastContent + 2 * layout()->spacing() + footHeight();
+    const int head = fold_->sizeHint().height() + 2 * kHeadMargin;
+    const int least = head + kMargin + kLeastContent + 2 * layout()->spacing() + footHeight();
     noRoom_ = room < least || width < kWidth;
     const bool folded = isFolded();
     const QWidget* focus = window()->focusWidget();
@@ -171,6 +171,7 @@ void ViewCard::place() {
         (noRoom_ && focus == fold_)) {
         view_.setFocus(Qt::OtherFocusReason);
     }
+    layout()->setContentsMargins(kMargin, folded ? kHeadMargin : kMargin, kMargin, kHeadMargin);
     scroll_->setVisible(!folded);
     foot_->setVisible(!folded);
     fold_->setChecked(folded);
@@ -182,9 +183,7 @@ void ViewCard::place() {
     fold_->setAccessibleName(what);
     fold_->setToolTip(what);
     const int height = folded ? head : std::min(wantedHeight(), room);
-    // The upper edge stays when it folds: the key that was pressed keeps its place.
-    const int full = noRoom_ ? head : std::min(wantedHeight(), room);
-    setGeometry(kGap, view_.height() - kGap - full, width, height);
+    setGeometry(kGap, view_.height() - kGap - height, width, height);
 }
 
 bool ViewCard::event(QEvent* event) {
