@@ -8,7 +8,7 @@ neither the source tree nor the build tree is changed. A rule that nobody misses
 
     tests/support/without_rules.py [BUILD_FOLDER] [NAME_CONTAINS]
 
-needs a build of the tests named below, in BUILD_FOLDER (build/release).
+needs a build of the tests named below, in BUILD_FOLDER (build/dev): a preset that compiles each file by itself.
 """
 import json
 import os
@@ -45,7 +45,7 @@ def compile_command(build, path):
     for entry in json.loads((build / "compile_commands.json").read_text()):
         if pathlib.Path(entry["file"]).resolve() == path.resolve():
             return shlex.split(entry["command"]), entry["directory"]
-    sys.exit(f"no compile command for {path}")
+    sys.exit(f"no compile command for {path}: build the preset dev, others join files")
 
 
 def link_command(build, test):
@@ -85,7 +85,7 @@ def run(binary, rule=""):
 
 
 def main():
-    build = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/release").resolve()
+    build = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/dev").resolve()
     only = sys.argv[2] if len(sys.argv) > 2 else ""
     unmissed = []
     tried = 0
