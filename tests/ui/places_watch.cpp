@@ -73,6 +73,16 @@ QString nameOf(const QWidget& widget) {
     return QStringLiteral("%1 (%2)").arg(name, QLatin1String(widget.metaObject()->className()));
 }
 
+namespace {
+
+/// Chips that open a menu or the recovery; the others are only read.
+bool isPressed(const StateChip* chip) {
+    return chip != nullptr &&
+           (chip->focusPolicy() != Qt::NoFocus || chip->objectName() == QLatin1String("safetyChip"));
+}
+
+}  // namespace
+
 bool PlacesWatch::isControl(const QWidget& widget) {
     // The parts of Qt's own controls are no controls of their own.
     if (widget.objectName().startsWith(QLatin1String("qt_")) ||
@@ -84,7 +94,7 @@ bool PlacesWatch::isControl(const QWidget& widget) {
            qobject_cast<const QComboBox*>(&widget) != nullptr ||
            qobject_cast<const QAbstractSpinBox*>(&widget) != nullptr ||
            qobject_cast<const QAbstractSlider*>(&widget) != nullptr ||
-           qobject_cast<const StateChip*>(&widget) != nullptr;
+           isPressed(qobject_cast<const StateChip*>(&widget));
 }
 
 const QWidget* PlacesWatch::containerOf(const QWidget& clicked) {

@@ -99,7 +99,7 @@ void StateChip::setState(const QString& text, Shape shape, Emphasis emphasis, co
 }
 
 void StateChip::showTip() {
-    const bool whole = width() >= sizeHint().width();
+    const bool whole = room_ > 0 ? isWhole() && shownCaption() == caption_ : width() >= sizeHint().width();
     const QString tip = whole ? advice_ : advice_.isEmpty() ? text_ : text_ + QLatin1Char('\n') + advice_;
     if (tip != toolTip()) {
         setToolTip(tip);
@@ -148,6 +148,14 @@ void StateChip::setLeastCharacters(int characters) {
     }
 }
 
+void StateChip::setRoom(int width) {
+    if (width != room_) {
+        room_ = width;
+        setFixedWidth(width);
+        updateGeometry();
+    }
+}
+
 void StateChip::setMenuArrow(bool arrow) {
     menuArrow_ = arrow;
     setFocusPolicy(arrow ? Qt::TabFocus : Qt::NoFocus);
@@ -168,11 +176,32 @@ int StateChip::widthFor(const QString& value, const QString& caption) const {
     return std::max(captionWidth, valueWidth) + 2 * padding() + 2;
 }
 
+int StateChip::valueRoom() const {
+    return width() - 2 * padding() - shapeRoom() - (menuArrow_ ? kArrowRoom : 0) + 1;
+}
+
+QFont StateChip::fittingFont() const {
+    constexpr int kSmallest = 11;
+    QFont font = valueFont();
+    while (room_ > 0 && font.pixelSize() > kSmallest &&
+           QFontMetrics(font).horizontalAdvance(text_) > valueRoom()) {
+        font.setPixelSize(font.pixelSize() - 1);
+    }
+    return font;
+}
+
+QString StateChip::shownText() const {
+    return QFontMetrics(fittingFont()).elidedText(text_, Qt::ElideRight, valueRoom());
+}
+
 QSize StateChip::sizeHint() const {
-    return {widthFor(text_, caption_), kHeight};
+    return {room_ > 0 ? room_ : widthFor(text_, caption_), kHeight};
 }
 
 QSize StateChip::minimumSizeHint() const {
+    if (room_ > 0) {
+        return {room_, kHeight};
+    }
     const QString least =
         text_.size() > leastCharacters_ ? text_.left(leastCharacters_) + QChar(0x2026) : text_;
     return {widthFor(least, leastCaption()), kHeight};
@@ -202,11 +231,10 @@ void StateChip::paintEvent(QPaintEvent*) {
         drawShape(painter, shape_, box, colours.shape, colours.fill, mark_);
         x += shapeRoom();
     }
-    painter.setFont(valueFont());
+    painter.setFont(fittingFont());
     painter.setPen(colours.value);
-    const int room = width() - x - padding() - (menuArrow_ ? kArrowRoom : 0);
-    const QString shown = painter.fontMetrics().elidedText(text_, Qt::ElideRight, room + 1);
-    painter.drawText(QRect(x, kValueTop, room + 1, kValueHeight), Qt::AlignLeft | Qt::AlignVCenter, shown);
+    const QString shown = shownText();
+    painter.drawText(QRect(x, kValueTop, valueRoom(), kValueHeight), Qt::AlignLeft | Qt::AlignVCenter, shown);
     if (menuArrow_) {
         const int left = x + painter.fontMetrics().horizontalAdvance(shown) + 6;
         const double y = kValueTop + kValueHeight / 2.0 - 2;

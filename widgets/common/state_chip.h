@@ -58,6 +58,10 @@ public:
     void setDense(bool dense);
     /// Never narrower than the caption and this many characters of the value; the rest is elided.
     void setLeastCharacters(int characters);
+    /// This wide whatever it says [px]: words that are longer get smaller letters, and are elided at last.
+    void setRoom(int width);
+    /// Nothing of the value is elided at this width.
+    bool isWhole() const { return shownText() == text_; }
     /// Shows the little arrow of something that opens a menu.
     void setMenuArrow(bool arrow);
 
@@ -78,6 +82,10 @@ protected:
 private:
     int padding() const;
     QFont valueFont() const;
+    /// The size at which the value fits, no smaller than can be read.
+    QFont fittingFont() const;
+    int valueRoom() const;
+    QString shownText() const;
     int widthFor(const QString& value, const QString& caption) const;
     int shapeRoom() const;
     bool isStrong() const { return emphasis_ != Emphasis::Normal && emphasis_ != Emphasis::Muted; }
@@ -95,6 +103,7 @@ private:
     bool figures_ = false;
     bool menuArrow_ = false;
     int leastCharacters_ = 4;
+    int room_ = 0;  ///< 0: as wide as what it says
     bool dense_ = false;
 };
 

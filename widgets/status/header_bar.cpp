@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
+#include <utility>
 
 #include "widgets/common/notation.h"
 #include "widgets/common/state_chip.h"
@@ -71,7 +72,9 @@ HeaderBar::HeaderBar(HeaderPort port, QWidget* parent)
     stepButton_->setObjectName(QStringLiteral("nextStepButton"));
     stepButton_->setAccessibleName(tr("Next step"));
     stepButton_->setProperty("primary", true);
-    stepButton_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
+    QSizePolicy keepsItsPlace(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    keepsItsPlace.setRetainSizeWhenHidden(true);
+    stepButton_->setSizePolicy(keepsItsPlace);
 
     layout_->addWidget(name_);
     for (QWidget* widget :
@@ -224,12 +227,25 @@ void HeaderBar::showStep() {
         return;  // the next step comes when the hand has had time to see it
     }
     step_ = nextStep(state_);
-    stepButton_->setVisible(step_ != NextStep::None);
     const QString obstacle = nextStepObstacle(state_);
-    stepButton_->setEnabled(obstacle.isEmpty());
+    offerStep(step_ != NextStep::None, obstacle.isEmpty());
     stepButton_->setText(nextStepText(step_));
     stepButton_->setAccessibleName(step_ == NextStep::None ? tr("Next step") : nextStepText(step_));
     stepButton_->setToolTip(obstacle.isEmpty() ? nextStepAdvice(step_) : obstacle);
+}
+
+// Hidden or greyed, a key hands the focus on to what comes next, the robot's speed. It shall go nowhere, and come
+// back with the next step.
+void HeaderBar::offerStep(bool visible, bool enabled) {
+    if (!visible || !enabled) {
+        stepLostFocus_ = stepLostFocus_ || stepButton_->hasFocus();
+        stepButton_->clearFocus();
+    }
+    stepButton_->setVisible(visible);
+    stepButton_->setEnabled(enabled);
+    if (visible && enabled && std::exchange(stepLostFocus_, false) && window()->focusWidget() == nullptr) {
+        stepButton_->setFocus(Qt::OtherFocusReason);
+    }
 }
 
 void HeaderBar::keepPlaces() {
@@ -302,7 +318,7 @@ void HeaderBar::takeStep() {
     if (step_ != NextStep::Connect && step_ != NextStep::Recover) {
         // Busy: a second click is not a second step.
         keepPlaces();
-        stepButton_->setEnabled(false);
+        offerStep(true, false);
     }
     switch (step_) {
         case NextStep::None:
@@ -350,14 +366,18 @@ void HeaderBar::arrange() {
     }
     name_->setVisible(!tight);
     stop_->setFixedWidth(tight ? 132 : narrow ? 160 : 230);
-    speed_->setMaximumWidth(tight ? 120 : narrow ? 170 : 230);
-    // What gives way when words are long: figures first, then names, a state's words last.
-    simulation_->setFixedWidth(tight ? 112 : 145);
-    robot_->setMaximumWidth(tight ? 150 : narrow ? 170 : 250);
-    robot_->setLeastCharacters(tight ? 4 : 8);
-    mode_->setLeastCharacters(tight ? 11 : narrow ? 15 : 20);
-    safety_->setLeastCharacters(tight ? 12 : narrow ? 20 : 26);
-    control_->setLeastCharacters(tight ? 7 : narrow ? 11 : 20);
+    // What can be pressed keeps its place, whatever the words are: a second click must not land on something else.
+    // The figures behind it share the rest.
+    const auto wide = [tight, narrow](int least, int middle, int most) {
+        return tight ? least : narrow ? middle : most;
+    };
+    robot_->setRoom(wide(132, 150, 190));
+    simulation_->setFixedWidth(wide(104, 130, 145));
+    mode_->setRoom(wide(118, 136, 160));
+    safety_->setRoom(wide(130, 150, 180));
+    control_->setRoom(wide(132, 160, 190));
+    stepButton_->setFixedWidth(wide(146, 150, 160));
+    speed_->setFixedWidth(wide(108, 130, 170));
     link_->setLeastCharacters(tight ? 6 : narrow ? 11 : 15);
     lastStop_->setLeastCharacters(tight ? 6 : narrow ? 11 : 14);
 }

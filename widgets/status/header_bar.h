@@ -76,6 +76,7 @@ private:
     void placeStopAbove();
     void takeStep();
     void showStep();
+    void offerStep(bool visible, bool enabled);
     void keepPlaces();
     void letPlacesGo();
     void showLink();
@@ -87,6 +88,7 @@ private:
     std::function<QString()> holdNote_;
     SessionState state_;
     NextStep step_ = NextStep::None;
+    bool stepLostFocus_ = false;  ///< when it was greyed or hidden
     QTimer linkPace_;
     QTimer places_;  ///< runs while everything keeps its place
 
