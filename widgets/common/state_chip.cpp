@@ -183,7 +183,7 @@ int StateChip::valueRoom() const {
 QFont StateChip::fittingFont() const {
     constexpr int kSmallest = 11;
     QFont font = valueFont();
-    while (room_ > 0 && font.pixelSize() > kSmallest &&
+    while ((room_ > 0 || dense_) && font.pixelSize() > kSmallest &&
            QFontMetrics(font).horizontalAdvance(text_) > valueRoom()) {
         font.setPixelSize(font.pixelSize() - 1);
     }

@@ -24,8 +24,8 @@ namespace {
 constexpr int kLinkPeriodMs = 500;      // figures that change with every packet, slow enough to read
 constexpr double kOrdinaryCap = 0.250;  // [m/s]; above it the header says so
 constexpr int kBannerHeight = 28;
-constexpr int kNarrowBelow = 1700;
-constexpr int kTightBelow = 1500;
+constexpr int kNarrowBelow = 1850;
+constexpr int kTightBelow = 1600;
 
 StateChip* chip(const QString& caption, const char* name, QWidget* parent) {
     auto* made = new StateChip(caption, parent);
@@ -194,7 +194,13 @@ void HeaderBar::showLastStop() {
 }
 
 void HeaderBar::showLink() {
-    showOn(*link_, linkLook(state_));
+    ModeLook look = linkLook(state_);
+    if (width() < kTightBelow && look.emphasis == StateChip::Emphasis::Normal) {
+        // While all is well the rate says enough where there is little room.
+        look.advice.prepend(look.text + QLatin1Char('\n'));
+        look.text = look.text.section(QStringLiteral(" · "), 0, 0);
+    }
+    showOn(*link_, look);
     // What the link means for the hand is read before what it is called.
     link_->setCaption(linkCaption(state_), StateChip::GivesWay::Before);
     if (state_.link != LinkState::Disconnected) {
@@ -371,13 +377,13 @@ void HeaderBar::arrange() {
     const auto wide = [tight, narrow](int least, int middle, int most) {
         return tight ? least : narrow ? middle : most;
     };
-    robot_->setRoom(wide(132, 150, 190));
-    simulation_->setFixedWidth(wide(104, 130, 145));
-    mode_->setRoom(wide(118, 136, 160));
-    safety_->setRoom(wide(130, 150, 180));
-    control_->setRoom(wide(132, 160, 190));
-    stepButton_->setFixedWidth(wide(146, 150, 160));
-    speed_->setFixedWidth(wide(108, 130, 170));
+    robot_->setRoom(wide(132, 150, 170));
+    simulation_->setFixedWidth(wide(112, 130, 145));
+    mode_->setRoom(wide(118, 136, 150));
+    safety_->setRoom(wide(130, 150, 170));
+    control_->setRoom(wide(132, 160, 176));
+    stepButton_->setFixedWidth(wide(146, 150, 150));
+    speed_->setFixedWidth(wide(100, 130, 140));
     link_->setLeastCharacters(tight ? 6 : narrow ? 11 : 15);
     lastStop_->setLeastCharacters(tight ? 6 : narrow ? 11 : 14);
 }

@@ -307,7 +307,7 @@ private Q_SLOTS:
     // Power on, Release brakes, Take control: the second click comes where the first one went.
     void nothingSlidesUnderASecondClick_data() {
         QTest::addColumn<int>("width");
-        for (const int width : {1280, 1600, 1920}) {
+        for (const int width : {1280, 1366, 1600, 1850, 1920}) {
             QTest::newRow(QByteArray::number(width).constData()) << width;
         }
     }
@@ -453,7 +453,7 @@ private Q_SLOTS:
 
     void everythingFitsAtEveryWidth_data() {
         QTest::addColumn<int>("width");
-        for (const int width : {1280, 1366, 1440, 1600, 1920, 2560}) {
+        for (const int width : {1280, 1366, 1440, 1600, 1700, 1850, 1920, 2560}) {
             QTest::newRow(QByteArray::number(width).constData()) << width;
         }
     }
