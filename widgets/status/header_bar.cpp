@@ -24,7 +24,7 @@ namespace {
 constexpr int kLinkPeriodMs = 500;      // figures that change with every packet, slow enough to read
 constexpr double kOrdinaryCap = 0.250;  // [m/s]; above it the header says so
 constexpr int kBannerHeight = 28;
-constexpr int kNarrowBelow = 1850;
+constexpr int kNarrowBelow = 1900;
 constexpr int kTightBelow = 1600;
 
 StateChip* chip(const QString& caption, const char* name, QWidget* parent) {
@@ -377,13 +377,13 @@ void HeaderBar::arrange() {
     const auto wide = [tight, narrow](int least, int middle, int most) {
         return tight ? least : narrow ? middle : most;
     };
-    robot_->setRoom(wide(132, 150, 170));
+    robot_->setRoom(wide(126, 150, 170));
     simulation_->setFixedWidth(wide(112, 130, 145));
     mode_->setRoom(wide(118, 136, 150));
     safety_->setRoom(wide(130, 150, 170));
     control_->setRoom(wide(132, 160, 176));
-    stepButton_->setFixedWidth(wide(146, 150, 150));
-    speed_->setFixedWidth(wide(100, 130, 140));
+    stepButton_->setFixedWidth(wide(142, 150, 150));
+    speed_->setFixedWidth(wide(118, 130, 140));
     link_->setLeastCharacters(tight ? 6 : narrow ? 11 : 15);
     lastStop_->setLeastCharacters(tight ? 6 : narrow ? 11 : 14);
 }

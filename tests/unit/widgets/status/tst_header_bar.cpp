@@ -76,6 +76,8 @@ private Q_SLOTS:
     void showsWhatTheRobotConfirms() {
         FakeSession session;
         HeaderBar header(session.port());
+        header.resize(1920, HeaderBar::kHeight);
+        header.show();
         header.applyState(movingState());
         const auto text = [&header](const char* name) {
             return header.findChild<StateChip*>(QLatin1String(name))->text();
