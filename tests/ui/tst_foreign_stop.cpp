@@ -97,7 +97,10 @@ struct Bench : WindowBench {
                within([this] { return runs() && state().runtimeState == RuntimeState::Playing; });
     }
     bool startMoving() {
-        return startProgram() && within([this] { return tcpSpeed(cell) > 0.2 && state().moving; });
+        return startProgram() && within([this] {
+                   return tcpSpeed(cell) > 0.2 && state().moving &&
+                          window.session().services().stopsForeignProgramsAtOnce();
+               });
     }
     /// Robot and window go on together until the condition holds; in real time, because others take part.
     bool within(const std::function<bool()>& condition) {

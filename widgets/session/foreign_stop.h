@@ -35,6 +35,8 @@ public:
 
     /// Opens the connections that are not there yet, so that a stop need not wait for them.
     void warmUp();
+    /// The word on the primary interface goes out with the request, and need not wait for a connection.
+    bool isReady() const { return stopper_.isConnected(); }
     /// The robot honours its switch to Remote on new connections only.
     void reconnect() { stopper_.reconnect(); }
 

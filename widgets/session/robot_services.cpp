@@ -110,6 +110,10 @@ void RobotServices::stopForeignProgram(control::StopCause cause) {
     d_.link->foreignStop->request(cause, *d_.link->receiver);
 }
 
+bool RobotServices::stopsForeignProgramsAtOnce() const {
+    return d_.link && d_.link->foreignStop->isReady();
+}
+
 void RobotServices::followForeignStop(const SampleBatch& batch) {
     if (stopInControl_ && d_.clock->nowNs() - stopInControl_->second > kTakenOverNs) {
         stopInControl_.reset();

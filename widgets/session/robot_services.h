@@ -38,6 +38,8 @@ public:
     // For the session.
     /// A stop by STOP, Esc or Space is meant for a program of others too.
     void stopForeignProgram(control::StopCause cause);
+    /// Such a stop would go out at once: its connection is there.
+    bool stopsForeignProgramsAtOnce() const;
     void followForeignStop(const SampleBatch& batch);
     /// Looks, about twice a second, at what RTDE does not tell.
     void ask();
