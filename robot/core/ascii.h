@@ -16,6 +16,7 @@ constexpr std::string_view trimmed(std::string_view text) {
                                            : text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
+/// The small letter of a capital one; everything else is as it was.
 inline char lower(char c) {
     return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
 }

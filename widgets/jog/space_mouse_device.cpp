@@ -35,8 +35,8 @@ public:
             if (event.type == SPNAV_EVENT_MOTION) {
                 const spnav_event_motion& m = event.motion;
                 // The driver has Y up and Z towards the hand; the jog frame Y away from it and Z up.
-                now_.axes << m.x / kFullDeflection, -m.z / kFullDeflection, m.y / kFullDeflection, m.rx / kFullDeflection, -m.rz / kFullDeflection,
-                    m.ry / kFullDeflection;
+                now_.axes << m.x / kFullDeflection, -m.z / kFullDeflection, m.y / kFullDeflection,
+                    m.rx / kFullDeflection, -m.rz / kFullDeflection, m.ry / kFullDeflection;
             } else if (event.type == SPNAV_EVENT_BUTTON) {
                 (event.button.bnum == 0 ? now_.deadMan : now_.stop) = event.button.press != 0;
             } else if (event.type == SPNAV_EVENT_DEV && event.dev.op == SPNAV_DEV_RM) {

@@ -243,7 +243,8 @@ private Q_SLOTS:
             QTest::mouseClick(fold, Qt::LeftButton);
             QCoreApplication::processEvents();
             QCOMPARE(fold->mapTo(&view, QPoint()), at);
-            QVERIFY2(view.height() - card.geometry().bottom() < 16, "it lies at the lower edge, clear of the arm");
+            QVERIFY2(view.height() - card.geometry().bottom() < 16,
+                     "it lies at the lower edge, clear of the arm");
         }
         QVERIFY(!card.isFolded());
     }
