@@ -366,7 +366,7 @@ void HeaderBar::arrange() {
     const int below = cap_->isVisibleTo(this) ? kBannerHeight : 1;
     cap_->setGeometry(0, kHeight, width(), kBannerHeight);
     layout_->setContentsMargins(tight ? 10 : 16, 0, tight ? 10 : 16, below);
-    layout_->setSpacing(tight ? 5 : narrow ? 8 : 12);
+    layout_->setSpacing(tight ? 4 : narrow ? 8 : 12);
     for (StateChip* chip : {robot_, mode_, safety_, control_, link_, lastStop_}) {
         chip->setDense(tight);
     }
@@ -377,11 +377,11 @@ void HeaderBar::arrange() {
     const auto wide = [tight, narrow](int least, int middle, int most) {
         return tight ? least : narrow ? middle : most;
     };
-    robot_->setRoom(wide(126, 150, 170));
+    robot_->setRoom(wide(118, 150, 170));
     simulation_->setFixedWidth(wide(112, 130, 145));
     mode_->setRoom(wide(118, 136, 150));
-    safety_->setRoom(wide(130, 150, 170));
-    control_->setRoom(wide(132, 160, 176));
+    safety_->setRoom(wide(126, 150, 170));
+    control_->setRoom(wide(126, 160, 176));
     stepButton_->setFixedWidth(wide(142, 150, 150));
     speed_->setFixedWidth(wide(118, 130, 140));
     link_->setLeastCharacters(tight ? 6 : narrow ? 11 : 15);

@@ -309,7 +309,7 @@ private Q_SLOTS:
     // Power on, Release brakes, Take control: the second click comes where the first one went.
     void nothingSlidesUnderASecondClick_data() {
         QTest::addColumn<int>("width");
-        for (const int width : {1280, 1366, 1600, 1850, 1920}) {
+        for (const int width : {1264, 1280, 1366, 1600, 1850, 1920}) {
             QTest::newRow(QByteArray::number(width).constData()) << width;
         }
     }
@@ -455,7 +455,7 @@ private Q_SLOTS:
 
     void everythingFitsAtEveryWidth_data() {
         QTest::addColumn<int>("width");
-        for (const int width : {1280, 1366, 1440, 1600, 1700, 1850, 1920, 2560}) {
+        for (const int width : {1264, 1280, 1366, 1440, 1600, 1700, 1850, 1920, 2560}) {
             QTest::newRow(QByteArray::number(width).constData()) << width;
         }
     }
@@ -492,7 +492,7 @@ private Q_SLOTS:
     void theOrdinaryWordsAreWholeInTheSmallestWindow() {
         FakeSession session;
         HeaderBar header(session.port());
-        header.resize(1280, HeaderBar::kHeight);
+        header.resize(1264, HeaderBar::kHeight);
         header.show();
         for (const bool moving : {false, true}) {
             SessionState state = movingState();
