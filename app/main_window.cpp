@@ -9,7 +9,6 @@
 #include <QInputDialog>
 #include <QMenu>
 #include <QScreen>
-#include <QScrollArea>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabBar>
@@ -39,6 +38,7 @@
 #include "widgets/common/hover_keeper.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/panel.h"
+#include "widgets/common/steady_scroll_area.h"
 #include "widgets/common/theme.h"
 #include "widgets/frames/frames_tab.h"
 #include "widgets/io/gripper_panel.h"
@@ -204,7 +204,7 @@ void MainWindow::buildDocks() {
 
     stage_ = new DockStage;
     // Panels that need more room than there is scroll: they never press upon the jog column.
-    auto* area = new QScrollArea;
+    auto* area = new SteadyScrollArea;
     area->setObjectName("stageArea");
     area->setFocusPolicy(Qt::NoFocus);
     area->setWidgetResizable(true);

@@ -11,7 +11,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScreen>
-#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QTabWidget>
 #include <QTableWidget>
@@ -25,6 +24,7 @@
 #include "widgets/common/choice_box.h"
 #include "widgets/common/density.h"
 #include "widgets/common/figure_box.h"
+#include "widgets/common/steady_scroll_area.h"
 #include "widgets/jog/device_jog.h"
 
 namespace tiller::app {
@@ -37,7 +37,7 @@ int keyRowHeight() {
 
 /// In large rows there is more than fits on the smallest screen.
 QWidget* scrolling(QWidget* page, const QString& name) {
-    auto* area = new QScrollArea;
+    auto* area = new SteadyScrollArea;
     area->setAccessibleName(name);
     area->setFrameShape(QFrame::NoFrame);
     area->setWidgetResizable(true);

@@ -6,7 +6,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QStyle>
 #include <QVBoxLayout>
@@ -17,6 +16,7 @@
 #include "widgets/common/figure_box.h"
 #include "widgets/common/format.h"
 #include "widgets/common/notation.h"
+#include "widgets/common/steady_scroll_area.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
@@ -221,7 +221,7 @@ void GripperPanel::build() {
     lines->addWidget(remedy_);
     lines->addStretch();
 
-    auto* scroll = new QScrollArea;
+    auto* scroll = new SteadyScrollArea;
     scroll->setObjectName(QStringLiteral("gripper.scroll"));
     scroll->setAccessibleName(tr("Gripper"));
     scroll->setFrameShape(QFrame::NoFrame);

@@ -4,7 +4,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QScrollArea>
 #include <QVBoxLayout>
 #include <cmath>
 
@@ -12,6 +11,7 @@
 #include "widgets/common/lower_edge.h"
 #include "widgets/common/nothing_found.h"
 #include "widgets/common/notice_bar.h"
+#include "widgets/common/steady_scroll_area.h"
 #include "widgets/io/analog_row.h"
 #include "widgets/io/io_channel.h"
 #include "widgets/io/register_panel.h"
@@ -63,7 +63,7 @@ IoTab::IoTab(RobotSession& session, QWidget* parent)
     buildAnalog(lines);
     lines->addStretch();
 
-    auto* scroll = new QScrollArea;
+    auto* scroll = new SteadyScrollArea;
     scroll->setObjectName(QStringLiteral("io.scroll"));
     scroll->setAccessibleName(tr("Inputs and outputs"));
     scroll->setFrameShape(QFrame::NoFrame);

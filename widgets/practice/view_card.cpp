@@ -5,13 +5,13 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
-#include <QScrollArea>
 #include <QScrollBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "widgets/common/icons.h"
+#include "widgets/common/steady_scroll_area.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
@@ -41,7 +41,7 @@ ViewCard::ViewCard(const QString& name, const QString& title, int height, QWidge
     , title_(new QLabel(title, this))
     , fold_(quietKey(name + QStringLiteral(".fold"), tr("Fold"), this))
     , close_(quietKey(name + QStringLiteral(".close"), tr("Close"), this))
-    , scroll_(new QScrollArea(this))
+    , scroll_(new SteadyScrollArea(this))
     , inside_(new QWidget)
     , foot_(new QWidget(this)) {
     setObjectName(name);

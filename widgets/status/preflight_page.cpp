@@ -15,6 +15,7 @@
 
 #include "widgets/common/notation.h"
 #include "widgets/common/shapes.h"
+#include "widgets/common/steady_scroll_area.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
@@ -129,7 +130,7 @@ PreflightPage::PreflightPage(const doctor::Patient& patient, QWidget* parent)
         list_->addWidget(rows_.back());
     }
     list_->addStretch(1);
-    auto* scroll = new QScrollArea(this);
+    auto* scroll = new SteadyScrollArea(this);
     scroll->setObjectName(QStringLiteral("preflightConditions"));
     scroll->setAccessibleName(tr("Conditions"));
     scroll->setWidget(list);
