@@ -32,9 +32,11 @@ NoticeBar::NoticeBar(QWidget* parent)
     dismiss_->setObjectName(QStringLiteral("notice.dismiss"));
     dismiss_->setAccessibleName(tr("Dismiss"));
 
+    // Apart from each other: what a notice is answered with brings the next one at times, and a second click
+    // must not close that one unread.
     auto* keys = new QHBoxLayout;
-    keys->addStretch();
     keys->addWidget(dismiss_);
+    keys->addStretch();
     keys->addWidget(accept_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(12, 10, 12, 10);

@@ -19,6 +19,7 @@
 
 #include "widgets/common/elided_label.h"
 #include "widgets/common/hold_button.h"
+#include "widgets/common/notice_bar.h"
 #include "widgets/common/panel.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/common/state_chip.h"
@@ -169,6 +170,27 @@ private Q_SLOTS:
             }
         }
         applyTheme(*qApp, Theme::light());
+    }
+
+    // An answer may bring the next notice: a second click at the same place must not close that one unread.
+    void aSecondClickDoesNotCloseTheNoticeThatTheFirstBrought() {
+        NoticeBar notice;
+        notice.resize(400, 120);
+        notice.show(NoticeBar::Kind::Warning, QStringLiteral("first"), QStringLiteral("text"),
+                    QStringLiteral("Do it"), [&notice] {
+                        notice.show(NoticeBar::Kind::Warning, QStringLiteral("second"),
+                                    QStringLiteral("text"), {}, {});
+                    });
+        QVERIFY(QTest::qWaitForWindowExposed(&notice));
+        const auto* accept = notice.findChild<QPushButton*>(QStringLiteral("notice.accept"));
+        QVERIFY(accept != nullptr);
+        const QPoint at = accept->geometry().center();
+        QTest::mouseClick(notice.childAt(at), Qt::LeftButton);
+        QVERIFY(notice.title().contains(QStringLiteral("second")));
+        QWidget* there = notice.childAt(at);
+        QTest::mouseClick(there != nullptr ? there : &notice, Qt::LeftButton, {},
+                          there != nullptr ? QPoint() : at);
+        QVERIFY2(notice.isVisible(), "closed by the second click");
     }
 };
 
