@@ -2,6 +2,7 @@
 #include "app/lessons.h"
 
 #include <QRandomGenerator>
+#include <algorithm>
 
 #include "app/action_table.h"
 #include "app/local_simulator.h"
@@ -9,6 +10,7 @@
 #include "widgets/practice/first_steps_card.h"
 #include "widgets/practice/practice_card.h"
 #include "widgets/project/project_document.h"
+#include "widgets/scene/scene_view.h"
 
 namespace tiller::app {
 namespace {
@@ -20,7 +22,7 @@ constexpr int kMostHand = 60;
 }  // namespace
 
 Lessons::Lessons(RobotSession& session, ProjectDocument& document, LocalSimulator& simulator,
-                 Settings& settings, QWidget& view)
+                 Settings& settings, SceneView& view)
     : session_(session)
     , document_(document)
     , simulator_(simulator)
@@ -42,6 +44,11 @@ Lessons::Lessons(RobotSession& session, ProjectDocument& document, LocalSimulato
         stepsCard_->putAway();
     });
     connect(stepsCard_, &ViewCard::closeRequested, stepsCard_, &ViewCard::putAway);
+    const auto uncover = [this, &view] {
+        view.setCoveredBelow(std::max(stepsCard_->covered(), practiceCard_->covered()));
+    };
+    connect(stepsCard_, &ViewCard::coveredChanged, &view, uncover);
+    connect(practiceCard_, &ViewCard::coveredChanged, &view, uncover);
     connect(practiceCard_, &ViewCard::closeRequested, this, [this] {
         practice_.abandon();
         practiceCard_->putAway();

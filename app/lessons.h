@@ -9,14 +9,13 @@
 #include "widgets/practice/first_steps.h"
 #include "widgets/practice/practice.h"
 
-class QWidget;
-
 namespace tiller {
 
 class FirstStepsCard;
 class PracticeCard;
 class ProjectDocument;
 class RobotSession;
+class SceneView;
 
 namespace app {
 
@@ -30,7 +29,7 @@ class Lessons : public QObject {
 public:
     /// All must outlive it; the cards lie over `view`.
     Lessons(RobotSession& session, ProjectDocument& document, LocalSimulator& simulator, Settings& settings,
-            QWidget& view);
+            SceneView& view);
     ~Lessons() override;
 
     void addTo(ActionTable& table);

@@ -184,6 +184,16 @@ void ViewCard::place() {
     fold_->setToolTip(what);
     const int height = folded ? head : std::min(wantedHeight(), room);
     setGeometry(kGap, view_.height() - kGap - height, width, height);
+    Q_EMIT coveredChanged();
+}
+
+int ViewCard::covered() const {
+    return isHidden() || !isFolded() ? 0 : height() + kGap;
+}
+
+void ViewCard::hideEvent(QHideEvent* event) {
+    QFrame::hideEvent(event);
+    Q_EMIT coveredChanged();
 }
 
 bool ViewCard::event(QEvent* event) {

@@ -34,11 +34,16 @@ public:
     /// Hides it. The focus, if it was in the card, goes to the view.
     void putAway();
 
+    /// What the folded card takes of the view's lower edge [px]; 0 while it is hidden or unfolded.
+    int covered() const;
+
     static constexpr int kWidth = 306;  ///< [px]
 
 Q_SIGNALS:
     /// Its close key was pressed. Whoever made the card decides what that means.
     void closeRequested();
+    /// covered() has changed.
+    void coveredChanged();
 
 protected:
     /// Where the content goes; it scrolls where it is too long.
@@ -53,6 +58,7 @@ protected:
 
     bool event(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:

@@ -256,7 +256,16 @@ QMarginsF SceneView::margins(const QSizeF& size, double share) const {
     const double side = share * size.width();
     const double edge = share * size.height();
     const double keys = keys_->isHidden() ? 0 : kKeysAt + keys_->sizeHint().height();
-    return {side, keys + edge, side, edge};
+    // In a small picture the arm comes first.
+    const double below = std::min(coveredBelow_, size.height() / 4);
+    return {side, keys + edge, side, below + edge};
+}
+
+void SceneView::setCoveredBelow(double height) {
+    if (height != coveredBelow_) {
+        coveredBelow_ = height;
+        changed();
+    }
 }
 
 void SceneView::frame(const QSizeF& size) {

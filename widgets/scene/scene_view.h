@@ -52,6 +52,9 @@ public:
     /// Greyed; with a word in the middle unless it is empty.
     void setStale(bool stale, const QString& word = {});
     void setSpeedFraction(double fraction);
+    /// Something lies over the lower edge: arm, ghost and waypoints are kept above it.
+    /// height  [px]
+    void setCoveredBelow(double height);
 
     const std::optional<Ghost>& ghost() const { return ghost_; }
     /// "ghost “above tray” · reachable · largest turn Wrist 2 41° · 2.4 s at 35 %"; empty without a ghost.
@@ -135,6 +138,7 @@ private:
     SceneKeys* keys_;
     bool keptInSight_ = true;            ///< until the operator moves the picture or zooms
     bool fitWanted_ = true;              ///< the picture is made anew
+    double coveredBelow_ = 0;            ///< [px]
     std::optional<Camera> beforeGhost_;  ///< to go back to when the ghost is gone
     std::vector<PlacedLabel> labels_;
     int hiddenLabels_ = 0;

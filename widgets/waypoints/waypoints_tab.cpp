@@ -105,7 +105,7 @@ void WaypointsTab::buildLayout(MotionPort port) {
     pages_ = new QStackedWidget;
     pages_->addWidget(empty);
     pages_->addWidget(table_);
-    constexpr int kLeastTable = 76;  // [px] the header and one row
+    constexpr int kLeastTable = 104;  // [px] the header and two rows
     pages_->setMinimumHeight(kLeastTable);
     details_ = new WaypointDetails(document_, *model_);
 

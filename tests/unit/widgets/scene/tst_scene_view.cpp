@@ -289,6 +289,17 @@ private Q_SLOTS:
         QVERIFY(std::abs(arm.center().y() - inner(view, 8).center().y()) < 0.12 * size.height());
     }
 
+    void whatLiesOverTheLowerEdgeHidesNothing() {
+        ShownView view({340, 330});
+        view.setCoveredBelow(48);
+        picture(view);
+        QVERIFY(inner(view, 4).adjusted(0, 0, 0, -48).contains(coveredBy(view, kStance)));
+        view.setCoveredBelow(1000);  // more than the picture has: the arm comes first
+        picture(view);
+        QVERIFY(inner(view, 4).contains(coveredBy(view, kStance)));
+        QVERIFY(coveredBy(view, kStance).height() > 0.3 * view.height());
+    }
+
     void theGhostAndTheWaypointsAreInThePicture() {
         ShownView view({630, 340});
         const double alone = view.camera().distance();
