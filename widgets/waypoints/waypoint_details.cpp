@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QStackedWidget>
 #include <QStringList>
 #include <QVBoxLayout>
 
@@ -27,12 +28,14 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     : QWidget(parent)
     , document_(document)
     , model_(model)
+    , headlines_(new QStackedWidget)
     , name_(new QLabel)
     , facts_(new ElidedLabel)
+    , advice_(new QLabel)
     , frame_(new ChoiceBox)
-    , pose_(new PoseEditor(QStringLiteral("waypoint.details"), tr("TCP"),
-                           tr("In the waypoint's frame. Return applies it; nothing moves but the waypoint.")))
-    , advice_(new ElidedLabel) {
+    , pose_(
+          new PoseEditor(QStringLiteral("waypoint.details"), tr("TCP"),
+                         tr("In the waypoint's frame. Return applies it; nothing moves but the waypoint."))) {
     setObjectName(QStringLiteral("waypoint.details"));
     setAccessibleName(tr("Selected waypoint"));
     name_->setObjectName(QStringLiteral("waypoint.details.name"));
@@ -43,6 +46,8 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     facts_->setFont(textFont(15));
     advice_->setObjectName(QStringLiteral("waypoint.details.advice"));
     advice_->setProperty("role", "warning");
+    advice_->setFont(textFont(12));
+    advice_->setWordWrap(true);  // whole: it is what helps
 
     frame_->setObjectName(QStringLiteral("waypoint.details.frame"));
     frame_->setAccessibleName(tr("Frame of the waypoint"));
@@ -61,21 +66,27 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
         refresh();
     });
 
+    auto* words = new QWidget;
+    auto* wordsLayout = new QHBoxLayout(words);
+    wordsLayout->setContentsMargins(0, 0, 0, 0);
+    wordsLayout->setSpacing(6);
+    wordsLayout->addWidget(name_);
+    wordsLayout->addWidget(facts_, 1);
+    headlines_->addWidget(words);
+    headlines_->addWidget(advice_);
+    headlines_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
     auto* headline = new QHBoxLayout;
     headline->setSpacing(6);
-    headline->addWidget(name_);
-    headline->addWidget(facts_, 1);
+    headline->addWidget(headlines_, 1);
     headline->addWidget(frame_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
     layout->setSpacing(6);
     layout->addLayout(headline);
     layout->addWidget(pose_);
-    layout->addWidget(advice_);
     // Keys below keep their places, whatever there is to say.
     for (QWidget* part :
-         {static_cast<QWidget*>(name_), static_cast<QWidget*>(facts_), static_cast<QWidget*>(pose_),
-          static_cast<QWidget*>(frame_), static_cast<QWidget*>(advice_)}) {
+         {static_cast<QWidget*>(headlines_), static_cast<QWidget*>(pose_), static_cast<QWidget*>(frame_)}) {
         QSizePolicy policy = part->sizePolicy();
         policy.setRetainSizeWhenHidden(true);
         part->setSizePolicy(policy);
@@ -104,11 +115,9 @@ QString WaypointDetails::headline() const {
 
 void WaypointDetails::refresh() {
     const bool shown = row_ >= 0 && row_ < model_.rowCount();
-    name_->setVisible(shown);
-    facts_->setVisible(shown);
+    headlines_->setVisible(shown);
     pose_->setVisible(shown);
     frame_->setVisible(shown);
-    advice_->setVisible(shown && !document_.reach(row_).ok());
     if (!shown) {
         return;
     }
@@ -134,9 +143,9 @@ void WaypointDetails::refresh() {
     const Pose shownPose = joints && place ? *place : point.pose;
     pose_->setPose(shownPose);
     poseLine_ = format::pose(shownPose);
-    advice_->setFullText(document_.reach(row_).ok()
-                             ? QString()
-                             : QStringLiteral("✕ ") + WaypointModel::reachAdvice(document_.reach(row_)));
+    const project::Reach& reach = document_.reach(row_);
+    advice_->setText(reach.ok() ? QString() : QStringLiteral("✕ ") + WaypointModel::reachAdvice(reach));
+    headlines_->setCurrentIndex(reach.ok() ? 0 : 1);
     setAccessibleDescription(headline() + QStringLiteral(", ") + poseLine());
 }
 

@@ -11,6 +11,7 @@
 #include "widgets/session/session_state.h"
 
 class QLabel;
+class QStackedWidget;
 
 namespace tiller {
 
@@ -49,12 +50,13 @@ private:
     int row_ = -1;
     std::optional<int> usedIn_;
     SessionState live_;
+    QStackedWidget* headlines_;  ///< name and facts, or what stands in the way
     QLabel* name_;
     ElidedLabel* facts_;
+    QLabel* advice_;
     ChoiceBox* frame_;
     PoseEditor* pose_;
     QString poseLine_;
-    ElidedLabel* advice_;
 };
 
 }  // namespace tiller
