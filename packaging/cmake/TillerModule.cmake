@@ -83,15 +83,18 @@ endfunction()
 # tiller_test_surroundings(<name> <timeout s> [<variable=value>...])
 # What every Qt Test program of ctest finds around it, and its time, of which a sanitizer gets more.
 function(tiller_test_surroundings name timeout)
+    set(patience "")
     if(TILLER_SANITIZE)
         math(EXPR timeout "${timeout} * 8")
+        # Qt Test's own, of one function; five minutes otherwise [ms].
+        set(patience "QTEST_FUNCTION_TIMEOUT=${timeout}000;")
     endif()
     set(support ${CMAKE_SOURCE_DIR}/tests/support)
     # Those that may take long begin first, so that the last minutes do not wait for one of them alone.
     set_tests_properties(${name} PROPERTIES TIMEOUT ${timeout} COST ${timeout}
         ENVIRONMENT "TILLER_TEST_DATA=${CMAKE_SOURCE_DIR}/tests/data;LC_ALL=C.UTF-8;QT_QPA_PLATFORM=offscreen;\
 TSAN_OPTIONS=suppressions=${support}/tsan.supp die_after_fork=0;\
-LSAN_OPTIONS=suppressions=${support}/lsan.supp;${ARGN}")
+LSAN_OPTIONS=suppressions=${support}/lsan.supp;${patience}${ARGN}")
 endfunction()
 
 # tiller_test_moc(<name> <sources...>)

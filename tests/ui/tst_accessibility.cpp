@@ -9,6 +9,7 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QLineEdit>
+#include <QPointer>
 #include <QSet>
 #include <QTabBar>
 #include <QTabWidget>
@@ -104,8 +105,14 @@ private Q_SLOTS:
             action->setEnabled(true);
             action->trigger();
             QCoreApplication::processEvents();
+            // What belongs to a dialog goes with it.
+            QList<QPointer<QWidget>> tops;
             for (QWidget* top : QApplication::topLevelWidgets()) {
-                if (top != &bench.window && top->isVisible() && qobject_cast<QDialog*>(top) != nullptr) {
+                tops.append(top);
+            }
+            for (const QPointer<QWidget>& top : std::as_const(tops)) {
+                if (top != nullptr && top != &bench.window && top->isVisible() &&
+                    qobject_cast<QDialog*>(top) != nullptr) {
                     ++dialogs;
                     // An input dialog is Qt's own, and names its one field by its label.
                     if (!top->inherits("QInputDialog")) {

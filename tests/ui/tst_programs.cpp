@@ -118,7 +118,8 @@ private Q_SLOTS:
     void startedInLocalControlIsNotTakenAndNotOfferedAgain() {
         begin({}, true);
         bool wasInControl = false;
-        connect(&window_->session(), &RobotSession::stateChanged, window_.get(),
+        QObject here;  // whose connections end with wasInControl
+        connect(&window_->session(), &RobotSession::stateChanged, &here,
                 [&wasInControl](const SessionState& now) {
                     wasInControl = wasInControl || now.control == ControlState::InControl;
                 });

@@ -344,11 +344,13 @@ private Q_SLOTS:
         QVERIFY(bench.key()->isEnabled());
         const QRect place = bench.key()->geometry();
         const QPointer<QCheckBox> first = bench.page()->findChild<QCheckBox*>("recoveryCheck0");
+        const QRect tick = first->geometry();
 
         // Less than a second: the page waits as it is.
         bench.silence(600);
         QCOMPARE(bench.state().link, LinkState::Stale);
         QVERIFY(first && first->isVisible() && first->isChecked());
+        QCOMPARE(first->geometry(), tick);
         QVERIFY(bench.key()->isVisible() && !bench.key()->isEnabled());
         QCOMPARE(bench.key()->geometry(), place);
         bench.cell.robot.silence(false);
@@ -360,6 +362,7 @@ private Q_SLOTS:
         bench.silence(3000);
         QCOMPARE(bench.state().link, LinkState::Lost);
         QVERIFY(first && first->isVisible() && first->isChecked());
+        QCOMPARE(first->geometry(), tick);
         QVERIFY(!bench.key()->isEnabled());
         bench.cell.robot.silence(false);
         QVERIFY(bench.until([&] { return bench.state().link == LinkState::Live; }));

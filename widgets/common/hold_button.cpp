@@ -209,12 +209,12 @@ bool HoldButton::event(QEvent* event) {
 }
 
 bool HoldButton::touchEvent(QEvent* event) {
-    const auto* touch = static_cast<QTouchEvent*>(event);
     event->accept();
     // What a cancelled touch held the rule book has ended already.
     if (!isEnabled() || event->type() == QEvent::TouchCancel) {
         return true;
     }
+    const auto* touch = static_cast<QTouchEvent*>(event);
     if (touch->points().size() != 1) {
         guard_.tell(HoldNews::Kind::PressedAgain);
     } else if (event->type() == QEvent::TouchBegin) {

@@ -149,6 +149,10 @@ void RecoveryPage::build() {
     title_ = label("recoveryTitle", "strong");
     title_->setFont(textFont(20, QFont::Bold));
     what_ = label("recoveryWhat", "");
+    // One line or three, the boxes below keep their places while somebody ticks.
+    constexpr int kLines = 3;
+    what_->setMinimumHeight(kLines * what_->fontMetrics().lineSpacing());
+    what_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     where_ = label("recoveryWhere", "secondary");
     reports_ = label("recoveryReports", "");
     const std::array<QString, 3> names = {tr("Force at the TCP"), tr("Joint current"),
@@ -158,10 +162,10 @@ void RecoveryPage::build() {
         plots_[i]->setObjectName(QStringLiteral("recoveryPlot%1").arg(i));
         layout->addWidget(plots_[i]);
     }
+    layout->addStretch(1);  // what is said above may become less
     checkLayout_ = new QVBoxLayout;
     checkLayout_->setSpacing(currentDensity() == Density::Touch ? 0 : 6);
     layout->addLayout(checkLayout_);
-    layout->addStretch(1);
     auto* row = new QHBoxLayout;
     waiting_ = new QLabel(this);
     waiting_->setObjectName(QStringLiteral("recoveryWaiting"));
@@ -170,6 +174,9 @@ void RecoveryPage::build() {
     key_ = new QPushButton(this);
     key_->setObjectName(QStringLiteral("recoveryKey"));
     key_->setMinimumWidth(180);  // its words change; it stays where it is
+    QSizePolicy keepsItsPlace = key_->sizePolicy();
+    keepsItsPlace.setRetainSizeWhenHidden(true);
+    key_->setSizePolicy(keepsItsPlace);
     key_->setProperty("primary", true);
     // A return key pressed by reflex must not unlock: the key takes a click, or Space with the focus on it.
     key_->setAutoDefault(false);
