@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A panel on a screen of its own, and the key that arms the keyboard, by real keys and buttons: whatever takes the
+// hand elsewhere ends what is held.
+
+#include "tests/desktop/desktop_test.h"
+
+namespace tiller::test {
+
+class TestPanels : public DesktopTest {
+    Q_OBJECT
+
+    bool isInTheWindow() { return cell().place("tabsDock").window == cell().place("mainWindow").window; }
+    /// Takes the panel with the waypoints out of the window, by its menu.
+    void takeOut() {
+        const QString dock = "tabsDock";
+        if (!isInTheWindow()) {
+            return;
+        }
+        QVERIFY(cell().toTheFront());
+        QVERIFY(cell().until([&] {
+            cell().click("dock.menu." + dock);
+            return cell().until([&] { return cell().place("menu." + dock).visible; }, 2000);
+        }));
+        hand().tap(kDown);
+        hand().tap(kReturn);
+        QVERIFY(cell().until([&] {
+            const Place panel = cell().place(dock);
+            return panel.visible && panel.window != 0 && !isInTheWindow();
+        }));
+    }
+
+private Q_SLOTS:
+    // With the hand at the main window.
+    void aFloatingPanelComesToTheFrontWhileTheKeyboardJogs() {
+        takeOut();
+        QVERIFY(cell().armKeyboard());
+        QVERIFY(cell().toTheFront());
+        holdBy([&] { hand().press(kRight); }, [&] { hand().release(kRight); });
+        hand().activate(cell().place("tabsDock").window);
+        verifyStands();
+        QVERIFY(cell().toTheFront());
+        QVERIFY2(arm().stays(0.3), "it moved again while it was still held");
+        hand().release(kRight);
+        QVERIFY(arm().stays(0.3));
+    }
+
+    void theKeyThatArmsTheKeyboardTakesItBackToo() {
+        QVERIFY(cell().toTheFront());
+        QVERIFY(cell().click("jog.armKeyboard"));
+        QVERIFY(cell().until([&] { return !cell().place("armedFrame").visible; }));
+        hand().press(kRight);
+        QVERIFY2(arm().stays(0.5), "it moves though it is not armed");
+        hand().release(kRight);
+        QVERIFY(cell().click("jog.armKeyboard"));
+        QVERIFY(cell().untilShown("armedFrame"));
+        holdBy([&] { hand().press(kRight); }, [&] { hand().release(kRight); });
+        hand().release(kRight);
+        verifyStands();
+    }
+
+    void theKeyThatArmsIsClickedWhileTheKeyboardJogs() {
+        QVERIFY(cell().armKeyboard());
+        holdBy([&] { hand().press(kRight); }, [&] { hand().release(kRight); });
+        QVERIFY(cell().click("jog.armKeyboard"));
+        verifyStands();
+        hand().release(kRight);
+        QVERIFY(arm().stays(0.3));
+    }
+};
+
+}  // namespace tiller::test
+
+TILLER_DESKTOP_MAIN(tiller::test::TestPanels)
+#include "tst_panels.moc"
