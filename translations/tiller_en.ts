@@ -622,6 +622,18 @@
         <source>TCP and payload</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>permitted, and asked for by loops with priority</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>processors may sleep deeply, loops begin later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fast wake-ups of this PC</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Freedrive</name>

@@ -233,6 +233,7 @@ Result<void> run(Controller& controller, const Result<Stream>& stream, const Cyc
     d.loop.setHook(nullptr);
     if (report != nullptr) {
         *report = cycle.report;
+        report->fastWakeUps = d.loop.status().fastWakeUps;
         report->motion = motion;
     }
     if (cycle.error.code != ErrorCode::None) {

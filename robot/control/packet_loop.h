@@ -43,6 +43,8 @@ struct CycleReport {
     realtime::Histogram ages;   ///< from a packet's coming to the beginning of its cycle; without the stale
     realtime::Histogram calls;  ///< time the callback took
     Motion motion;              ///< how it ended: motion.state()
+    /// The system kept its processors from deep sleep meanwhile: see realtime::CpuLatency.
+    bool fastWakeUps = false;
 };
 
 /// When the cycle of a packet begins.

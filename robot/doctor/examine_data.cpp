@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "robot/doctor/detail/examiner.h"
+#include "robot/realtime/cpu_latency.h"
 #include "robot/receive/receiver.h"
 #include "robot/receive/robot_state.h"
 #include "robot/rtde/connection.h"
@@ -228,6 +229,15 @@ void examineData(Examiner& examiner) {
     } else {
         examiner.found(Condition::Privilege, Verdict::Attention, QStringLiteral("privilege.none"),
                        DoctorText::tr("the system grants this user no real-time priority"), priority.advice);
+    }
+    // Without the privilege it makes no difference: that comes first.
+    const QString latency = realtime::CpuLatency::advice();
+    if (priority.ok() && latency.isEmpty()) {
+        examiner.good(Condition::WakeUpLatency,
+                      DoctorText::tr("permitted, and asked for by loops with priority"));
+    } else if (priority.ok()) {
+        examiner.found(Condition::WakeUpLatency, Verdict::Attention, QStringLiteral("latency.none"),
+                       DoctorText::tr("processors may sleep deeply, loops begin later"), latency);
     }
     const receive::RobotState robot(sample);
     judgeModes(examiner, robot.robotMode(), robot.safetyMode());

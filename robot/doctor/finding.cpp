@@ -31,6 +31,7 @@ constexpr std::array<Row, kConditionCount> kRows = {{
     {"registers.lower", QT_TRANSLATE_NOOP("Doctor", "No fieldbus holds registers")},
     {"rate", QT_TRANSLATE_NOOP("Doctor", "Data rate")},
     {"privilege", QT_TRANSLATE_NOOP("Doctor", "Real-time privilege of this PC")},
+    {"latency", QT_TRANSLATE_NOOP("Doctor", "Fast wake-ups of this PC")},
     {"payload", QT_TRANSLATE_NOOP("Doctor", "TCP and payload")},
 }};
 

@@ -40,6 +40,7 @@ enum class Condition {
     LowerRegisters,  ///< 0-23: where fieldbus adapters talk
     DataRate,
     Privilege,
+    WakeUpLatency,  ///< whether this PC may keep its processors from deep sleep
     ToolAndPayload,
 };
 inline constexpr int kConditionCount = static_cast<int>(Condition::ToolAndPayload) + 1;

@@ -230,6 +230,7 @@ py::dict packetLoop(const SharedController& controller, const std::string& kind,
     told["stale"] = report.stale;
     told["late"] = report.late;
     told["overruns"] = report.overruns;
+    told["fast_wake_ups"] = report.fastWakeUps;
     told["longest_call"] = static_cast<double>(report.calls.maxNs()) * 1e-9;
     return told;
 }

@@ -7,8 +7,8 @@
 
 namespace tiller::realtime {
 
-PeriodicTimer::PeriodicTimer(std::chrono::nanoseconds period)
-    : periodNs_(std::max<std::int64_t>(period.count(), 1)) {
+PeriodicTimer::PeriodicTimer(std::chrono::nanoseconds period, bool punctual)
+    : periodNs_(std::max<std::int64_t>(period.count(), 1)), wait_(punctual && PunctualWait().awakeNs() > 0) {
     restart();
 }
 
@@ -23,7 +23,7 @@ std::uint64_t PeriodicTimer::wait() {
         missed = static_cast<std::uint64_t>((now - nextNs_) / periodNs_) + 1;
         nextNs_ += static_cast<std::int64_t>(missed) * periodNs_;
     }
-    SteadyClock::sleepUntil(nextNs_);
+    wait_.until(SteadyClock::shared(), nextNs_);
     latenessNs_ = SteadyClock::shared().nowNs() - nextNs_;
     nextNs_ += periodNs_;
     return missed;

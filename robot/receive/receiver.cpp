@@ -7,8 +7,10 @@
 #include <bit>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 #include <thread>
 
+#include "robot/realtime/cpu_latency.h"
 #include "robot/realtime/realtime_report.h"
 #include "robot/realtime/seqlock.h"
 #include "robot/realtime/wake_up.h"
@@ -201,6 +203,10 @@ struct Receiver::Worker {
 
     void run() {
         realtime::nameThread("tiller-receive");
+        std::optional<realtime::CpuLatency> latency;
+        if (options.priority > 0) {
+            latency.emplace();
+        }
         auto report = realtime::requestThreadPriority(options.priority);
         if (!options.cpus.empty()) {
             const QStringList said{report.advice, realtime::bindToCpus(options.cpus)};

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <thread>
 
+#include "robot/realtime/punctual_wait.h"
 #include "robot/realtime/thread_priority.h"
 #include "robot/ur_rtde/detail/waiting.h"
 
@@ -20,12 +21,12 @@ namespace {
 
 using SteadyClock = std::chrono::steady_clock;
 
-// How late a sleeping thread may wake up: the rest is spun away.
-constexpr std::chrono::microseconds kSpin(100);
-
 void sleepPrecisely(SteadyClock::time_point end) {
-    if (end - SteadyClock::now() > kSpin) {
-        tiller::urrtde::sleepUntil(end - kSpin);
+    thread_local tiller::realtime::PunctualWait wait;
+    const SteadyClock::time_point up = end - std::chrono::nanoseconds(wait.awakeNs());
+    if (SteadyClock::now() < up) {
+        tiller::urrtde::sleepUntil(up);
+        wait.learn(std::chrono::nanoseconds(SteadyClock::now() - up).count());
     }
     while (SteadyClock::now() < end) {
     }

@@ -435,7 +435,7 @@ class TestWithoutARobot(unittest.TestCase):
     def test_the_doctor_examines(self):
         with tiller.Simulator() as simulator:
             report = tiller.examine(simulator.address, timeout=PATIENCE)
-        self.assertEqual(len(report), 18)
+        self.assertEqual(len(report), 19)
         self.assertEqual({finding.condition: finding.verdict for finding in report}["protocol"], "good")
         self.assertIn("good", str(report))
 

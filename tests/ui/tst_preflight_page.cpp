@@ -124,7 +124,7 @@ const std::vector<Fault>& faults() {
 }
 
 /// What this PC and a fresh simulated robot always have.
-const QSet<QString> kUsual = {"privilege.none", "payload.unset"};
+const QSet<QString> kUsual = {"privilege.none", "latency.none", "payload.unset"};
 
 QSet<QString> causesOf(const doctor::Report& report) {
     QSet<QString> causes;

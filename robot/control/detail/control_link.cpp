@@ -2,10 +2,12 @@
 #include "robot/control/detail/control_link.h"
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "robot/core/wait_until.h"
+#include "robot/realtime/cpu_latency.h"
 #include "robot/realtime/realtime_report.h"
 
 namespace tiller::control {
@@ -176,8 +178,14 @@ bool ControlLink::send(const Command& command) {
 
 void ControlLink::run(script::PrimaryClient& primary) {
     realtime::nameThread("control");
+    // Who asks for no priority does not ask for more heat either.
+    std::optional<realtime::CpuLatency> latency;
+    if (options_.priority > 0) {
+        latency.emplace();
+    }
     loop_.setGranted(options_.priority <= 0 || realtime::requestThreadPriority(options_.priority).ok(),
-                     options_.cpus.empty() || realtime::bindToCpus(options_.cpus).isEmpty());
+                     options_.cpus.empty() || realtime::bindToCpus(options_.cpus).isEmpty(),
+                     latency && latency->isGranted());
     std::vector<double> values(connection_->outputs().size());
     bool alive = true;
     std::int64_t doneNs = now();

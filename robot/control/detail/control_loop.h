@@ -64,8 +64,9 @@ public:
 
     /// Prepares for a new connection: nothing is in control until the program with this session answers.
     void begin(std::int32_t session, double period, const ArmLimits& arm, std::int64_t nowNs);
-    void setGranted(bool priority, bool cpus) {
+    void setGranted(bool priority, bool cpus, bool fastWakeUps) {
         status_.priorityGranted = priority;
+        status_.fastWakeUps = fastWakeUps;
         status_.cpusGranted = cpus;
     }
 

@@ -36,7 +36,8 @@ class LoopReport:
 
     cycles: calls of the callback. missed: control periods without one. stale: cycles that ran in time but whose packet did
     not come; the callback saw the values before. late: cycles that began more than half a period late. overruns: calls
-    that took longer than a period. longest_call [s]. A few stale or late ones are a busy machine's; many missed ones make
+    that took longer than a period. longest_call [s]. fast_wake_ups: the system kept its
+    processors from deep sleep meanwhile. A few stale or late ones are a busy machine's; many missed ones make
     the motion rough.
     """
 
@@ -46,6 +47,7 @@ class LoopReport:
     late: int  #: cycles that began more than half a period late
     overruns: int  #: calls that took longer than a period
     longest_call: float  #: [s]
+    fast_wake_ups: bool = False  #: the system kept its processors from deep sleep meanwhile
 
 
 class Robot:

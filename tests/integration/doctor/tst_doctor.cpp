@@ -136,7 +136,7 @@ private Q_SLOTS:
     void init() {
         begin(options());
         if (usual_.isEmpty()) {
-            usual_ = {"privilege.none", "payload.unset"};
+            usual_ = {"privilege.none", "latency.none", "payload.unset"};
         }
     }
     void cleanup() { robot_.reset(); }

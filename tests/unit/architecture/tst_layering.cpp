@@ -34,7 +34,7 @@ const QList<Room>& rooms() {
         {"robot/script", {"robot/core"}, kGui},
         {"robot/dashboard", {"robot/core", "robot/script", "robot/receive"}, kGui},
         {"robot/doctor",
-         {"robot/core", "robot/rtde", "robot/dashboard", "robot/script", "robot/receive"},
+         {"robot/core", "robot/realtime", "robot/rtde", "robot/dashboard", "robot/script", "robot/receive"},
          kGui},
         {"robot/kinematics", {"robot/core"}, kGui},
         {"robot/project", {"robot/core", "robot/kinematics"}, kGui},

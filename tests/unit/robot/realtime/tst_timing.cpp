@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "robot/core/clock.h"
+#include "robot/realtime/cpu_latency.h"
 #include "robot/realtime/histogram.h"
 #include "robot/realtime/periodic_timer.h"
+#include "robot/realtime/punctual_wait.h"
 #include "robot/realtime/thread_priority.h"
 
 using namespace tiller;
@@ -30,6 +32,12 @@ private Q_SLOTS:
     void timerSkipsWhatWasMissed();
     void priorityIsReportedAsGranted();
     void noWishIsNoRefusal();
+    void aWaitLearnsHowLateThisMachineWakesUp();
+    void aWaitThatCannotHelpDoesNotStayAwake();
+    void onOneCpuNobodyStaysAwake();
+    void aPunctualWaitIsNeverEarlyAndSaysWhatItCost();
+    void aWaitInVirtualTimeReturnsAtOnce();
+    void fastWakeUpsAreGrantedOrToldHow();
 };
 
 void TestTiming::emptyHistogramIsAllZero() {
@@ -148,6 +156,76 @@ void TestTiming::noWishIsNoRefusal() {
     QVERIFY(report.ok());
     QCOMPARE(report.granted, 0);
     QVERIFY(report.advice.isEmpty());
+}
+
+void TestTiming::aWaitLearnsHowLateThisMachineWakesUp() {
+    // Wake-ups of which 99 of 100 are at most 60 us late: it gets up a little before, whatever it began with.
+    std::mt19937 random(7);
+    std::uniform_int_distribution<std::int64_t> usual(10'000, 60'000);
+    PunctualWait wait(true);
+    int later = 0;
+    constexpr int kSettles = 4000;
+    constexpr int kLooks = 20'000;
+    for (int i = 0; i < kSettles + kLooks; ++i) {
+        const std::int64_t late = i % 200 == 0 ? 250'000 : usual(random);
+        later += i >= kSettles && late > wait.awakeNs() ? 1 : 0;
+        wait.learn(late);
+    }
+    QVERIFY2(wait.awakeNs() > 40'000 && wait.awakeNs() < 120'000,
+             qPrintable(QString::number(wait.awakeNs())));
+    QVERIFY2(later < kLooks / 50, qPrintable(QString::number(later)));
+}
+
+void TestTiming::aWaitThatCannotHelpDoesNotStayAwake() {
+    PunctualWait wait(true);
+    for (int i = 0; i < 1000; ++i) {
+        wait.learn(2'000'000);
+        QVERIFY(wait.awakeNs() <= PunctualWait::kMostAwakeNs);
+    }
+    QCOMPARE(wait.awakeNs(), std::int64_t(0));
+    for (int i = 0; i < 1000; ++i) {
+        wait.learn(20'000);  // whatever kept the machine has gone
+    }
+    QVERIFY(wait.awakeNs() > 0);
+}
+
+void TestTiming::onOneCpuNobodyStaysAwake() {
+    PunctualWait wait(false);
+    wait.learn(100'000);
+    QCOMPARE(wait.awakeNs(), std::int64_t(0));
+    const Clock& clock = SteadyClock::shared();
+    wait.until(clock, clock.nowNs() + kNsPerMs);
+    QCOMPARE(wait.spentNs(), std::int64_t(0));
+}
+
+void TestTiming::aPunctualWaitIsNeverEarlyAndSaysWhatItCost() {
+    const Clock& clock = SteadyClock::shared();
+    PunctualWait wait(true);
+    std::int64_t due = clock.nowNs();
+    for (int i = 0; i < 20; ++i) {
+        due += 2 * kNsPerMs;
+        wait.until(clock, due);
+        QVERIFY(clock.nowNs() >= due);
+    }
+    QVERIFY(wait.spentNs() >= 0);
+    const std::int64_t spent = wait.spentNs();
+    wait.until(clock, clock.nowNs() - 1);  // over already
+    QCOMPARE(wait.spentNs(), spent);
+}
+
+void TestTiming::aWaitInVirtualTimeReturnsAtOnce() {
+    VirtualClock clock;
+    PunctualWait wait(true);
+    const std::int64_t awake = wait.awakeNs();
+    wait.until(clock, clock.nowNs() + 1000 * kNsPerSecond);
+    QCOMPARE(wait.awakeNs(), awake);
+}
+
+void TestTiming::fastWakeUpsAreGrantedOrToldHow() {
+    const CpuLatency one;
+    const CpuLatency two;
+    QCOMPARE(one.isGranted(), two.isGranted());
+    QCOMPARE(one.isGranted(), CpuLatency::advice().isEmpty());
 }
 
 QTEST_GUILESS_MAIN(TestTiming)

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "robot/realtime/cpu_latency.h"
+
+#include <mutex>
+
+#ifdef __linux__
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#endif
+
+namespace tiller::realtime {
+
+#ifdef __linux__
+
+namespace {
+
+constexpr const char* kDevice = "/dev/cpu_dma_latency";
+
+/// The one request of the process.
+struct LatencyRequest {
+    std::mutex mutex;
+    int holders = 0;
+    int file = -1;
+};
+
+LatencyRequest& latencyRequest() {
+    static LatencyRequest request;
+    return request;
+}
+
+}  // namespace
+
+CpuLatency::CpuLatency() {
+    LatencyRequest& request = latencyRequest();
+    const std::lock_guard lock(request.mutex);
+    if (request.holders++ == 0) {
+        request.file = ::open(kDevice, O_WRONLY | O_CLOEXEC);
+        const std::int32_t microseconds = 0;
+        if (request.file >= 0 &&
+            ::write(request.file, &microseconds, sizeof microseconds) != sizeof microseconds) {
+            ::close(request.file);
+            request.file = -1;
+        }
+    }
+    granted_ = request.file >= 0;
+}
+
+CpuLatency::~CpuLatency() {
+    LatencyRequest& request = latencyRequest();
+    const std::lock_guard lock(request.mutex);
+    if (--request.holders == 0 && request.file >= 0) {
+        ::close(request.file);
+        request.file = -1;
+    }
+}
+
+QString CpuLatency::advice() {
+    if (::access(kDevice, W_OK) == 0) {
+        return {};
+    }
+    if (errno == ENOENT) {
+        return QStringLiteral(
+                   "This system has no %1 (a container, or a kernel without it): wake-ups take as long as "
+                   "its processors need.")
+            .arg(QLatin1String(kDevice));
+    }
+    return QStringLiteral(
+        "Permit it with a file /etc/udev/rules.d/99-tiller.rules with the line "
+        "KERNEL==\"cpu_dma_latency\", GROUP=\"realtime\", MODE=\"0660\", a group \"realtime\" with "
+        "this user in it, and a restart.");
+}
+
+#else
+
+// Other systems decide it by their power plan.
+CpuLatency::CpuLatency() : granted_(false) {}
+CpuLatency::~CpuLatency() = default;
+
+QString CpuLatency::advice() {
+    return QStringLiteral(
+        "This system has no request for fast wake-ups; choose its power plan for performance.");
+}
+
+#endif
+
+}  // namespace tiller::realtime
