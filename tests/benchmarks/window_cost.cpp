@@ -5,7 +5,7 @@
 // controller runs in a process of its own, so that its cost does not count. Run it on the offscreen platform
 // (as it does by itself) and, with QT_QPA_PLATFORM=xcb, on an X server. Prints a table; asserts nothing.
 //
-//   window_cost [--seconds 5] [--size 1920x1080 ...] [--json]
+//   window_cost [--seconds 5] [--size 1920x1080 ...] [--no-jog] [--paints] [--json]
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -14,12 +14,14 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QMouseEvent>
+#include <QPaintEvent>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTextStream>
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <map>
 #include <vector>
 
 #include <unistd.h>
@@ -46,6 +48,18 @@ public:
     using QApplication::QApplication;
 
     bool notify(QObject* receiver, QEvent* event) override {
+        if (event->type() == QEvent::Paint && countPaints) {
+            const QRect area = static_cast<QPaintEvent*>(event)->rect();
+            QElapsedTimer time;
+            time.start();
+            const bool taken = QApplication::notify(receiver, event);
+            Paints& paints = paintsOf[QString::fromLatin1(receiver->metaObject()->className()) +
+                                      QLatin1Char(' ') + receiver->objectName()];
+            ++paints.count;
+            paints.ms += static_cast<double>(time.nsecsElapsed()) / 1e6;
+            paints.pixels += static_cast<double>(area.width()) * area.height();
+            return taken;
+        }
         if (event->type() != QEvent::UpdateRequest) {
             return QApplication::notify(receiver, event);
         }
@@ -57,6 +71,15 @@ public:
     }
 
     std::vector<double> frameMs;
+
+    /// Who paints: asked for only where somebody looks for what costs so much.
+    struct Paints {
+        int count = 0;
+        double ms = 0;
+        double pixels = 0;
+    };
+    bool countPaints = false;
+    std::map<QString, Paints> paintsOf;
 };
 
 double percentile(std::vector<double> values, double percent) {
@@ -84,10 +107,10 @@ bool spin(int ms, Condition condition) {
 void mouse(QWidget& key, QEvent::Type type) {
     const QPointF at = QRectF(key.rect()).center();
     QCoreApplication::postEvent(
-        &key, new QMouseEvent(
-                  type, at, key.mapToGlobal(at), Qt::LeftButton,
-                  type == QEvent::MouseButtonPress ? Qt::MouseButtons(Qt::LeftButton) : Qt::NoButton,
-                  Qt::NoModifier));
+        &key,
+        new QMouseEvent(type, at, key.mapToGlobal(at), Qt::LeftButton,
+                        type == QEvent::MouseButtonPress ? Qt::MouseButtons(Qt::LeftButton) : Qt::NoButton,
+                        Qt::NoModifier));
 }
 
 struct Figures {
@@ -101,6 +124,7 @@ class Meter {
 public:
     explicit Meter(TimedApplication& application) : application_(application) {
         application_.frameMs.clear();
+        application_.paintsOf.clear();
         time_.start();
     }
     Figures read() const {
@@ -151,12 +175,15 @@ int main(int argc, char* argv[]) {
     parser.addHelpOption();
     parser.addOptions({{"seconds", "How long each state is watched.", "s", "5"},
                        {"size", "Size of the window; may be given again.", "WxH"},
+                       {"no-jog", "Only at rest."},
+                       {"paints", "Name the widgets that painted, too."},
                        {"json", "One JSON object instead of a table."}});
     parser.process(application);
     QTextStream err(stderr);
     std::vector<QSize> sizes;
     const QStringList wanted = parser.values("size");
-    for (const QString& text : wanted.isEmpty() ? QStringList{"1280x720", "1920x1080", "3840x2160"} : wanted) {
+    for (const QString& text :
+         wanted.isEmpty() ? QStringList{"1280x720", "1920x1080", "3840x2160"} : wanted) {
         const QStringList parts = text.split('x');
         const QSize size = parts.size() == 2 ? QSize(parts[0].toInt(), parts[1].toInt()) : QSize();
         if (size.isEmpty()) {
@@ -221,14 +248,24 @@ int main(int argc, char* argv[]) {
                        .arg(f.p50, 11, 'f', 2)
                        .arg(f.p99, 7, 'f', 2)
                        .arg(f.longest, 7, 'f', 2);
+            for (const auto& [name, paints] : application.paintsOf) {
+                out << QStringLiteral("    %1 paints %2, %3 ms each, %4 pixels each\n")
+                           .arg(name, -44)
+                           .arg(paints.count, 5)
+                           .arg(paints.ms / paints.count, 0, 'f', 3)
+                           .arg(paints.pixels / paints.count, 0, 'f', 0);
+            }
             out.flush();
         };
+        application.countPaints = !json && parser.isSet("paints");
         for (const QSize& size : sizes) {
             window.resize(size);
             spin(1000, [] { return false; });
             const QString name = QStringLiteral("%1x%2").arg(size.width()).arg(size.height());
             tell(name + " at rest", atRest(application, ms));
-            tell(name + " jogging", jogging(application, window, ms));
+            if (!parser.isSet("no-jog")) {
+                tell(name + " jogging", jogging(application, window, ms));
+            }
         }
         window.showMinimized();
         spin(500, [] { return false; });

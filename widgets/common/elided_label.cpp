@@ -18,7 +18,7 @@ ElidedLabel::ElidedLabel(const QString& text, QWidget* parent) : QLabel(parent) 
 }
 
 void ElidedLabel::setFullText(const QString& text) {
-    if (text == fullText_ && !text.isEmpty()) {
+    if (text == fullText_) {
         return;
     }
     fullText_ = text;
