@@ -85,9 +85,16 @@ void Panel::setContent(QWidget* content) {
     layout_->addWidget(content, 1);
 }
 
-void Panel::paintEvent(QPaintEvent*) {
+void Panel::paintEvent(QPaintEvent* event) {
     const Theme& theme = Theme::current();
     QPainter painter(this);
+    // What changes often lies inside: there are no corners and no line to draw there.
+    const QRect inside(kCornerRadius, header_->geometry().bottom() + 2, width() - 2 * kCornerRadius,
+                       height() - header_->geometry().bottom() - 2 - kCornerRadius);
+    if (inside.contains(event->rect())) {
+        painter.fillRect(event->rect(), theme.panel);
+        return;
+    }
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(theme.border);
     painter.setBrush(theme.panel);

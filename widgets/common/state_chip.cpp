@@ -60,6 +60,7 @@ void StateChip::setCaption(const QString& caption, GivesWay givesWay) {
         caption_ = caption;
         givesWay_ = givesWay;
         updateGeometry();
+        showTip();
         update();
     }
 }
@@ -81,11 +82,14 @@ QString StateChip::shownCaption() const {
 }
 
 void StateChip::setState(const QString& text, Shape shape, Emphasis emphasis, const QString& advice) {
-    advice_ = advice;
     if (text == text_ && shape == shape_ && emphasis == emphasis_) {
-        showTip();
+        if (advice != advice_) {
+            advice_ = advice;
+            showTip();
+        }
         return;
     }
+    advice_ = advice;
     const bool resized = text.size() != text_.size() || emphasis != emphasis_ || shape != shape_ || !figures_;
     text_ = text;
     shape_ = shape;
@@ -115,6 +119,7 @@ void StateChip::setMark(const QString& mark) {
     if (mark != mark_) {
         mark_ = mark;
         updateGeometry();
+        showTip();
         update();
     }
 }
@@ -126,6 +131,7 @@ int StateChip::shapeRoom() const {
 
 void StateChip::setFigures(bool figures) {
     figures_ = figures;
+    showTip();
     updateGeometry();
 }
 
@@ -133,6 +139,7 @@ void StateChip::setDense(bool dense) {
     if (dense != dense_) {
         dense_ = dense;
         updateGeometry();
+        showTip();
         update();
     }
 }
@@ -144,6 +151,7 @@ int StateChip::padding() const {
 void StateChip::setLeastCharacters(int characters) {
     if (characters != leastCharacters_) {
         leastCharacters_ = characters;
+        showTip();
         updateGeometry();
     }
 }
