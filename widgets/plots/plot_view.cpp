@@ -41,7 +41,10 @@ double niceTickStep(double span, double width) {
     return 1800;
 }
 
-constexpr double kGrab = 6;  // a cursor is taken hold of within this distance [px]
+// A curve that goes on by less than this many pixels is drawn anew at most 30 times a second: more is not seen.
+constexpr double kQuickColumns = 3;
+constexpr double kCalmFrame = 0.03;  // [s]
+constexpr double kGrab = 6;          // a cursor is taken hold of within this distance [px]
 constexpr double kZoomPerNotch = 0.8;
 constexpr int kCoarse = 10;  // arrow keys with Shift
 
@@ -121,10 +124,21 @@ void PlotView::measure() {
 
 void PlotView::refresh(double seconds) {
     measure();
+    sinceShown_ += seconds;
     // What is frozen stays as it is on the screen; only its oldest samples may fall out of the history.
-    if (window_.follows() && (shownEnd_ != history_.end() || shownNewest_ != window_.newest())) {
-        show(seconds);
+    if (window_.follows() && (shownEnd_ != history_.end() || shownNewest_ != window_.newest()) && isDue()) {
+        show(sinceShown_);
     }
+}
+
+bool PlotView::isDue() const {
+    if (QWidget::window()->isMinimized()) {
+        return false;
+    }
+    const double columns =
+        std::abs(window_.newest() - shownNewest_) / window_.span() * panes_[0]->area().width();
+    return sinceShown_ >= kCalmFrame || columns >= kQuickColumns || shownEnd_ <= 0 ||
+           shownEnd_ == history_.end();  // an outage: nothing else is drawn
 }
 
 void PlotView::showLike(const PlotView& other) {
@@ -147,6 +161,7 @@ void PlotView::rewind() {
 void PlotView::show(double seconds) {
     shownEnd_ = history_.end();
     shownNewest_ = window_.newest();
+    sinceShown_ = 0;
     if (window_.follows()) {
         reference_ = window_.newest();
     }

@@ -98,6 +98,8 @@ private:
     /// The window changed by hand: shows it at once, with the best scales.
     void rewind();
     void show(double seconds);
+    /// So much has changed that a new picture is worth its cost.
+    bool isDue() const;
     void placeTicks();
     void placeCursors();
     void click(const QPointF& point);
@@ -128,7 +130,8 @@ private:
     ColumnGrid grid_;
     std::int64_t shownEnd_ = -1;
     double shownNewest_ = 0;
-    double reference_ = 0;  // what the time labels count from [s]
+    double sinceShown_ = 0;  // [s]
+    double reference_ = 0;   // what the time labels count from [s]
     double tickSpan_ = -1;
     double tickEnd_ = 0;
     bool forceZeroed_ = false;
