@@ -50,7 +50,7 @@ void deadlines(Report& report) {
     for (const test::BlockingCall& call : calls) {
         {
             test::MuteWorld world;
-            wrong += world.begin() ? 0 : 1;
+            wrong += world.begin().ok() ? 0 : 1;
             constexpr auto kTime = 100ms;
             const auto begin = SteadyTime::now();
             const Error error = call.run(world, Deadline::after(kTime));
@@ -58,7 +58,7 @@ void deadlines(Report& report) {
             wrong += error.code == ErrorCode::Timeout ? 0 : 1;
         }
         test::MuteWorld world;
-        wrong += world.begin() ? 0 : 1;
+        wrong += world.begin().ok() ? 0 : 1;
         const CancelToken token;
         SteadyTime::time_point cancelled;
         std::thread impatient([&] {
@@ -88,7 +88,7 @@ void ends(Report& report) {
     };
     {
         test::MuteWorld world;
-        if (world.begin()) {
+        if (world.begin().ok()) {
             measure("Controller::release", [&] { world.controller().release(); });
             measure("~Controller", [&] { world.cell.controller.reset(); });
         }

@@ -43,12 +43,12 @@ struct MuteWorld {
 
     std::vector<std::shared_ptr<void>> kept;
 
-    bool begin() {
-        if (!cell.takeControl().ok()) {
-            return false;
+    Result<void> begin() {
+        if (const auto taken = cell.takeControl(); !taken) {
+            return taken;
         }
         cell.robot.silence(true);  // from here on nobody steps, and no packet comes
-        return true;
+        return {};
     }
     control::Controller& controller() { return *cell.controller; }
     QString host() const { return QStringLiteral("127.0.0.1"); }

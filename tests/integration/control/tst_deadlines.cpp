@@ -5,6 +5,7 @@
 #include <QDir>
 
 #include "tests/integration/control/blocking_calls.h"
+#include "tests/support/waiting.h"
 
 using namespace tiller;
 using namespace tiller::control;
@@ -58,7 +59,8 @@ private Q_SLOTS:
     void everyCallEndsWithItsDeadline() {
         QFETCH(int, which);
         MuteWorld world;
-        QVERIFY(world.begin());
+        const auto begun = world.begin();
+        QVERIFY2(begun.ok(), why(begun));
         const BlockingCall& call = calls_[static_cast<std::size_t>(which)];
         const Error error = call.run(world, Deadline::after(milliseconds(40)));
         QVERIFY2(error.code == ErrorCode::Timeout, qPrintable(error.toString()));
@@ -68,7 +70,8 @@ private Q_SLOTS:
     void everyCallEndsWithItsCancel() {
         QFETCH(int, which);
         MuteWorld world;
-        QVERIFY(world.begin());
+        const auto begun = world.begin();
+        QVERIFY2(begun.ok(), why(begun));
         const CancelToken token;
         std::thread impatient([&] {
             std::this_thread::sleep_for(milliseconds(20));
