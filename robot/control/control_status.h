@@ -90,6 +90,7 @@ struct ControllerStatus {
     std::uint64_t ticks = 0;             ///< data packages answered
     std::uint64_t late = 0;              ///< of those, more than half a period late by the host's clock
     std::int64_t dataTimeNs = 0;         ///< when the newest data arrived; by the controller's Clock
+    double answeredTime = 0;             ///< time stamp of the newest data whose answer has been sent [s]
     bool priorityGranted = false;        ///< the control thread got the priority it asked for
     bool fastWakeUps = false;            ///< its processors are kept from deep sleep: realtime::CpuLatency
     bool cpusGranted = false;            ///< ... and the CPUs

@@ -206,6 +206,9 @@ void ControlLink::run(script::PrimaryClient& primary) {
                 Feedback data = layout_.decode(values, now());
                 data.awaited = data.hostNs - doneNs > kBusyNs;
                 alive = answer(loop_.tick(data));
+                if (alive) {
+                    loop_.answered();
+                }
                 if (loop_.takePaused() && (!options_.keepPaused || loop_.yieldedWhenPaused())) {
                     primary.requestProgramStop();
                 }

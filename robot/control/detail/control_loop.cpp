@@ -58,6 +58,7 @@ void ControlLoop::begin(std::int32_t session, double period, const ArmLimits& ar
     status_.ticks = 0;
     status_.late = 0;
     status_.limiter = {};
+    answeredTime_.store(0, std::memory_order_release);
     publish();
 }
 
@@ -137,6 +138,14 @@ Command ControlLoop::tick(const Feedback& data) {
     seal(command, composedNs_);
     publish();
     return command;
+}
+
+ControllerStatus ControlLoop::status() const {
+    // First, so that what is told as answered is in the rest too.
+    const double answeredTime = answeredTime_.load(std::memory_order_acquire);
+    ControllerStatus status = published_.load();
+    status.answeredTime = answeredTime;
+    return status;
 }
 
 bool ControlLoop::fallback(std::int64_t nowNs, Command& out) {

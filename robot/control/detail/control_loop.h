@@ -72,6 +72,8 @@ public:
 
     /// One package from the robot in, one back.
     Command tick(const Feedback& data);
+    /// What tick() returned has been sent.
+    void answered() { answeredTime_.store(data_.timestamp, std::memory_order_release); }
     /// When fallback() has something to do although no package came; kNoCycleDue: nothing.
     std::int64_t dueNs();
     /// For when no package comes: ends the motion once the data are too old, and runs the cycle that is due.
@@ -123,7 +125,7 @@ public:
     /// motion.
     bool confirmControl();
     bool isInControl() const { return inControl_.load(std::memory_order_acquire); }
-    ControllerStatus status() const { return published_.load(); }
+    ControllerStatus status() const;
     /// True once after our program was paused: it is of no more use, and what it has begun, force mode for
     /// one, might go on all the same. Threads  the control thread
     bool takePaused() { return std::exchange(paused_, false); }
@@ -205,6 +207,7 @@ private:
 
     ControllerStatus status_;
     realtime::Seqlock<ControllerStatus> published_;
+    std::atomic<double> answeredTime_{0};  ///< ControllerStatus::answeredTime
 };
 
 }  // namespace tiller::control

@@ -140,16 +140,39 @@ public:
     /// Time goes on by so many control periods of 2 ms; false when the controller stopped answering.
     bool step(int ticks = 1) {
         for (int i = 0; i < ticks; ++i) {
-            const std::uint64_t inputs = robot.inputPackages();
+            const Answers before = answers();
             tick();
             if (everyTick) {
                 everyTick();
             }
-            if (!robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::seconds(20)))) {
+            if (!waitForAnswer(before)) {
                 return false;
             }
         }
         return true;
+    }
+    /// What has been answered so far.
+    struct Answers {
+        bool inControl = false;
+        double time = 0;  ///< ControllerStatus::answeredTime
+        std::uint64_t inputs = 0;
+    };
+    Answers answers() const {
+        const auto status = controller ? controller->status() : control::ControllerStatus();
+        return {status.inControl, status.answeredTime, robot.inputPackages()};
+    }
+    /// Until newer data than those have their answer, and it has come in; false after 20 s. A package more is
+    /// no answer yet where the controller sends of its own accord too: a stop, a set point between two
+    /// packages. Who took one for the answer would be a package ahead from then on.
+    bool waitForAnswer(const Answers& before) {
+        const Deadline deadline = Deadline::after(std::chrono::seconds(20));
+        while (before.inControl && controller->status().answeredTime == before.time) {
+            if (deadline.hasExpired()) {
+                return false;
+            }
+            robot.drainSockets();
+        }
+        return robot.waitForInputPackages(before.inputs + 1, deadline);
     }
     bool stepMs(int ms) { return step(ms / 2); }
     /// Time goes on for the robot and by the clock, whatever the controller does.
@@ -234,6 +257,11 @@ private:
     }
     // Until the answers to all that was sent before have come in.
     void settle() {
+        const Deadline deadline = Deadline::after(std::chrono::seconds(20));
+        while (controller->status().inControl &&
+               controller->status().answeredTime < robot.truth().timestamp && !deadline.hasExpired()) {
+            robot.drainSockets();
+        }
         for (int calm = 0; calm < 5; ++calm) {
             const std::uint64_t inputs = robot.inputPackages();
             if (robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::milliseconds(10)))) {
