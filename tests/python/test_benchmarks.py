@@ -22,14 +22,14 @@ def script():
 
 
 class TestBenchmarks(unittest.TestCase):
-    run = script()
+    table = script()
 
     def printing(self, text, **figure):
-        return self.run.Program("p", [sys.executable, "-c", f"print({text!r})"],
-                                [self.run.Figure("f", **figure)])
+        return self.table.Program("p", [sys.executable, "-c", f"print({text!r})"],
+                                [self.table.Figure("f", **figure)])
 
     def test_the_list_is_whole(self):
-        programs = self.run.load(FOLDER / "rows.toml")
+        programs = self.table.load(FOLDER / "rows.toml")
         self.assertGreater(len(programs), 0)
         names = [f"{program.name}: {figure.name}" for program in programs for figure in program.figures]
         self.assertEqual(len(names), len(set(names)))
@@ -39,8 +39,8 @@ class TestBenchmarks(unittest.TestCase):
             with self.subTest(figure), tempfile.TemporaryDirectory() as folder:
                 rows = Path(folder) / "rows.toml"
                 rows.write_text(f'[[program]]\nname = "p"\ncommand = ["x"]\n[[program.figure]]\n{figure}\n')
-                with self.assertRaises(self.run.Mistake):
-                    self.run.load(rows)
+                with self.assertRaises(self.table.Mistake):
+                    self.table.load(rows)
 
     def test_figures_are_found(self):
         several = self.printing('{"all": [{"lost": 1}, {"lost": 4}, {}]}', at="all.*.lost", goal="< 4")
@@ -54,9 +54,9 @@ class TestBenchmarks(unittest.TestCase):
     def test_what_is_not_told_is_no_figure(self):
         for program in (self.printing("{}", at="all.*.lost"), self.printing("not JSON", at="a"),
                         self.printing("late", pattern=r"late (\d+)"),
-                        self.run.Program("p", ["{bin}/nothing"], [self.run.Figure("f", at="a")])):
+                        self.table.Program("p", ["{bin}/nothing"], [self.table.Figure("f", at="a")])):
             with self.subTest(program.command):
-                with self.assertRaises(self.run.Mistake):
+                with self.assertRaises(self.table.Mistake):
                     program.measure(Path("/"), 60)
                 self.assertEqual(program.figures[0].values, [])
 
@@ -64,10 +64,10 @@ class TestBenchmarks(unittest.TestCase):
         program = self.printing("", at="a", goal="< 3")
         program.figures[0].values = [1, 7, 2]
         program.others = program.stolen = [10, 30, 20]
-        program.mistakes = [self.run.Mistake("gone")]
+        program.mistakes = [self.table.Mistake("gone")]
         said = io.StringIO()
         with contextlib.redirect_stdout(said):
-            self.run.show([program])
+            self.table.show([program])
         row = [cell.strip() for cell in said.getvalue().splitlines()[2].split("|")]
         self.assertEqual(row[1:-1], ["p: f", "", "2", "1", "7", "3", "< 3", "yes", "20", "20.0"])
         self.assertIn("p: gone", said.getvalue())
