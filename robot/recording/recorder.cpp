@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
+#include <deque>
 #include <filesystem>
 #include <mutex>
 #include <thread>
@@ -12,7 +13,6 @@
 
 #include "robot/realtime/thread_priority.h"
 #include "robot/receive/default_fields.h"
-#include "robot/recording/detail/csv_writer.h"
 #include "robot/recording/detail/recording_file.h"
 
 namespace tiller::recording {
@@ -27,7 +27,8 @@ constexpr milliseconds kWriteEvery{100};
 // ... and from there to the disk this often, which is what a power failure can.
 constexpr milliseconds kSyncEvery{500};
 constexpr milliseconds kLookAtDiskEvery{1000};
-constexpr std::size_t kWriteAtBytes = 256 * 1024;
+// About a quarter of a megabyte of text.
+constexpr std::size_t kWriteAtSamples = 256;
 
 std::int64_t freeBytesFor(const QString& path) {
     // Not QStorageInfo: it knows nothing of a place whose mount is not listed, as in a chroot or a container.
@@ -48,6 +49,20 @@ QStringList notFollowed(const std::vector<std::string>& fields, const receive::S
     return sentences;
 }
 
+/// `timestamp` first, unless they are to be as given; each once.
+std::vector<std::string> orderedFields(const RecorderOptions& options) {
+    std::vector<std::string> ordered;
+    if (!options.asGiven) {
+        ordered.emplace_back("timestamp");
+    }
+    for (const std::string& field : options.fields.empty() ? defaultRecordedFields() : options.fields) {
+        if (std::find(ordered.begin(), ordered.end(), field) == ordered.end()) {
+            ordered.push_back(field);
+        }
+    }
+    return ordered;
+}
+
 }  // namespace
 
 std::vector<std::string> defaultRecordedFields() {
@@ -56,11 +71,12 @@ std::vector<std::string> defaultRecordedFields() {
 
 struct Recorder::Worker {
     std::thread thread;
-    std::mutex mutex;  // for the two below and for waiting
+    std::mutex mutex;  // for what follows, and for waiting
     std::condition_variable wake;
     bool stopping = false;
     Error error;
     QString path;
+    std::vector<RecordedNote> notes;
 
     std::atomic<RecorderState> state{RecorderState::Idle};
     std::atomic<std::uint64_t> rows{0};
@@ -68,78 +84,181 @@ struct Recorder::Worker {
     std::atomic<std::int64_t> durationNs{0};
     std::atomic<std::int64_t> bytes{0};
     std::atomic<std::int64_t> freeBytes{0};
+    std::atomic<int> files{0};
 
     // The thread's own while it runs.
-    std::unique_ptr<RecordingFile> file;
-    std::unique_ptr<CsvWriter> writer;
+    RecorderOptions options;
+    RecordingSetup setup;
+    RecordingFileFactory makeFile;
+    std::unique_ptr<RecordingFile> file;  ///< null: none is open
+    std::unique_ptr<RecordingEncoder> encoder;
     receive::Subscription subscription;
     receive::Sample sample;
-    std::string text;  ///< whole rows not written yet
-    std::uint64_t rowsInText = 0;
-    std::uint64_t lostInText = 0;
+    std::optional<TriggerWatch> trigger;
+    std::deque<std::pair<receive::Sample, std::uint64_t>>
+        kept;                   ///< before a trigger, each with what is missing
+    std::size_t unwritten = 0;  ///< samples since the last part
     std::uint64_t every = 1;
     std::uint64_t lastSequence = 0;
     std::uint64_t dueSequence = 0;  ///< of the next row
     std::uint64_t missingBefore = 0;
     std::int64_t firstNs = 0;
     std::int64_t lastNs = 0;
+    std::int64_t earlierNs = 0;    ///< in files that are closed
+    std::int64_t steadyToUtc = 0;  ///< [ns]
 
-    /// Writes what is in `text`. On failure the file is cut back to its last whole row.
-    Result<void> flush() {
-        if (text.empty()) {
+    Result<void> openFile(const QString& to) {
+        encoder = options.format->encoder(setup);
+        if (!encoder) {
+            return Error{ErrorCode::InvalidArgument, QStringLiteral("no field to record"), {}};
+        }
+        auto next = makeFile();
+        if (auto opened = next->open(to); !opened) {
+            return opened;
+        }
+        {
+            const std::lock_guard lock(mutex);
+            path = to;
+        }
+        file = std::move(next);
+        bytes = 0;
+        firstNs = lastNs = 0;
+        ++files;
+        return write(RecordingEncoder::Close::WhenDue);
+    }
+
+    /// What can be written by now. On failure the file is cut back to its last whole row.
+    Result<void> write(RecordingEncoder::Close how) {
+        unwritten = 0;
+        const RecordedPart part = encoder->take(how);
+        if (part.bytes.empty()) {
             return {};
         }
         std::size_t got = 0;
-        const Result<void> written = file->write(text, got);
+        const Result<void> written = file->write(part.bytes, got);
         if (!written) {
             // Whole rows of a part that did get through are worth keeping.
-            const std::size_t lineEnd = got == 0 ? std::string::npos : text.rfind('\n', got - 1);
-            const std::size_t kept = lineEnd == std::string::npos ? 0 : lineEnd + 1;
-            bytes += static_cast<std::int64_t>(kept);
-            rows += static_cast<std::uint64_t>(
-                std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(kept), '\n'));
+            std::uint64_t keptRows = 0;
+            bytes += static_cast<std::int64_t>(
+                encoder->keepOf(std::string_view(part.bytes).substr(0, got), keptRows));
+            rows += keptRows;
             file->cut(bytes);
-            text.clear();
             return written;
         }
         bytes += static_cast<std::int64_t>(got);
-        rows += rowsInText;
-        lost += lostInText;
-        durationNs = lastNs - firstNs;
-        text.clear();
-        rowsInText = 0;
-        lostInText = 0;
+        rows += part.rows;
+        lost += part.lost;
+        durationNs = earlierNs + lastNs - firstNs;
         return {};
     }
 
-    void takeSample() {
+    Result<void> finishFile() {
+        Result<void> result = write(RecordingEncoder::Close::Last);
+        if (result) {
+            result = file->sync();
+        }
+        const Result<void> closed = file->close();
+        file.reset();
+        earlierNs += lastNs - firstNs;
+        return result ? closed : result;
+    }
+
+    void encode(const receive::Sample& row, std::uint64_t missing) {
+        firstNs = firstNs == 0 ? row.hostTimeNs : firstNs;
+        lastNs = row.hostTimeNs;
+        encoder->add(row, missing, row.hostTimeNs + steadyToUtc);
+        ++unwritten;
+    }
+
+    Result<void> takeSample() {
         const std::uint64_t overrun = lastSequence == 0 ? 0 : sample.sequence - lastSequence - 1;
         const std::uint64_t missing = lastSequence == 0 ? 0 : overrun + sample.lostBefore;
-        if (lastSequence == 0) {
-            firstNs = sample.hostTimeNs;
-        }
         lastSequence = sample.sequence;
         missingBefore += missing;
-        if (sample.sequence < dueSequence) {
-            return;
+        if (trigger) {
+            return takeTriggered();
         }
-        dueSequence = sample.sequence + every;
-        lastNs = sample.hostTimeNs;
-        writer->append(text, sample, missingBefore);
-        ++rowsInText;
-        lostInText += std::exchange(missingBefore, 0);
+        if (sample.sequence >= dueSequence) {
+            dueSequence = sample.sequence + every;
+            encode(sample, std::exchange(missingBefore, 0));
+        }
+        return {};
+    }
+
+    Result<void> takeTriggered() {
+        const TriggerWatch::Verdict verdict = trigger->add(sample);
+        const std::uint64_t missing = std::exchange(missingBefore, 0);
+        if (verdict == TriggerWatch::Verdict::End) {
+            if (const auto finished = finishFile(); !finished) {
+                return finished;
+            }
+            state = RecorderState::Waiting;
+        }
+        if (verdict == TriggerWatch::Verdict::Begin) {
+            int number = files + 1;
+            while (QFileInfo::exists(numberedPath(options.path, number))) {
+                ++number;  // those of an earlier run are kept
+            }
+            if (const auto opened = openFile(numberedPath(options.path, number)); !opened) {
+                return opened;
+            }
+            state = RecorderState::Recording;
+            dueSequence = 0;
+            for (const auto& [row, lostBefore] : kept) {
+                encodeDue(row, lostBefore);
+            }
+            kept.clear();
+        }
+        if (file) {
+            encodeDue(sample, missing);
+            return {};
+        }
+        kept.emplace_back(sample, missing);
+        const auto spanNs = static_cast<std::int64_t>(options.trigger->before * 1e9);
+        while (!kept.empty() && sample.hostTimeNs - kept.front().first.hostTimeNs > spanNs) {
+            kept.pop_front();
+        }
+        return {};
+    }
+
+    void encodeDue(const receive::Sample& row, std::uint64_t missing) {
+        missingBefore += missing;
+        if (row.sequence >= dueSequence) {
+            dueSequence = row.sequence + every;
+            encode(row, std::exchange(missingBefore, 0));
+        }
     }
 
     Result<void> drain() {
+        std::vector<RecordedNote> said;
+        {
+            const std::lock_guard lock(mutex);
+            said.swap(notes);
+        }
         while (subscription.next(sample)) {
-            takeSample();
-            if (text.size() >= kWriteAtBytes) {
-                if (auto written = flush(); !written) {
+            if (auto taken = takeSample(); !taken) {
+                return taken;
+            }
+            if (file && unwritten >= kWriteAtSamples) {
+                if (auto written = write(RecordingEncoder::Close::WhenDue); !written) {
                     return written;
                 }
             }
+            if (isDone()) {
+                break;
+            }
         }
-        return flush();
+        if (!file) {
+            return {};
+        }
+        for (const RecordedNote& note : said) {
+            encoder->add(note);
+        }
+        return write(RecordingEncoder::Close::WhenDue);
+    }
+
+    bool isDone() const {
+        return trigger && !file && options.trigger->files > 0 && files >= options.trigger->files;
     }
 
     void run() {
@@ -153,23 +272,42 @@ struct Recorder::Worker {
                 last = wake.wait_for(lock, kWriteEvery, [&] { return stopping; });
             }
             Result<void> result = drain();
+            last = last || isDone();
             const auto now = steady_clock::now();
-            if (result && (now >= syncDue || last)) {
+            if (result && file && now >= lookDue && !last) {
+                freeBytes = freeBytesFor(options.path);
+                lookDue = now + kLookAtDiskEvery;
+                if (freeBytes < options.keepFree) {
+                    result = finishFile();
+                    end(result ? noRoom() : result);
+                    return;
+                }
+            }
+            if (result && file && now >= syncDue && !last) {
                 // Bytes that were taken may be lost only now, or only at the close.
                 result = file->sync();
                 syncDue = now + kSyncEvery;
             }
             if (last || !result) {
-                const Result<void> closed = file->close();
-                freeBytes = freeBytesFor(path);
-                end(result ? closed : result);
+                if (result && file) {
+                    result = finishFile();
+                } else if (file) {
+                    static_cast<void>(file->close());  // its error is not the first
+                }
+                freeBytes = freeBytesFor(options.path);
+                end(result);
                 return;
             }
-            if (now >= lookDue) {
-                freeBytes = freeBytesFor(path);
-                lookDue = now + kLookAtDiskEvery;
-            }
         }
+    }
+
+    Result<void> noRoom() const {
+        constexpr std::int64_t kMega = 1'000'000;
+        return Error{
+            ErrorCode::DiskFull, QStringLiteral("record to %1").arg(QDir::toNativeSeparators(path)),
+            QStringLiteral(
+                "the recording was ended, and is whole, because less than %1 MB are free on the disk")
+                .arg(options.keepFree / kMega)};
     }
 
     void end(const Result<void>& result) {
@@ -198,7 +336,8 @@ Result<void> Recorder::start(const RecorderOptions& options, const receive::Rece
 
 Result<void> Recorder::start(const RecorderOptions& options, receive::Subscription subscription,
                              std::shared_ptr<const receive::SampleLayout> layout) {
-    if (worker()->state == RecorderState::Recording) {
+    if (const RecorderState now = worker()->state;
+        now == RecorderState::Recording || now == RecorderState::Waiting) {
         return Error{
             ErrorCode::InvalidArgument, QStringLiteral("a recording is under way to %1").arg(path()), {}};
     }
@@ -216,23 +355,29 @@ Result<void> Recorder::start(const RecorderOptions& options, receive::Subscripti
                      QStringLiteral("record to %1").arg(QDir::toNativeSeparators(options.path)),
                      missing.join(QStringLiteral("; "))};
     }
-    next->writer = std::make_unique<CsvWriter>(
-        *layout, options.fields.empty() ? defaultRecordedFields() : options.fields, options.asGiven);
-    if (next->writer->columns() == 0) {
-        return Error{ErrorCode::InvalidArgument, QStringLiteral("no field to record"), {}};
-    }
-    next->file = files_();
-    if (auto opened = next->file->open(options.path); !opened) {
+    next->options = options;
+    next->options.format = options.format ? options.format : csvFormat();
+    next->setup = {layout, orderedFields(options), options.asGiven};
+    next->makeFile = files_;
+    const auto utc = std::chrono::system_clock::now().time_since_epoch();
+    next->steadyToUtc =
+        std::chrono::duration_cast<std::chrono::nanoseconds>(utc).count() - SteadyClock::shared().nowNs();
+    next->state = options.trigger ? RecorderState::Waiting : RecorderState::Recording;
+    if (options.trigger) {
+        auto watch = TriggerWatch::make(*options.trigger, *layout);
+        if (!watch) {
+            return watch.error();
+        }
+        next->trigger = std::move(watch).value();
+        if (!next->options.format->encoder(next->setup)) {
+            return Error{ErrorCode::InvalidArgument, QStringLiteral("no field to record"), {}};
+        }
+    } else if (auto opened = next->openFile(options.path); !opened) {
         return opened;
-    }
-    next->text = next->writer->header();
-    if (auto written = next->flush(); !written) {
-        return written;
     }
     next->sample = receive::Sample(std::move(layout));
     next->subscription = std::move(subscription);
     next->freeBytes = freeBytesFor(options.path);
-    next->state = RecorderState::Recording;
     next->thread = std::thread([recording = next.get()] { recording->run(); });
     const std::lock_guard lock(mutex_);
     d_ = std::move(next);
@@ -261,6 +406,7 @@ RecorderProgress Recorder::progress() const {
     progress.lost = current->lost;
     progress.bytes = current->bytes;
     progress.freeBytes = current->freeBytes;
+    progress.files = current->files;
     return progress;
 }
 
@@ -271,7 +417,18 @@ Error Recorder::error() const {
 }
 
 QString Recorder::path() const {
-    return worker()->path;
+    const auto current = worker();
+    const std::lock_guard lock(current->mutex);
+    return current->path;
+}
+
+void Recorder::note(const RecordedNote& note) {
+    const auto current = worker();
+    const std::lock_guard lock(current->mutex);
+    constexpr std::size_t kMostWaiting = 10'000;
+    if (current->notes.size() < kMostWaiting) {
+        current->notes.push_back(note);
+    }
 }
 
 }  // namespace tiller::recording

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Writes what the robot sends to a CSV file, one row per package (or per n packages): `timestamp` first, then one column per
+// Writes what the robot sends to a file, one row per package (or per n packages), in any of the formats; unless told
+// otherwise to a CSV file: `timestamp` first, then one column per
 // number, named as ur_rtde recordings are (actual_q_0 ... actual_q_5), at last `packages_lost`: how many
 // packages are missing between the row before and this one (0 in a recording without gaps). Numbers are the
 // shortest that read back exactly, with a point whatever the locale; a field the robot does not have stays
@@ -15,12 +16,15 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "robot/core/result.h"
 #include "robot/core/text.h"
 #include "robot/receive/receiver.h"
+#include "robot/recording/recording_format.h"
+#include "robot/recording/trigger.h"
 
 namespace tiller::recording {
 
@@ -42,11 +46,17 @@ struct RecorderOptions {
     bool asGiven = false;  ///< these fields in this order and nothing else: no timestamp, no packages_lost
     /// Every n-th package becomes a row, 1 or more. What is left out on purpose does not count as lost.
     int every = 1;
+    std::shared_ptr<const RecordingFormat> format{};  ///< null: CSV
+    /// Waits for it, and writes into numbered files: see numberedPath(). Nothing: one file, at once.
+    std::optional<RecordingTrigger> trigger{};
+    /// Ends in order, with DiskFull, when less would stay free on the disk [bytes]; 0: when it is full.
+    std::int64_t keepFree = 0;
 };
 
 enum class RecorderState {
     Idle,
     Recording,
+    Waiting,   ///< for its trigger
     Finished,  ///< stop() was called; the file is complete, and on the disk
     Failed,    ///< see error(); what was written before is kept
 };
@@ -57,6 +67,7 @@ struct RecorderProgress {
     double seconds = 0;          ///< from the first row to the last, by the receiver's clock
     std::uint64_t lost = 0;      ///< packages missing in the file, by whatever cause
     std::int64_t bytes = 0;      ///< size of the file
+    int files = 0;               ///< begun so far
     std::int64_t freeBytes = 0;  ///< on its disk, looked up about once a second
 };
 
@@ -84,7 +95,10 @@ public:
     /// went well: a disk or a share that takes the rows and loses them afterwards makes it Failed.
     void stop();
 
-    RecorderProgress progress() const;  ///< Any thread
+    /// Into the file, where its format has a place for it. Any thread
+    void note(const RecordedNote& note);
+
+    RecorderProgress progress() const;  ///< Any thread; rows, seconds and lost are of all files together
     /// Why it failed: DiskFull, FileNotWritable; code None otherwise.
     Error error() const;
     QString path() const;  ///< Of the file being written, or written last.

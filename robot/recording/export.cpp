@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "robot/recording/export.h"
+
+#include <QSaveFile>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "robot/recording/detail/ranges.h"
+
+namespace tiller::recording {
+
+namespace {
+
+constexpr std::uint64_t kRowsAtOnce = 4096;
+constexpr std::size_t kLongestNumber = 32;
+
+bool belongsTo(std::string_view column, std::string_view field) {
+    if (column == field) {
+        return true;
+    }
+    return column.size() == field.size() + 2 && column.starts_with(field) && column[field.size()] == '_' &&
+           column.back() >= '0' && column.back() <= '9';
+}
+
+/// Writes at `at`, where there is room for it. Returns  the end
+char* putNumber(char* at, double value, bool whole, char decimal) {
+    if (std::isnan(value)) {
+        return at;
+    }
+    constexpr double kExact = 9007199254740992.0;  // 2^53
+    if (whole && std::abs(value) < kExact && value == std::trunc(value)) {
+        return std::to_chars(at, at + kLongestNumber, static_cast<std::int64_t>(value)).ptr;
+    }
+    char* const end = std::to_chars(at, at + kLongestNumber, value).ptr;
+    if (decimal != '.') {
+        std::replace(at, end, '.', decimal);
+    }
+    return end;
+}
+
+/// A cell of the heading: between quotation marks where it holds what separates cells.
+std::string cell(const std::string& text, char separator) {
+    return text.find(separator) == std::string::npos ? text : '"' + text + '"';
+}
+
+Error writeError(const QFileDevice& file, const Text& path) {
+    const bool full = file.error() == QFileDevice::ResourceError || file.errorString().contains("space");
+    return {full ? ErrorCode::DiskFull : ErrorCode::FileNotWritable, QStringLiteral("export to %1").arg(path),
+            file.errorString()};
+}
+
+}  // namespace
+
+Result<std::vector<std::size_t>> chooseColumns(const Recording& recording,
+                                               const std::vector<std::string>& names) {
+    std::vector<std::size_t> chosen;
+    const auto& columns = recording.columns();
+    if (names.empty()) {
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            chosen.push_back(i);
+        }
+        return chosen;
+    }
+    QStringList missing;
+    for (const std::string& name : names) {
+        bool found = false;
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            if (belongsTo(columns[i].name, name)) {
+                found = true;
+                if (std::find(chosen.begin(), chosen.end(), i) == chosen.end()) {
+                    chosen.push_back(i);
+                }
+            }
+        }
+        if (!found) {
+            missing << QStringLiteral("there is no column \"%1\"").arg(Text(name));
+        }
+    }
+    if (!missing.isEmpty()) {
+        return Error{ErrorCode::FieldUnknown, QStringLiteral("read %1").arg(recording.path()),
+                     missing.join(QStringLiteral("; "))};
+    }
+    return chosen;
+}
+
+Result<RowRange> chooseRows(const Recording& recording, const ExportChoice& choice) {
+    if (recording.rows() == 0) {
+        return RowRange{};
+    }
+    const auto first = choice.from <= 0 ? Result<std::uint64_t>(0) : recording.rowAt(choice.from);
+    const auto last = std::isinf(choice.until) ? Result<std::uint64_t>(recording.rows() - 1)
+                                               : recording.rowAt(choice.until);
+    if (!first || !last) {
+        return first ? last.error() : first.error();
+    }
+    RowRange range{first.value(), 0};
+    // rowAt() gives the row before a moment between two.
+    if (const auto time = recording.times({range.first, 1});
+        time && !time.value().empty() && time.value().front() < choice.from) {
+        ++range.first;
+    }
+    range.count =
+        last.value() + 1 > range.first && choice.until >= choice.from ? last.value() + 1 - range.first : 0;
+    return within(range, recording.rows());
+}
+
+Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& choice,
+                               const CsvStyle& style) {
+    if (std::string_view(",;\t").find(style.separator) == std::string_view::npos ||
+        std::string_view(".,").find(style.decimal) == std::string_view::npos ||
+        style.separator == style.decimal) {
+        return Error{ErrorCode::InvalidArgument, QStringLiteral("export to %1").arg(choice.path),
+                     QStringLiteral(
+                         "cells are separated by , ; or a tab, decimals by a point or a comma, and not both "
+                         "by a comma")};
+    }
+    const auto columns = chooseColumns(recording, choice.columns);
+    if (!columns) {
+        return columns.error();
+    }
+    const auto rows = chooseRows(recording, choice);
+    if (!rows) {
+        return rows.error();
+    }
+    QSaveFile file(choice.path);
+    if (!file.open(QIODevice::WriteOnly)) {
+        return writeError(file, choice.path);
+    }
+    std::string heading;
+    std::string units;
+    for (const std::size_t column : columns.value()) {
+        const RecordedColumn& described = recording.columns()[column];
+        heading +=
+            (heading.empty() ? "" : std::string(1, style.separator)) + cell(described.name, style.separator);
+        // An empty cell would not tell the line of units from one of numbers.
+        const std::string unit = described.unit.empty() ? "-" : described.unit;
+        units += (units.empty() ? "" : std::string(1, style.separator)) + cell(unit, style.separator);
+    }
+    std::string text = heading + '\n' + (style.unitsLine ? units + '\n' : std::string());
+    ExportReport report;
+    const std::size_t longestRow = columns.value().size() * (kLongestNumber + 1) + 1;
+    for (std::uint64_t done = 0; done < rows.value().count; done += kRowsAtOnce) {
+        if (choice.progress &&
+            !choice.progress(static_cast<double>(done) / static_cast<double>(rows.value().count))) {
+            return Error{ErrorCode::Cancelled, QStringLiteral("export to %1").arg(choice.path), {}};
+        }
+        const RowRange part{rows.value().first + done, std::min(kRowsAtOnce, rows.value().count - done)};
+        const auto values = recording.read(columns.value(), part);
+        if (!values) {
+            return values.error();
+        }
+        const std::size_t before = text.size();
+        text.resize(before + longestRow * static_cast<std::size_t>(part.count));
+        char* at = text.data() + before;
+        for (std::size_t row = 0; row < part.count; ++row) {
+            for (std::size_t i = 0; i < columns.value().size(); ++i) {
+                at = putNumber(at, values.value()[i][row], recording.columns()[columns.value()[i]].whole,
+                               style.decimal);
+                *at++ = style.separator;
+            }
+            at[-1] = '\n';
+        }
+        text.resize(static_cast<std::size_t>(at - text.data()));
+        if (file.write(text.data(), static_cast<qint64>(text.size())) != static_cast<qint64>(text.size())) {
+            return writeError(file, choice.path);
+        }
+        report.rows += part.count;
+        report.bytes += static_cast<std::int64_t>(text.size());
+        text.clear();
+    }
+    if (!text.empty()) {  // no rows at all
+        file.write(text.data(), static_cast<qint64>(text.size()));
+        report.bytes += static_cast<std::int64_t>(text.size());
+    }
+    if (!file.commit()) {
+        return writeError(file, choice.path);
+    }
+    return report;
+}
+
+}  // namespace tiller::recording

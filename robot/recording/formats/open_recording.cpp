@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "robot/recording/formats/open_recording.h"
+
+#include <QFile>
+
+#include "robot/recording/csv_recording.h"
+#include "robot/recording/hdf5/hdf5_recording.h"
+#include "robot/recording/mcap/mcap_recording.h"
+
+namespace tiller::recording {
+
+Result<std::unique_ptr<Recording>> openRecording(const Text& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return Error{ErrorCode::FileNotReadable, QStringLiteral("read %1").arg(path), file.errorString()};
+    }
+    const QByteArray begin = file.read(8);
+    file.close();
+    if (begin.startsWith("\x89MCAP")) {
+        return openMcap(path);
+    }
+    if (begin.startsWith("\x89HDF")) {
+        return openHdf5(path);
+    }
+    return openCsv(path);
+}
+
+}  // namespace tiller::recording

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "robot/recording/hdf5/detail/hdf5_handle.h"
+
+#include <algorithm>
+
+namespace tiller::recording::hdf5 {
+
+namespace {
+
+// Longer ones no writer of recordings makes.
+constexpr std::size_t kLongestText = 1u << 20;
+
+bool put(hid_t object, const char* name, hid_t type, const void* value) {
+    const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+    const Handle attribute(H5Acreate2(object, name, type, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    return attribute && H5Awrite(attribute.get(), type, value) >= 0;
+}
+
+}  // namespace
+
+bool putText(hid_t object, const char* name, const std::string& text) {
+    const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+    H5Tset_size(type.get(), std::max<std::size_t>(text.size(), 1));
+    H5Tset_cset(type.get(), H5T_CSET_UTF8);
+    H5Tset_strpad(type.get(), H5T_STR_NULLPAD);
+    const std::string bytes = text.empty() ? std::string(1, '\0') : text;
+    return put(object, name, type.get(), bytes.data());
+}
+
+bool putNumber(hid_t object, const char* name, double number) {
+    return put(object, name, H5T_NATIVE_DOUBLE, &number);
+}
+
+bool putCount(hid_t object, const char* name, std::uint64_t count) {
+    return put(object, name, H5T_NATIVE_UINT64, &count);
+}
+
+std::optional<std::string> takeText(hid_t object, const char* name) {
+    if (H5Aexists(object, name) <= 0) {
+        return std::nullopt;
+    }
+    const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
+    const Handle type(attribute ? H5Aget_type(attribute.get()) : -1, H5Tclose);
+    const Handle space(attribute ? H5Aget_space(attribute.get()) : -1, H5Sclose);
+    if (!type || !space || H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) != 0 ||
+        H5Sget_simple_extent_npoints(space.get()) != 1) {
+        return std::nullopt;
+    }
+    const std::size_t size = H5Tget_size(type.get());
+    if (size > kLongestText) {
+        return std::nullopt;
+    }
+    std::string text(size, '\0');
+    if (H5Aread(attribute.get(), type.get(), text.data()) < 0) {
+        return std::nullopt;
+    }
+    text.resize(std::min(text.find('\0'), text.size()));
+    return text;
+}
+
+std::optional<double> takeNumber(hid_t object, const char* name) {
+    if (H5Aexists(object, name) <= 0) {
+        return std::nullopt;
+    }
+    const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
+    const Handle space(attribute ? H5Aget_space(attribute.get()) : -1, H5Sclose);
+    double number = 0;
+    if (!space || H5Sget_simple_extent_npoints(space.get()) != 1 ||
+        H5Aread(attribute.get(), H5T_NATIVE_DOUBLE, &number) < 0) {
+        return std::nullopt;
+    }
+    return number;
+}
+
+}  // namespace tiller::recording::hdf5

@@ -1,0 +1,527 @@
+// SPDX-License-Identifier: MIT
+#include "robot/recording/mcap/mcap_recording.h"
+
+#include <algorithm>
+#include <array>
+#include <list>
+#include <unordered_map>
+
+#include "robot/core/clock.h"
+#include "robot/recording/detail/ranges.h"
+#include "robot/recording/detail/summarize.h"
+#include "robot/recording/mcap/detail/summary_levels.h"
+#include "robot/recording/mcap/detail/topics.h"
+#include "robot/recording/mcap/reader.h"
+#include "robot/recording/mcap/robot_state_message.h"
+#include "robot/recording/mcap/ros_messages.h"
+#include "robot/recording/recorder.h"
+
+namespace tiller::recording {
+
+namespace {
+
+using namespace mcap;
+
+constexpr std::size_t kMostStateChannels = 64;
+constexpr std::size_t kMostColumns = 20'000;
+constexpr int kMostProblems = 20;
+constexpr double kAbsent = receive::kAbsent;
+constexpr std::size_t kChunksKept = 8;
+
+/// A chunk with robot states, in the order of the file.
+struct RowChunk {
+    std::size_t chunk = 0;  ///< in the reader's list
+    std::uint64_t firstRow = 0;
+    std::uint64_t rows = 0;
+};
+
+/// One unpacked chunk and where its states are.
+struct UnpackedRows {
+    struct Row {
+        std::uint16_t channel;
+        std::uint64_t sentNs;
+        std::string_view message;
+    };
+    std::string records;
+    std::vector<Row> rows;
+};
+
+/// A channel of states: its layout, and which column each number of it is.
+struct StateChannel {
+    RobotStateLayout layout;
+    std::unordered_map<std::size_t, std::size_t> placeOfColumn;
+};
+
+class McapRecording : public Recording {
+public:
+    explicit McapRecording(std::unique_ptr<Reader> reader)
+        : reader_(std::move(reader)), problems_(reader_->problems()) {}
+
+    Result<void> prepare() {
+        findChannels();
+        if (states_.empty()) {
+            return Error{ErrorCode::FileCorrupt, QStringLiteral("read %1").arg(path()),
+                         QStringLiteral("there are no robot states in it: it was not recorded by Tiller")};
+        }
+        findRows();
+        findTimes();
+        readFacts();
+        readGapsAndEvents();
+        return {};
+    }
+
+    const QString& path() const override { return reader_->path(); }
+    QString format() const override { return QStringLiteral("MCAP"); }
+    const std::vector<RecordedColumn>& columns() const override { return columns_; }
+    std::uint64_t rows() const override { return rows_; }
+    const std::vector<RecordedGap>& gaps() const override { return gaps_; }
+    const std::vector<RecordedEvent>& events() const override { return events_; }
+    double period() const override { return period_; }
+    std::optional<std::int64_t> startUtcNs() const override {
+        return rows_ == 0 ? std::nullopt : std::optional(static_cast<std::int64_t>(startNs_));
+    }
+    const std::map<std::string, std::string>& facts() const override { return facts_; }
+    const QStringList& problems() const override { return problems_; }
+
+    QStringList attachments() const override {
+        QStringList names;
+        for (const AttachmentIndex& attachment : reader_->attachments()) {
+            names << Text(attachment.name);
+        }
+        return names;
+    }
+    Result<QByteArray> attachment(const QString& name) const override {
+        for (const AttachmentIndex& attachment : reader_->attachments()) {
+            if (Text(attachment.name) == name) {
+                auto bytes = reader_->attachment(attachment);
+                return bytes ? Result<QByteArray>(QByteArray::fromStdString(bytes.value())) : bytes.error();
+            }
+        }
+        return Recording::attachment(name);
+    }
+
+    Result<std::vector<double>> times(RowRange range) const override {
+        std::vector<double> out;
+        eachRow(range, [&](const UnpackedRows::Row* row) {
+            const double before = out.empty() ? 0 : out.back();
+            out.push_back(row == nullptr ? before : std::max(secondsOf(row->sentNs), before));
+        });
+        return out;
+    }
+
+    Result<std::vector<std::vector<double>>> read(std::span<const std::size_t> wanted,
+                                                  RowRange range) const override {
+        std::vector<std::vector<double>> out(wanted.size());
+        for (auto& column : out) {
+            column.reserve(static_cast<std::size_t>(within(range, rows_).count));
+        }
+        std::optional<std::uint16_t> channel;
+        std::vector<const RobotStateLayout::Place*> places(wanted.size(), nullptr);
+        eachRow(range, [&](const UnpackedRows::Row* row) {
+            if (row != nullptr && (!channel || *channel != row->channel)) {
+                channel = row->channel;
+                const StateChannel& state = states_.at(row->channel);
+                for (std::size_t i = 0; i < wanted.size(); ++i) {
+                    const auto place = state.placeOfColumn.find(wanted[i]);
+                    places[i] =
+                        place == state.placeOfColumn.end() ? nullptr : &state.layout.places()[place->second];
+                }
+            }
+            for (std::size_t i = 0; i < wanted.size(); ++i) {
+                const bool there = row != nullptr && places[i] != nullptr;
+                out[i].push_back(there ? RobotStateLayout::valueAt(*places[i], row->message) : kAbsent);
+            }
+        });
+        return out;
+    }
+
+    Result<std::vector<ColumnSummary>> summaries(std::span<const std::size_t> wanted, RowRange range,
+                                                 std::uint64_t blocks) const override {
+        const RowRange part = within(range, rows_);
+        for (std::size_t level = kSummaryLevels; level-- > 0;) {
+            const std::uint64_t each = rowsOfLevel(level);
+            if (part.count / each < std::max<std::uint64_t>(blocks, 1)) {
+                continue;
+            }
+            if (auto found = fromSummaries(level, wanted, part)) {
+                return *std::move(found);
+            }
+        }
+        return Recording::summaries(wanted, part, blocks);
+    }
+
+    Result<std::uint64_t> rowAt(double seconds) const override {
+        if (rowChunks_.empty()) {
+            return 0;
+        }
+        // Chunks know their times, so one of them is unpacked and no more.
+        const auto wanted =
+            seconds <= 0 ? startNs_ : startNs_ + static_cast<std::uint64_t>(std::min(seconds, 1e9) * 1e9);
+        auto chunk = std::upper_bound(rowChunks_.begin(), rowChunks_.end(), wanted,
+                                      [&](std::uint64_t time, const RowChunk& each) {
+                                          return time < reader_->chunks()[each.chunk].startTime;
+                                      });
+        // Log times are arrivals, a little later than the times asked for.
+        chunk = chunk == rowChunks_.begin() ? chunk : chunk - 1;
+        std::uint64_t best = chunk->firstRow;
+        for (auto each = chunk; each != rowChunks_.end() && each < chunk + 2; ++each) {
+            const UnpackedRows& unpacked = unpack(*each);
+            for (std::size_t i = 0; i < unpacked.rows.size() && i < each->rows; ++i) {
+                if (secondsOf(unpacked.rows[i].sentNs) <= seconds) {
+                    best = each->firstRow + i;
+                }
+            }
+        }
+        return best;
+    }
+
+private:
+    double secondsOf(std::uint64_t ns) const {
+        return static_cast<double>(static_cast<std::int64_t>(ns - startNs_)) /
+               static_cast<double>(kNsPerSecond);
+    }
+
+    void problem(const QString& sentence) const {
+        if (problems_.size() < kMostProblems && !problems_.contains(sentence)) {
+            problems_ << sentence;
+        }
+    }
+
+    void findChannels() {
+        std::unordered_map<std::string, std::size_t> known;
+        for (const auto& [number, channel] : reader_->channels()) {
+            const auto schema = reader_->schemas().find(channel.schema);
+            if (channel.topic != kStateTopic || schema == reader_->schemas().end() ||
+                schema->second.encoding != "ros2msg" || channel.encoding != "cdr" ||
+                states_.size() >= kMostStateChannels) {
+                continue;
+            }
+            const auto names = channel.metadata.find(kStateFields);
+            StateChannel state{
+                RobotStateLayout(schema->second.data, names == channel.metadata.end() ? "" : names->second),
+                {}};
+            const auto& places = state.layout.places();
+            for (std::size_t i = 0; i < places.size() && columns_.size() < kMostColumns; ++i) {
+                const auto [column, isNew] = known.emplace(places[i].column.name, columns_.size());
+                if (isNew) {
+                    columns_.push_back(places[i].column);
+                }
+                state.placeOfColumn[column->second] = i;
+            }
+            states_.emplace(number, std::move(state));
+        }
+    }
+
+    std::uint64_t rowsIn(std::size_t number) const {
+        const ChunkIndex& chunk = reader_->chunks()[number];
+        std::uint64_t count = 0;
+        for (const auto& [channel, state] : states_) {
+            const auto named = reader_->messagesIn(chunk, channel);
+            if (!named) {
+                return unpack({number, 0, 0}).rows.size();  // its index is lost: count them
+            }
+            count += *named;
+        }
+        return count;
+    }
+
+    void findRows() {
+        for (std::size_t i = 0; i < reader_->chunks().size(); ++i) {
+            // One message takes more than that, so a broken index cannot make up rows without end.
+            constexpr std::uint64_t kLeastMessage = 31;
+            const std::uint64_t most = reader_->chunks()[i].uncompressedSize / kLeastMessage;
+            const std::uint64_t count = std::min(rowsIn(i), most);
+            constexpr std::uint64_t kMostInChunk = 10'000'000;
+            if (count > 0 && count < kMostInChunk) {
+                rowChunks_.push_back({i, rows_, count});
+                rows_ += count;
+            }
+        }
+    }
+
+    void findTimes() {
+        for (const RowChunk& chunk : rowChunks_) {
+            const UnpackedRows& first = unpack(chunk);
+            if (first.rows.empty()) {
+                continue;
+            }
+            startNs_ = first.rows.front().sentNs;
+            std::vector<std::uint64_t> steps;
+            for (std::size_t i = 1; i < first.rows.size(); ++i) {
+                if (first.rows[i].sentNs > first.rows[i - 1].sentNs) {
+                    steps.push_back(first.rows[i].sentNs - first.rows[i - 1].sentNs);
+                }
+            }
+            if (!steps.empty()) {
+                std::sort(steps.begin(), steps.end());
+                period_ = static_cast<double>(steps[steps.size() / 2]) / static_cast<double>(kNsPerSecond);
+            }
+            return;
+        }
+    }
+
+    void readFacts() {
+        for (const MetadataIndex& metadata : reader_->metadata()) {
+            if (metadata.name != kFactsName) {
+                continue;
+            }
+            if (auto facts = reader_->facts(metadata)) {
+                facts_ = std::move(facts).value();
+                facts_.erase("columns");
+            } else {
+                problem(facts.error().controllerMessage);
+            }
+        }
+    }
+
+    std::optional<std::uint16_t> channelOf(const std::string& topic) const {
+        for (const auto& [number, channel] : reader_->channels()) {
+            if (channel.topic == topic) {
+                return number;
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// Calls sink for each message of a channel, without unpacking chunks that have none.
+    template <class Sink>
+    void eachMessage(std::uint16_t channel, Sink sink) const {
+        for (const ChunkIndex& chunk : reader_->chunks()) {
+            const auto count = reader_->messagesIn(chunk, channel);
+            if (count && *count == 0) {
+                continue;
+            }
+            const auto records = reader_->records(chunk);
+            if (!records) {
+                problem(records.error().controllerMessage);
+                continue;
+            }
+            Reader::forEachMessage(records.value(), [&](const Message& message) {
+                if (message.channel == channel) {
+                    sink(message);
+                }
+            });
+        }
+    }
+
+    void readGapsAndEvents() {
+        if (const auto log = channelOf(kLogTopic)) {
+            eachMessage(*log, [&](const Message& message) {
+                RecordedNote note;
+                if (readLog(message.data, note)) {
+                    events_.push_back({secondsOf(static_cast<std::uint64_t>(note.utcNs)), note.level,
+                                       note.source, note.text});
+                }
+            });
+            std::stable_sort(events_.begin(), events_.end(),
+                             [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
+        }
+        const auto lost = indexOf(kLostColumn);
+        if (!lost) {
+            return;
+        }
+        // Only where the summary says that something is missing are the rows themselves looked at.
+        const std::array<std::size_t, 1> wanted{*lost};
+        std::uint64_t covered = 0;
+        for (std::size_t level = kSummaryLevels; level-- > 0 && covered == 0;) {
+            const auto summary = readLevel(level, wanted);
+            if (summary.empty() || summary.front().max.empty()) {
+                continue;
+            }
+            const ColumnSummary& blocks = summary.front();
+            for (std::size_t i = 0; i < blocks.max.size(); ++i) {
+                if (blocks.max[i] > 0) {
+                    findGaps(wanted, {i * blocks.rowsEach, blocks.rowsEach});
+                }
+            }
+            covered = blocks.max.size() * blocks.rowsEach;
+        }
+        if (covered < rows_) {
+            findGaps(wanted, {covered, rows_ - covered});
+        }
+    }
+
+    void findGaps(std::span<const std::size_t> lost, RowRange range) {
+        const RowRange part = within(range, rows_);
+        constexpr std::uint64_t kAtOnce = 16384;
+        for (std::uint64_t done = 0; done < part.count; done += kAtOnce) {
+            const RowRange some{part.first + done, std::min(kAtOnce, part.count - done)};
+            const auto values = read(lost, some);
+            for (std::uint64_t i = 0; values && i < values.value().front().size(); ++i) {
+                const double packets = values.value().front()[i];
+                const std::uint64_t row = some.first + i;
+                if (packets > 0 && packets < 1e15 && row > 0) {
+                    const auto around = times({row - 1, 2});
+                    gaps_.push_back(
+                        {row, static_cast<std::uint64_t>(packets),
+                         around && around.value().size() == 2 ? around.value()[1] - around.value()[0] : 0});
+                }
+            }
+        }
+    }
+
+    /// All complete summaries of one level from row 0 on, as far as they follow one another.
+    std::vector<ColumnSummary> readLevel(std::size_t level, std::span<const std::size_t> wanted) const {
+        std::vector<ColumnSummary> out(wanted.size());
+        const auto channel = channelOf(kSummaryTopic + std::to_string(rowsOfLevel(level)));
+        if (!channel) {
+            return {};
+        }
+        const std::vector<std::size_t> places = summaryPlaces(*channel, wanted);
+        for (ColumnSummary& each : out) {
+            each.rowsEach = rowsOfLevel(level);
+        }
+        std::uint64_t next = 0;
+        eachMessage(*channel, [&](const Message& message) {
+            SummaryMessage summary;
+            const bool last =
+                readSummary(message.data, summary) && summary.firstRow + summary.rowsEach == rows_;
+            if (summary.firstRow != next || (summary.rowsEach != rowsOfLevel(level) && !last)) {
+                return;
+            }
+            next += summary.rowsEach;
+            for (std::size_t i = 0; i < wanted.size(); ++i) {
+                const bool there = places[i] < summary.min.size();
+                out[i].min.push_back(there ? summary.min[places[i]] : kAbsent);
+                out[i].max.push_back(there ? summary.max[places[i]] : kAbsent);
+                out[i].mean.push_back(there ? summary.mean[places[i]] : kAbsent);
+            }
+        });
+        return out;
+    }
+
+    std::vector<std::size_t> summaryPlaces(std::uint16_t channel, std::span<const std::size_t> wanted) const {
+        std::unordered_map<std::string_view, std::size_t> place;
+        const auto& metadata = reader_->channels().at(channel).metadata;
+        const auto names = metadata.find(kSummaryColumns);
+        std::string_view rest = names == metadata.end() ? std::string_view() : names->second;
+        for (std::size_t i = 0; !rest.empty(); ++i) {
+            const std::size_t comma = rest.find(',');
+            place.emplace(rest.substr(0, comma), i);
+            rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 1);
+        }
+        std::vector<std::size_t> out;
+        for (const std::size_t column : wanted) {
+            const auto found = place.find(columns_.at(column).name);
+            out.push_back(found == place.end() ? SIZE_MAX : found->second);
+        }
+        return out;
+    }
+
+    /// The summaries that touch a range; what they do not reach to, as behind a crash, is made from the rows.
+    std::optional<std::vector<ColumnSummary>> fromSummaries(std::size_t level,
+                                                            std::span<const std::size_t> wanted,
+                                                            RowRange range) const {
+        const std::uint64_t each = rowsOfLevel(level);
+        std::vector<ColumnSummary> all = readLevel(level, wanted);
+        if (all.empty() || wanted.empty()) {
+            return std::nullopt;
+        }
+        const std::uint64_t first = range.first / each;
+        const std::uint64_t last = (range.first + range.count + each - 1) / each;  // one past
+        const std::uint64_t there = all.front().min.size();
+        // A block more or less at the end is nothing; most of the range missing is what another level may have.
+        if (there < first + (last - first) / 2) {
+            return std::nullopt;
+        }
+        for (ColumnSummary& summary : all) {
+            const auto cut = [&](std::vector<double>& numbers) {
+                numbers.resize(static_cast<std::size_t>(std::min(there, last)));
+                numbers.erase(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(first));
+            };
+            cut(summary.min);
+            cut(summary.max);
+            cut(summary.mean);
+            summary.firstRow = first * each;
+        }
+        for (std::uint64_t block = there; block < last; ++block) {
+            const auto rest = Recording::summaries(wanted, within({block * each, each}, rows_), 1);
+            for (std::size_t i = 0; rest && i < wanted.size(); ++i) {
+                const ColumnSummary& made = rest.value()[i];
+                all[i].min.push_back(made.min.empty() ? kAbsent : made.min.front());
+                all[i].max.push_back(made.max.empty() ? kAbsent : made.max.front());
+                all[i].mean.push_back(made.mean.empty() ? kAbsent : made.mean.front());
+            }
+        }
+        return all;
+    }
+
+    /// Calls sink with each row of a range; null where the chunk that should have it is broken.
+    template <class Sink>
+    void eachRow(RowRange range, Sink sink) const {
+        const RowRange part = within(range, rows_);
+        const std::uint64_t end = part.first + part.count;
+        auto chunk =
+            std::upper_bound(rowChunks_.begin(), rowChunks_.end(), part.first,
+                             [](std::uint64_t row, const RowChunk& each) { return row < each.firstRow; });
+        chunk -= chunk == rowChunks_.begin() ? 0 : 1;
+        for (; chunk != rowChunks_.end() && chunk->firstRow < end; ++chunk) {
+            const UnpackedRows& unpacked = unpack(*chunk);
+            const std::uint64_t from = std::max(part.first, chunk->firstRow) - chunk->firstRow;
+            const std::uint64_t to = std::min(end, chunk->firstRow + chunk->rows) - chunk->firstRow;
+            for (std::uint64_t i = from; i < to; ++i) {
+                sink(i < unpacked.rows.size() ? &unpacked.rows[static_cast<std::size_t>(i)] : nullptr);
+            }
+        }
+    }
+
+    const UnpackedRows& unpack(const RowChunk& chunk) const {
+        for (auto kept = kept_.begin(); kept != kept_.end(); ++kept) {
+            if (kept->first == chunk.chunk) {
+                kept_.splice(kept_.begin(), kept_, kept);
+                return kept_.front().second;
+            }
+        }
+        kept_.emplace_front(chunk.chunk, UnpackedRows());
+        UnpackedRows& fresh = kept_.front().second;
+        auto records = reader_->records(reader_->chunks()[chunk.chunk]);
+        if (records) {
+            fresh.records = std::move(records).value();
+            const bool whole = Reader::forEachMessage(fresh.records, [&](const Message& message) {
+                if (states_.contains(message.channel)) {
+                    fresh.rows.push_back({message.channel, message.publishTime, message.data});
+                }
+            });
+            if (!whole) {
+                problem(QStringLiteral("A part of the file ends in the middle of a message."));
+            }
+        } else {
+            problem(QStringLiteral("About row %1: %2.")
+                        .arg(chunk.firstRow)
+                        .arg(records.error().controllerMessage));
+        }
+        if (kept_.size() > kChunksKept) {
+            kept_.pop_back();
+        }
+        return fresh;
+    }
+
+    std::unique_ptr<Reader> reader_;
+    mutable QStringList problems_;
+    std::map<std::uint16_t, StateChannel> states_;
+    std::vector<RecordedColumn> columns_;
+    std::vector<RowChunk> rowChunks_;
+    std::uint64_t rows_ = 0;
+    std::uint64_t startNs_ = 0;
+    double period_ = 0;
+    std::map<std::string, std::string> facts_;
+    std::vector<RecordedGap> gaps_;
+    std::vector<RecordedEvent> events_;
+    mutable std::list<std::pair<std::size_t, UnpackedRows>> kept_;  ///< last used first
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Recording>> openMcap(const Text& path) {
+    auto reader = Reader::open(path);
+    if (!reader) {
+        return reader.error();
+    }
+    auto recording = std::make_unique<McapRecording>(std::move(reader).value());
+    if (auto prepared = recording->prepare(); !prepared) {
+        return prepared.error();
+    }
+    return std::unique_ptr<Recording>(std::move(recording));
+}
+
+}  // namespace tiller::recording

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "robot/recording/table_recording.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "robot/recording/detail/ranges.h"
+#include "robot/recording/recorder.h"
+
+namespace tiller::recording {
+
+namespace {
+
+constexpr double kUsualPeriod = 0.002;  // [s]
+// Rows looked at to learn how far apart they usually are.
+constexpr std::size_t kRowsForPeriod = 1000;
+
+std::string lowerCase(std::string_view text) {
+    std::string out(text);
+    std::transform(out.begin(), out.end(), out.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return out;
+}
+
+/// The middle one of the distances of neighbours; 0 when there are none.
+double medianStep(std::span<const double> times) {
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < times.size() && steps.size() < kRowsForPeriod; ++i) {
+        if (times[i] > times[i - 1]) {
+            steps.push_back(times[i] - times[i - 1]);
+        }
+    }
+    if (steps.empty()) {
+        return 0;
+    }
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    return *middle;
+}
+
+}  // namespace
+
+TableRecording::TableRecording(RecordedTable table) : table_(std::move(table)) {
+    findTimes();
+    findGaps();
+}
+
+void TableRecording::findTimes() {
+    const std::size_t rowCount = table_.values.empty() ? 0 : table_.values.front().size();
+    std::optional<std::size_t> axis = indexOf("timestamp");
+    for (std::size_t i = 0; i < table_.columns.size() && !axis; ++i) {
+        constexpr std::array<std::string_view, 6> kNames = {"time",     "seconds",  "t",
+                                                            "time (s)", "time [s]", "time_s"};
+        if (std::find(kNames.begin(), kNames.end(), lowerCase(table_.columns[i].name)) != kNames.end()) {
+            axis = i;
+        }
+    }
+    times_.resize(rowCount);
+    if (!axis) {
+        for (std::size_t i = 0; i < rowCount; ++i) {
+            times_[i] = static_cast<double>(i) * kUsualPeriod;
+        }
+        period_ = rowCount > 1 ? kUsualPeriod : 0;
+        return;
+    }
+    const std::vector<double>& stamps = table_.values[*axis];
+    period_ = medianStep(stamps);
+    double shift = 0;
+    double previous = 0;
+    bool first = true;
+    for (std::size_t i = 0; i < rowCount; ++i) {
+        double time = previous;
+        if (std::isfinite(stamps[i])) {
+            if (first) {
+                shift = -stamps[i];
+                first = false;
+            } else if (stamps[i] + shift < previous) {
+                shift = previous + period_ - stamps[i];  // the robot's clock began anew
+            }
+            time = stamps[i] + shift;
+        }
+        times_[i] = time;
+        previous = time;
+    }
+}
+
+void TableRecording::findGaps() {
+    const auto lost = indexOf(kLostColumn);
+    for (std::size_t i = 1; i < times_.size(); ++i) {
+        const double step = times_[i] - times_[i - 1];
+        if (lost) {
+            if (const double packets = table_.values[*lost][i]; packets >= 1 && packets < 1e15) {
+                gaps_.push_back({i, static_cast<std::uint64_t>(packets), step});
+            }
+        } else if (period_ > 0 && step > 1.5 * period_) {
+            gaps_.push_back(
+                {i, static_cast<std::uint64_t>(std::llround(std::min(step / period_, 1e15))) - 1, step});
+        }
+    }
+}
+
+Result<std::vector<double>> TableRecording::times(RowRange range) const {
+    const RowRange part = within(range, rows());
+    return std::vector<double>(times_.begin() + static_cast<std::ptrdiff_t>(part.first),
+                               times_.begin() + static_cast<std::ptrdiff_t>(part.first + part.count));
+}
+
+Result<std::vector<std::vector<double>>> TableRecording::read(std::span<const std::size_t> wanted,
+                                                              RowRange range) const {
+    const RowRange part = within(range, rows());
+    std::vector<std::vector<double>> out;
+    for (const std::size_t column : wanted) {
+        const std::vector<double>& values = table_.values.at(column);
+        out.emplace_back(values.begin() + static_cast<std::ptrdiff_t>(part.first),
+                         values.begin() + static_cast<std::ptrdiff_t>(part.first + part.count));
+    }
+    return out;
+}
+
+}  // namespace tiller::recording

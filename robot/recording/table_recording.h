@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A recording whose numbers are all in memory, as those of a text file are.
+
+#include <utility>
+
+#include "robot/recording/recording.h"
+
+namespace tiller::recording {
+
+/// What a table is made of. `columns` and `values` go together; all columns are of one length.
+struct RecordedTable {
+    QString path{};
+    QString format{};
+    std::vector<RecordedColumn> columns{};
+    std::vector<std::vector<double>> values{};
+    QStringList problems{};
+};
+
+/// The time axis is the column `timestamp`, or else the first one called time, seconds or t; else rows are taken to be
+/// 2 ms apart. A clock that was set back goes on where it was. Gaps are those of the column `packages_lost`, or
+/// where two rows are more than one and a half periods apart.
+class TableRecording : public Recording {
+public:
+    explicit TableRecording(RecordedTable table);
+
+    const QString& path() const override { return table_.path; }
+    QString format() const override { return table_.format; }
+    const std::vector<RecordedColumn>& columns() const override { return table_.columns; }
+    std::uint64_t rows() const override { return times_.size(); }
+    const std::vector<RecordedGap>& gaps() const override { return gaps_; }
+    double period() const override { return period_; }
+    const QStringList& problems() const override { return table_.problems; }
+    Result<std::vector<double>> times(RowRange rows) const override;
+    // As in Recording.
+    Result<std::vector<std::vector<double>>> read(std::span<const std::size_t> columns,
+                                                  RowRange rows) const override;
+
+private:
+    void findTimes();
+    void findGaps();
+
+    RecordedTable table_;
+    std::vector<double> times_;
+    std::vector<RecordedGap> gaps_;
+    double period_ = 0;
+};
+
+}  // namespace tiller::recording

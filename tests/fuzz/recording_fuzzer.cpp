@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// Any bytes as a recording: MCAP behind its first eight bytes, or text. Whatever they are, opening them and reading all
+// that is said to be there ends, and soon. HDF5 is left to libhdf5.
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <cstdint>
+
+#include "robot/recording/csv_recording.h"
+#include "robot/recording/mcap/mcap_recording.h"
+
+using namespace tiller;
+
+namespace {
+
+void readAll(const recording::Recording& recording) {
+    constexpr std::uint64_t kMostRows = 10'000;
+    constexpr std::size_t kMostColumns = 20;
+    std::vector<std::size_t> columns;
+    for (std::size_t i = 0; i < std::min(recording.columns().size(), kMostColumns); ++i) {
+        columns.push_back(i);
+    }
+    static_cast<void>(recording.read(columns, {0, kMostRows}));
+    static_cast<void>(recording.times({0, kMostRows}));
+    static_cast<void>(recording.summaries(columns, {0, kMostRows}, 7));
+    static_cast<void>(recording.rowAt(0.5));
+    for (const QString& name : recording.attachments()) {
+        static_cast<void>(recording.attachment(name));
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const QTemporaryDir folder;
+    static const QString path = folder.filePath("a");
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly | QIODevice::Truncate)) {
+        return 0;
+    }
+    file.write(reinterpret_cast<const char*>(data), static_cast<qint64>(size));
+    file.close();
+    if (auto recording = recording::openMcap(path)) {
+        readAll(*recording.value());
+    } else if (auto text = recording::openCsv(path)) {
+        readAll(*text.value());
+    }
+    return 0;
+}

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: MIT
+#include <QFileInfo>
+#include <QTemporaryDir>
+#include <QTest>
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+
+#include "robot/recording/detail/recording_file.h"
+#include "robot/recording/formats/open_recording.h"
+#include "robot/recording/mcap/mcap_format.h"
+#include "robot/recording/recorder.h"
+#include "tests/support/rtde_peer.h"
+#include "tests/unit/robot/recording/made_recording.h"
+
+using namespace tiller;
+using namespace tiller::recording;
+using namespace std::chrono_literals;
+using test::RtdePeer;
+
+namespace {
+
+constexpr int kPatienceMs = 30'000;
+#define TRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, kPatienceMs)
+#define TRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, kPatienceMs)
+
+receive::ReceiverOptions to(std::uint16_t port) {
+    receive::ReceiverOptions options;
+    options.host = QStringLiteral("127.0.0.1");
+    options.port = port;
+    options.priority = 0;
+    options.connectTimeout = 1h;
+    options.silenceLimit = 1h;
+    return options;
+}
+
+struct Bench {
+    Bench() : receiver(to(peer.port())) { receiver.start().value(); }
+    QString path(const char* name) const { return folder.filePath(QString::fromLatin1(name)); }
+    /// So many packages on from the last one, with this force.
+    void send(int count, double force) {
+        peer.set("actual_TCP_force", {0, 0, force, 0, 0, 0});
+        for (int i = 0; i < count; ++i) {
+            peer.send(++sent * 0.002);
+        }
+        // The peer takes what it sends from what is set then.
+        QTRY_COMPARE_WITH_TIMEOUT(receiver.counters().packets, static_cast<std::uint64_t>(sent), kPatienceMs);
+    }
+    QTemporaryDir folder;
+    RtdePeer peer;
+    receive::Receiver receiver;
+    int sent = 0;
+};
+
+/// A disk that takes nothing until it is told to.
+class StalledFile : public RecordingFile {
+public:
+    struct Gate {
+        std::mutex mutex;
+        std::condition_variable opened;
+        bool open = true;
+        std::atomic<bool> waiting{false};
+        void set(bool on) {
+            const std::lock_guard lock(mutex);
+            open = on;
+            opened.notify_all();
+        }
+    };
+    explicit StalledFile(Gate& gate) : gate_(gate) {}
+    Result<void> open(const QString& path) override { return file_->open(path); }
+    Result<void> write(std::string_view text, std::size_t& written) override {
+        std::unique_lock lock(gate_.mutex);
+        gate_.waiting = !gate_.open;
+        gate_.opened.wait(lock, [&] { return gate_.open; });
+        gate_.waiting = false;
+        return file_->write(text, written);
+    }
+    Result<void> sync() override { return file_->sync(); }
+    void cut(std::int64_t bytes) override { file_->cut(bytes); }
+    Result<void> close() override { return file_->close(); }
+
+private:
+    Gate& gate_;
+    std::unique_ptr<RecordingFile> file_ = systemFile();
+};
+
+}  // namespace
+
+class TestTriggers : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void conditionsAreReadAsTheyAreWritten_data();
+    void conditionsAreReadAsTheyAreWritten();
+    void whatIsNoConditionSaysWhatIs();
+    void aConditionHasToComeTrue();
+    void bitsAndChanges();
+    void theTimeAfterEndsIt();
+    void eachTimeGetsAFileWithTheTimeBefore();
+    void unknownColumnsAreRefused();
+    void aStalledDiskNeverMakesTheReceiverWait();
+    void lessFreeThanAskedEndsInOrder();
+    void recordsMcapAndWhatIsSaid();
+};
+
+void TestTriggers::conditionsAreReadAsTheyAreWritten_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("column");
+    QTest::addColumn<int>("bit");
+    QTest::addColumn<int>("when");
+    QTest::addColumn<double>("value");
+    using When = RecordingTrigger::When;
+    QTest::newRow("above") << "actual_TCP_force_2 > 20"
+                           << "actual_TCP_force_2" << -1 << int(When::Above) << 20.0;
+    QTest::newRow("below, close") << "a<-1.5e3"
+                                  << "a" << -1 << int(When::Below) << -1500.0;
+    QTest::newRow("equal") << " robot_mode = 7 "
+                           << "robot_mode" << -1 << int(When::Equal) << 7.0;
+    QTest::newRow("as programmers write") << "robot_mode == 7"
+                                          << "robot_mode" << -1 << int(When::Equal) << 7.0;
+    QTest::newRow("unequal") << "robot_mode != 7"
+                             << "robot_mode" << -1 << int(When::Unequal) << 7.0;
+    QTest::newRow("bit") << "actual_digital_input_bits:3 = 1"
+                         << "actual_digital_input_bits" << 3 << int(When::Equal) << 1.0;
+    QTest::newRow("changes") << "runtime_state changes"
+                             << "runtime_state" << -1 << int(When::Changes) << 0.0;
+    QTest::newRow("program") << "program starts"
+                             << "runtime_state" << -1 << int(When::Equal) << 2.0;
+}
+
+void TestTriggers::conditionsAreReadAsTheyAreWritten() {
+    QFETCH(QString, text);
+    const auto trigger = RecordingTrigger::parse(text).value();
+    QTEST(QString::fromStdString(trigger.column), "column");
+    QTEST(trigger.bit, "bit");
+    QTEST(int(trigger.when), "when");
+    QTEST(trigger.value, "value");
+}
+
+void TestTriggers::whatIsNoConditionSaysWhatIs() {
+    for (const char* text :
+         {"", "a", "a >", "> 3", "a > b", "a > nan", "a:64 = 1", "a >= 3", "a b = 3", "changes"}) {
+        const auto trigger = RecordingTrigger::parse(text);
+        QVERIFY2(!trigger, text);
+        QCOMPARE(trigger.error().code, ErrorCode::InvalidArgument);
+        QVERIFY(trigger.error().controllerMessage.contains("COLUMN > NUMBER"));
+    }
+}
+
+void TestTriggers::aConditionHasToComeTrue() {
+    using Verdict = TriggerWatch::Verdict;
+    test::MadeSamples samples({"timestamp", "robot_mode"});
+    auto watch =
+        TriggerWatch::make(RecordingTrigger::parse("robot_mode = 7").value(), *samples.layout).value();
+    auto add = [&, row = std::uint64_t(0)](double mode) mutable {
+        receive::Sample sample = samples.at(row++);
+        sample.values[1] = mode;
+        return watch.add(sample);
+    };
+    QCOMPARE(add(7), Verdict::Keep);  // it was true before anybody asked
+    QCOMPARE(add(5), Verdict::Keep);
+    QCOMPARE(add(7), Verdict::Begin);
+    QCOMPARE(add(7), Verdict::Write);
+    QCOMPARE(add(receive::kAbsent), Verdict::End);
+    QCOMPARE(add(5), Verdict::Keep);
+    QCOMPARE(add(7), Verdict::Begin);
+}
+
+void TestTriggers::bitsAndChanges() {
+    using Verdict = TriggerWatch::Verdict;
+    test::MadeSamples samples({"timestamp", "actual_digital_input_bits"});
+    for (const bool changes : {false, true}) {
+        const char* text =
+            changes ? "actual_digital_input_bits:3 changes" : "actual_digital_input_bits:3 = 1";
+        auto watch = TriggerWatch::make(RecordingTrigger::parse(text).value(), *samples.layout).value();
+        auto add = [&, row = std::uint64_t(0)](double bits) mutable {
+            receive::Sample sample = samples.at(row++);
+            sample.values[1] = bits;
+            return watch.add(sample);
+        };
+        QCOMPARE(add(7), Verdict::Keep);
+        QCOMPARE(add(16), Verdict::Keep);
+        QCOMPARE(add(8 + 16), Verdict::Begin);
+        QCOMPARE(add(8), changes ? Verdict::End : Verdict::Write);
+    }
+}
+
+void TestTriggers::theTimeAfterEndsIt() {
+    using Verdict = TriggerWatch::Verdict;
+    test::MadeSamples samples({"timestamp", "robot_mode"});
+    auto trigger = RecordingTrigger::parse("robot_mode = 7").value();
+    trigger.after = 0.01;
+    auto watch = TriggerWatch::make(trigger, *samples.layout).value();
+    std::vector<Verdict> verdicts;
+    for (std::uint64_t row = 0; row < 12; ++row) {
+        receive::Sample sample = samples.at(row);
+        sample.values[1] = row == 2 ? 7 : 0;
+        verdicts.push_back(watch.add(sample));
+    }
+    QCOMPARE(verdicts[2], Verdict::Begin);
+    QCOMPARE(verdicts[7], Verdict::Write);
+    QCOMPARE(verdicts[8], Verdict::End);
+}
+
+void TestTriggers::eachTimeGetsAFileWithTheTimeBefore() {
+    Bench bench;
+    Recorder recorder;
+    RecorderOptions options{.path = bench.path("force.csv"), .fields = {"actual_TCP_force"}};
+    options.trigger = RecordingTrigger::parse("actual_TCP_force_2 > 20").value();
+    options.trigger->before = 60;  // all there was
+    options.trigger->files = 2;
+    QVERIFY(recorder.start(options, bench.receiver).ok());
+    QCOMPARE(recorder.progress().state, RecorderState::Waiting);
+    bench.send(5, 1);
+    bench.send(3, 25);
+    bench.send(4, 2);
+    bench.send(2, 30);
+    bench.send(1, 3);
+    TRY_COMPARE(recorder.progress().state, RecorderState::Finished);
+    QCOMPARE(recorder.progress().files, 2);
+    QVERIFY(!QFileInfo::exists(bench.path("force.csv")));
+    const auto first = openRecording(bench.path("force_001.csv")).value();
+    const auto second = openRecording(bench.path("force_002.csv")).value();
+    QCOMPARE(first->rows(), std::uint64_t(5 + 3));
+    QCOMPARE(second->rows(), std::uint64_t(4 + 2));
+    QCOMPARE(second->read(std::vector<std::size_t>{0}, {0, 1}).value().front().front(), 9 * 0.002);
+    QVERIFY(second->gaps().empty());
+    recorder.stop();
+    // An earlier run's files are kept.
+    QCOMPARE(QFileInfo(numberedPath(bench.path("force.csv"), 3)).fileName(), QStringLiteral("force_003.csv"));
+}
+
+void TestTriggers::unknownColumnsAreRefused() {
+    Bench bench;
+    Recorder recorder;
+    RecorderOptions options{.path = bench.path("a.csv")};
+    options.trigger = RecordingTrigger::parse("actual_q > 3").value();
+    const Error error = recorder.start(options, bench.receiver).error();
+    QCOMPARE(error.code, ErrorCode::FieldUnknown);
+    QVERIFY(error.controllerMessage.contains("actual_q_0"));
+    QCOMPARE(recorder.progress().state, RecorderState::Idle);
+}
+
+void TestTriggers::aStalledDiskNeverMakesTheReceiverWait() {
+    StalledFile::Gate gate;
+    RtdePeer peer;
+    auto receiverOptions = to(peer.port());
+    receiverOptions.ringCapacity = 64;
+    receive::Receiver receiver(receiverOptions);
+    QVERIFY(receiver.start().ok());
+    QTemporaryDir folder;
+    const QString path = folder.filePath("a.mcap");
+    Recorder recorder([&] { return std::make_unique<StalledFile>(gate); });
+    QVERIFY(recorder.start({.path = path, .format = mcapFormat({.closeAfter = 0ms})}, receiver).ok());
+    peer.send(0.002);
+    TRY_COMPARE(recorder.progress().rows, std::uint64_t(1));
+    gate.set(false);
+    peer.send(0.004);
+    TRY_VERIFY(gate.waiting);
+    for (int i = 3; i <= 1000; ++i) {
+        peer.send(i * 0.002);
+    }
+    // All of it comes while the disk does not answer.
+    TRY_COMPARE(receiver.counters().packets, std::uint64_t(1000));
+    QVERIFY(gate.waiting);
+    QCOMPARE(receiver.counters().lost, std::uint64_t(0));
+    receiver.stop();
+    gate.set(true);
+    recorder.stop();
+    QCOMPARE(recorder.progress().state, RecorderState::Finished);
+    // And what the ring could not keep is said in the file.
+    const auto recording = openRecording(path).value();
+    QCOMPARE(recording->rows(), recorder.progress().rows);
+    QCOMPARE(recording->gaps().size(), std::size_t(1));
+    QCOMPARE(recording->rows() + recording->gaps().front().packets, std::uint64_t(1000));
+}
+
+void TestTriggers::lessFreeThanAskedEndsInOrder() {
+    Bench bench;
+    Recorder recorder;
+    RecorderOptions options{.path = bench.path("a.mcap"), .format = mcapFormat()};
+    options.keepFree = std::numeric_limits<std::int64_t>::max();
+    QVERIFY(recorder.start(options, bench.receiver).ok());
+    bench.send(20, 1);
+    TRY_COMPARE(recorder.progress().state, RecorderState::Failed);
+    QCOMPARE(recorder.error().code, ErrorCode::DiskFull);
+    QVERIFY(recorder.error().controllerMessage.contains("is whole"));
+    const auto recording = openRecording(bench.path("a.mcap")).value();
+    QVERIFY(recording->problems().isEmpty());
+    QCOMPARE(recording->rows(), std::uint64_t(20));
+}
+
+void TestTriggers::recordsMcapAndWhatIsSaid() {
+    Bench bench;
+    Recorder recorder;
+    QVERIFY(recorder.start({.path = bench.path("a.mcap"), .format = mcapFormat()}, bench.receiver).ok());
+    bench.send(100, 1);
+    recorder.note({test::kMadeStartNs, 20, "operator", "the part is in the gripper"});
+    TRY_COMPARE(recorder.progress().rows, std::uint64_t(100));  // without stop(): a crash would keep them
+    recorder.stop();
+    QCOMPARE(recorder.progress().bytes, QFileInfo(bench.path("a.mcap")).size());
+    const auto recording = openRecording(bench.path("a.mcap")).value();
+    QVERIFY(recording->problems().isEmpty());
+    QCOMPARE(recording->rows(), std::uint64_t(100));
+    QCOMPARE(recording->events().size(), std::size_t(1));
+    QCOMPARE(recording->events().front().text, QStringLiteral("the part is in the gripper"));
+}
+
+QTEST_GUILESS_MAIN(TestTriggers)
+#include "tst_triggers.moc"
