@@ -29,5 +29,11 @@ int fault(const QStringList& arguments);
 /// What stands between this PC and a robot that can be moved, one line a condition, or as JSON.
 /// Returns  kFailed when something is bad. Blocks: up to twelve seconds
 int doctor(const QStringList& arguments);
+/// A robot's packages to a file, until told to end or for a time.
+int record(const QStringList& arguments);
+/// What is in a recording, as text or JSON.
+int info(const QStringList& arguments);
+/// A recording as CSV or HDF5.
+int exportRecording(const QStringList& arguments);
 
 }  // namespace tiller::app

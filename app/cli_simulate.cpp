@@ -5,6 +5,7 @@
 #include <QHostAddress>
 
 #include "app/cli_command.h"
+#include "app/cli_options.h"
 #include "app/termination.h"
 #include "robot/simulator/box/personality.h"
 #include "robot/simulator/faults.h"
@@ -94,22 +95,6 @@ int runController(const simulator::SimulatorOptions& options, const QStringList&
     waitForTermination();
     controller.stop();
     return kSuccess;
-}
-
-/// What is not a number within the range is complained about and gives nothing.
-std::optional<double> numberIn(const QCommandLineParser& parser, const QCommandLineOption& option,
-                               double least, double most) {
-    bool ok = false;
-    const double value = parser.value(option).toDouble(&ok);
-    if (ok && value >= least && value <= most) {
-        return value;
-    }
-    wrongArguments(QStringLiteral("--%1 takes a number from %2 to %3, not '%4'")
-                       .arg(option.names().first())
-                       .arg(least)
-                       .arg(most)
-                       .arg(parser.value(option)));
-    return std::nullopt;
 }
 
 }  // namespace

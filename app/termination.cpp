@@ -7,6 +7,8 @@
 #include <semaphore>
 #else
 #include <csignal>
+#include <ctime>
+#include <thread>
 #endif
 
 namespace tiller::app {
@@ -30,6 +32,10 @@ void waitForTermination() {
     ended.acquire();
 }
 
+bool waitForTermination(std::chrono::milliseconds atMost) {
+    return ended.try_acquire_for(atMost);
+}
+
 #else
 
 namespace {
@@ -51,6 +57,23 @@ void waitForTermination() {
     const sigset_t set = terminationSignals();
     int signal = 0;
     sigwait(&set, &signal);
+}
+
+bool waitForTermination(std::chrono::milliseconds atMost) {
+    const sigset_t set = terminationSignals();
+#ifdef __APPLE__
+    // There is no sigtimedwait().
+    std::this_thread::sleep_for(atMost);
+    sigset_t pending;
+    sigpending(&pending);
+    return sigismember(&pending, SIGINT) == 1 || sigismember(&pending, SIGTERM) == 1;
+#else
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(atMost);
+    timespec time{};
+    time.tv_sec = static_cast<time_t>(seconds.count());
+    time.tv_nsec = static_cast<long>(std::chrono::nanoseconds(atMost - seconds).count());
+    return sigtimedwait(&set, nullptr, &time) > 0;
+#endif
 }
 
 #endif

@@ -22,6 +22,9 @@ const QString kHelp = QStringLiteral(
     "  simulate             run a simulated robot controller (see 'tiller-cli simulate --help')\n"
     "  fault                make something go wrong there (see 'tiller-cli fault --help')\n"
     "  doctor ADDRESS       say what stands between this PC and a robot that can be moved\n"
+    "  record ADDRESS       write what a robot sends to a file (see 'tiller-cli record --help')\n"
+    "  info FILE            say what is in a recording\n"
+    "  export FILE          a recording as CSV or HDF5 (see 'tiller-cli export --help')\n"
     "\n"
     "Options:\n"
     "  --help               this text\n"
@@ -56,6 +59,15 @@ int main(int argc, char* argv[]) {
     }
     if (command == QLatin1String("doctor")) {
         return app::doctor(arguments);
+    }
+    if (command == QLatin1String("record")) {
+        return app::record(arguments);
+    }
+    if (command == QLatin1String("info")) {
+        return app::info(arguments);
+    }
+    if (command == QLatin1String("export")) {
+        return app::exportRecording(arguments);
     }
     return app::wrongArguments(QStringLiteral("'%1' is not a command").arg(command));
 }

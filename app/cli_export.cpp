@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QCommandLineParser>
+#include <QFileInfo>
+
+#include "app/cli_command.h"
+#include "app/cli_options.h"
+#include "app/cli_progress.h"
+#include "robot/recording/formats/open_recording.h"
+#include "robot/recording/hdf5/hdf5_export.h"
+
+namespace tiller::app {
+
+namespace {
+
+const QString kExportHelp = QStringLiteral(
+    "tiller-cli export: a recording, or a part of it, for other programs\n"
+    "\n"
+    "Usage: tiller-cli export FILE --out FILE [options]\n"
+    "\n"
+    "  FILE                 .mcap, .h5 or .csv; what it is, its content tells\n"
+    "  --out FILE           FILE.csv, or FILE.h5 (also .hdf5) for h5py, MATLAB and Octave\n"
+    "  --columns A,B,...    only those; the name of a field stands for all its numbers\n"
+    "  --from SECONDS       from this moment on, counted from the first row\n"
+    "  --until SECONDS      up to this one\n"
+    "  --separator CHAR     between the cells of a .csv: , ; or tab (default ,)\n"
+    "  --decimal CHAR       . or , (default .)\n"
+    "  --units              a line of units under the heading of a .csv\n"
+    "  --force              replace a file that is there\n"
+    "  --quiet              no progress on the terminal\n"
+    "  --help               this text\n"
+    "\n"
+    "Numbers are the shortest that read back exactly; what the robot did not send is an empty cell. Exit\n"
+    "code: 0 all was written, 1 it was not, or not all of the recording could be read, 2 wrong arguments.\n");
+
+}  // namespace
+
+int exportRecording(const QStringList& arguments) {
+    QCommandLineParser parser;
+    const QCommandLineOption help(QStringList{"h", "help"});
+    const QCommandLineOption outFile("out", {}, "FILE");
+    const QCommandLineOption columns("columns", {}, "A,B");
+    const QCommandLineOption from("from", {}, "SECONDS", "0");
+    const QCommandLineOption until("until", {}, "SECONDS", "1e12");
+    const QCommandLineOption separator("separator", {}, "CHAR", ",");
+    const QCommandLineOption decimal("decimal", {}, "CHAR", ".");
+    const QCommandLineOption units("units");
+    const QCommandLineOption force("force");
+    const QCommandLineOption quiet("quiet");
+    parser.addOptions({help, outFile, columns, from, until, separator, decimal, units, force, quiet});
+    if (!parser.parse(arguments)) {
+        return wrongArguments(parser.errorText());
+    }
+    if (parser.isSet(help)) {
+        out() << kExportHelp;
+        out().flush();
+        return kSuccess;
+    }
+    if (parser.positionalArguments().size() != 1) {
+        return wrongArguments(QStringLiteral("export: one recording is needed"));
+    }
+    const QString target = parser.value(outFile);
+    const QString suffix = QFileInfo(target).suffix().toLower();
+    const bool isHdf5 = suffix == QLatin1String("h5") || suffix == QLatin1String("hdf5");
+    if (!isHdf5 && suffix != QLatin1String("csv")) {
+        return wrongArguments(
+            target.isEmpty() ? QStringLiteral("export: --out FILE.csv or --out FILE.h5 is missing")
+                             : QStringLiteral("export: '%1' ends neither in .csv nor in .h5").arg(target));
+    }
+    const QString source = parser.positionalArguments().constFirst();
+    if (QFileInfo(source).canonicalFilePath() == QFileInfo(target).canonicalFilePath() &&
+        QFileInfo::exists(target)) {
+        return wrongArguments(QStringLiteral("export: a recording cannot be exported onto itself"));
+    }
+    if (!parser.isSet(force) && QFileInfo::exists(target)) {
+        return wrongArguments(QStringLiteral("export: %1 is there already; --force replaces it").arg(target));
+    }
+    const auto first = numberIn(parser, from, -1e12, 1e12);
+    const auto last = numberIn(parser, until, -1e12, 1e12);
+    if (!first || !last) {
+        return kWrongArguments;
+    }
+    recording::CsvStyle style;
+    const QString between = parser.value(separator);
+    style.separator = between == QLatin1String("tab") || between == QLatin1String("\\t") ? '\t'
+                      : between.size() == 1 ? between.at(0).toLatin1()
+                                            : '\0';
+    style.decimal = parser.value(decimal).size() == 1 ? parser.value(decimal).at(0).toLatin1() : '\0';
+    style.unitsLine = parser.isSet(units);
+
+    auto opened = recording::openRecording(source);
+    if (!opened) {
+        return complain(opened.error().toString(), kFailed);
+    }
+    const recording::Recording& file = *opened.value();
+    recording::ExportChoice choice;
+    choice.path = target;
+    for (const QString& name : parser.value(columns).split(',', Qt::SkipEmptyParts)) {
+        choice.columns.push_back(name.trimmed().toStdString());
+    }
+    choice.from = *first;
+    choice.until = *last;
+    ProgressLine line(!parser.isSet(quiet));
+    choice.progress = [&line](double done) {
+        constexpr double kPercent = 100;
+        line.show(QStringLiteral("%1 %").arg(done * kPercent, 0, 'f', 0));
+        return true;
+    };
+    const auto report =
+        isHdf5 ? recording::exportHdf5(file, choice) : recording::exportCsv(file, choice, style);
+    line.clear();
+    if (!report) {
+        const bool theirs = report.error().code == ErrorCode::InvalidArgument ||
+                            report.error().code == ErrorCode::FieldUnknown;
+        return complain(report.error().toString(), theirs ? kWrongArguments : kFailed);
+    }
+    out() << QStringLiteral("%1: %2 rows, %3 bytes")
+                 .arg(target)
+                 .arg(report.value().rows)
+                 .arg(report.value().bytes)
+          << Qt::endl;
+    for (const QString& problem : file.problems()) {
+        complain(problem, kFailed);
+    }
+    return file.problems().isEmpty() ? kSuccess : kFailed;
+}
+
+}  // namespace tiller::app

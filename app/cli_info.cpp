@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QCommandLineParser>
+#include <QDateTime>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTimeZone>
+
+#include "app/cli_command.h"
+#include "robot/recording/formats/open_recording.h"
+
+namespace tiller::app {
+
+namespace {
+
+const QString kInfoHelp = QStringLiteral(
+    "tiller-cli info: what is in a recording\n"
+    "\n"
+    "Usage: tiller-cli info FILE [options]\n"
+    "\n"
+    "  FILE                 .mcap, .h5 or .csv; what it is, its content tells\n"
+    "  --json               one JSON object instead of text\n"
+    "  --help               this text\n"
+    "\n"
+    "Exit code: 0 all of it can be read, 1 it cannot, or not all of it, 2 wrong arguments.\n");
+
+double lengthOf(const recording::Recording& file) {
+    const auto last = file.rows() == 0 ? Result<std::vector<double>>(std::vector<double>{0.0})
+                                       : file.times({file.rows() - 1, 1});
+    return last && !last.value().empty() ? last.value().front() : 0;
+}
+
+QString startOf(const recording::Recording& file) {
+    const auto start = file.startUtcNs();
+    constexpr std::int64_t kNsPerMs = 1'000'000;
+    return start ? QDateTime::fromMSecsSinceEpoch(*start / kNsPerMs, QTimeZone::utc())
+                       .toString(Qt::ISODateWithMs)
+                 : QString();
+}
+
+QJsonObject toJson(const recording::Recording& file) {
+    QJsonArray columns;
+    for (const recording::RecordedColumn& column : file.columns()) {
+        columns.append(QJsonObject{{"name", QString::fromStdString(column.name)},
+                                   {"unit", QString::fromStdString(column.unit)},
+                                   {"whole", column.whole}});
+    }
+    QJsonArray gaps;
+    for (const recording::RecordedGap& gap : file.gaps()) {
+        gaps.append(QJsonObject{{"row", static_cast<double>(gap.row)},
+                                {"packets", static_cast<double>(gap.packets)},
+                                {"seconds", gap.seconds}});
+    }
+    QJsonObject facts;
+    for (const auto& [key, value] : file.facts()) {
+        facts[QString::fromStdString(key)] = QString::fromStdString(value);
+    }
+    QJsonArray events;
+    for (const recording::RecordedEvent& event : file.events()) {
+        events.append(QJsonObject{{"seconds", event.seconds},
+                                  {"level", event.level},
+                                  {"source", event.source},
+                                  {"text", event.text}});
+    }
+    return {{"path", file.path()},
+            {"format", file.format()},
+            {"rows", static_cast<double>(file.rows())},
+            {"seconds", lengthOf(file)},
+            {"start", startOf(file)},
+            {"period", file.period()},
+            {"columns", columns},
+            {"gaps", gaps},
+            {"facts", facts},
+            {"events", events},
+            {"attachments", QJsonArray::fromStringList(file.attachments())},
+            {"problems", QJsonArray::fromStringList(file.problems())}};
+}
+
+void print(const recording::Recording& file) {
+    out() << QStringLiteral("%1: %2, %3 rows, %4 s\n")
+                 .arg(file.path(), file.format())
+                 .arg(file.rows())
+                 .arg(lengthOf(file), 0, 'f', 3);
+    if (const QString start = startOf(file); !start.isEmpty()) {
+        out() << "begins " << start << '\n';
+    }
+    for (const auto& [key, value] : file.facts()) {
+        out() << QString::fromStdString(key) << ": " << QString::fromStdString(value) << '\n';
+    }
+    for (const QString& name : file.attachments()) {
+        out() << "inside: " << name << '\n';
+    }
+    std::uint64_t missing = 0;
+    for (const recording::RecordedGap& gap : file.gaps()) {
+        missing += gap.packets;
+    }
+    out() << QStringLiteral("%1 gaps, %2 packages missing\n").arg(file.gaps().size()).arg(missing);
+    constexpr std::size_t kMostGaps = 10;
+    for (std::size_t i = 0; i < file.gaps().size() && i < kMostGaps; ++i) {
+        const recording::RecordedGap& gap = file.gaps()[i];
+        out() << QStringLiteral("  before row %1: %2 packages, %3 s\n")
+                     .arg(gap.row)
+                     .arg(gap.packets)
+                     .arg(gap.seconds, 0, 'f', 3);
+    }
+    for (const recording::RecordedEvent& event : file.events()) {
+        out()
+            << QStringLiteral("  %1 s  %2: %3\n").arg(event.seconds, 0, 'f', 3).arg(event.source, event.text);
+    }
+    out() << QStringLiteral("%1 columns:\n").arg(file.columns().size());
+    for (const recording::RecordedColumn& column : file.columns()) {
+        out() << "  " << QString::fromStdString(column.name);
+        if (!column.unit.empty()) {
+            out() << " [" << QString::fromStdString(column.unit) << ']';
+        }
+        out() << '\n';
+    }
+}
+
+}  // namespace
+
+int info(const QStringList& arguments) {
+    QCommandLineParser parser;
+    const QCommandLineOption help(QStringList{"h", "help"});
+    const QCommandLineOption json("json");
+    parser.addOptions({help, json});
+    if (!parser.parse(arguments)) {
+        return wrongArguments(parser.errorText());
+    }
+    if (parser.isSet(help)) {
+        out() << kInfoHelp;
+        out().flush();
+        return kSuccess;
+    }
+    if (parser.positionalArguments().size() != 1) {
+        return wrongArguments(QStringLiteral("info: one file is needed"));
+    }
+    auto opened = recording::openRecording(parser.positionalArguments().constFirst());
+    if (!opened) {
+        return complain(opened.error().toString(), kFailed);
+    }
+    const recording::Recording& file = *opened.value();
+    // Broken parts show when they are read.
+    std::vector<std::size_t> first{0};
+    constexpr std::uint64_t kRowsAtOnce = 65536;
+    for (std::uint64_t row = 0; row < file.rows(); row += kRowsAtOnce) {
+        if (const auto read = file.read(first, {row, kRowsAtOnce}); !read) {
+            return complain(read.error().toString(), kFailed);
+        }
+    }
+    if (parser.isSet(json)) {
+        out() << QJsonDocument(toJson(file)).toJson();
+    } else {
+        print(file);
+    }
+    out().flush();
+    for (const QString& problem : file.problems()) {
+        complain(problem, kFailed);
+    }
+    return file.problems().isEmpty() ? kSuccess : kFailed;
+}
+
+}  // namespace tiller::app

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCommandLineParser>
+#include <optional>
+
+namespace tiller::app {
+
+/// What is not a number within the range is complained about and gives nothing.
+std::optional<double> numberIn(const QCommandLineParser& parser, const QCommandLineOption& option,
+                               double least, double most);
+
+}  // namespace tiller::app

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QCommandLineParser>
+#include <QFile>
+#include <QFileInfo>
+#include <QLocale>
+#include <chrono>
+
+#include "app/cli_command.h"
+#include "app/cli_options.h"
+#include "app/cli_progress.h"
+#include "app/termination.h"
+#include "robot/receive/robot_state.h"
+#include "robot/recording/mcap/mcap_format.h"
+#include "robot/recording/recorder.h"
+#include "tiller_version.h"
+
+namespace tiller::app {
+
+namespace {
+
+using recording::RecorderState;
+using std::chrono::duration;
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+constexpr milliseconds kLookEvery{100};
+
+const QString kRecordHelp = QStringLiteral(
+    "tiller-cli record: writes what a robot sends to a file, every package of it\n"
+    "\n"
+    "Usage: tiller-cli record ADDRESS --out FILE [options]\n"
+    "\n"
+    "  ADDRESS              address or host name of the robot, or of a simulated one\n"
+    "  --out FILE           what to write: FILE.mcap or FILE.csv. A file that is there is replaced only\n"
+    "                       with --force\n"
+    "  --fields A,B,...     RTDE outputs to record; the time stamp always is. Without it: into .mcap\n"
+    "                       all that the window shows, into .csv what ur_rtde records\n"
+    "  --duration SECONDS   end by itself, counted from the first package; without it: on Ctrl-C, or\n"
+    "                       SIGTERM\n"
+    "  --every N            every N-th package only (default 1)\n"
+    "  --trigger CONDITION  write only while it holds, into numbered files FILE_001, FILE_002...:\n"
+    "                       'actual_TCP_force_2 > 20', 'robot_mode = 7',\n"
+    "                       'actual_digital_input_bits:3 = 1', 'runtime_state changes', 'program starts'\n"
+    "  --before SECONDS     with a trigger: from so long before it (0 to 60, default 0)\n"
+    "  --after SECONDS      with a trigger: until so long after it (default 0)\n"
+    "  --files N            with a trigger: end after N files\n"
+    "  --attach FILE        keep a file inside the .mcap, as the project\n"
+    "  --no-ros             without joint state, wrench and transform for ROS tools in the .mcap\n"
+    "  --keep-free MB       end in order when less is free on the disk (default 200)\n"
+    "  --wait SECONDS       for the first package (default 10)\n"
+    "  --force              replace a file that is there\n"
+    "  --quiet              no progress on the terminal\n"
+    "  --port-offset N      added to every port number (default 0)\n"
+    "  --help               this text\n"
+    "\n"
+    "When the link breaks, it comes back by itself, and the gap is in the file with its length. The file\n"
+    "is on the disk twice a second; a crash costs at most that. Exit code: 0 the file is whole, 1 it is\n"
+    "not, or there are no data, 2 wrong arguments.\n");
+
+struct RecordOptions {
+    receive::ReceiverOptions receiver;
+    recording::RecorderOptions recorder;
+    recording::McapFormatOptions mcap;
+    double duration = 0;  ///< [s]; 0: until told
+    double wait = 10;     ///< [s]
+    bool isMcap = false;
+    bool quiet = false;
+};
+
+std::vector<std::string> namesIn(const QString& list) {
+    std::vector<std::string> names;
+    for (const QString& name : list.split(',', Qt::SkipEmptyParts)) {
+        names.push_back(name.trimmed().toStdString());
+    }
+    return names;
+}
+
+/// Nothing: it was complained about.
+std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& helped) {
+    QCommandLineParser parser;
+    const QCommandLineOption help(QStringList{"h", "help"});
+    const QCommandLineOption outFile("out", {}, "FILE");
+    const QCommandLineOption fields("fields", {}, "A,B");
+    const QCommandLineOption duration("duration", {}, "SECONDS", "0");
+    const QCommandLineOption every("every", {}, "N", "1");
+    const QCommandLineOption trigger("trigger", {}, "CONDITION");
+    const QCommandLineOption before("before", {}, "SECONDS", "0");
+    const QCommandLineOption after("after", {}, "SECONDS", "0");
+    const QCommandLineOption files("files", {}, "N", "0");
+    const QCommandLineOption attach("attach", {}, "FILE");
+    const QCommandLineOption noRos("no-ros");
+    const QCommandLineOption keepFree("keep-free", {}, "MB", "200");
+    const QCommandLineOption wait("wait", {}, "SECONDS", "10");
+    const QCommandLineOption force("force");
+    const QCommandLineOption quiet("quiet");
+    const QCommandLineOption offset("port-offset", {}, "N", "0");
+    parser.addOptions({help, outFile, fields, duration, every, trigger, before, after, files, attach, noRos,
+                       keepFree, wait, force, quiet, offset});
+    if (!parser.parse(arguments)) {
+        wrongArguments(parser.errorText());
+        return std::nullopt;
+    }
+    helped = parser.isSet(help);
+    if (helped) {
+        out() << kRecordHelp;
+        out().flush();
+        return std::nullopt;
+    }
+    if (parser.positionalArguments().size() != 1) {
+        wrongArguments(QStringLiteral("record: the address of one robot is needed, as in 192.168.0.10"));
+        return std::nullopt;
+    }
+    RecordOptions options;
+    const QString path = parser.value(outFile);
+    options.isMcap = path.endsWith(QLatin1String(".mcap"), Qt::CaseInsensitive);
+    if (!options.isMcap && !path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
+        wrongArguments(path.isEmpty()
+                           ? QStringLiteral("record: --out FILE.mcap or --out FILE.csv is missing")
+                           : QStringLiteral("record: '%1' ends neither in .mcap nor in .csv").arg(path));
+        return std::nullopt;
+    }
+    if (!parser.isSet(force) && !parser.isSet(trigger) && QFileInfo::exists(path)) {
+        wrongArguments(QStringLiteral("record: %1 is there already; --force replaces it").arg(path));
+        return std::nullopt;
+    }
+    const auto seconds = numberIn(parser, duration, 0, 1e9);
+    const auto nth = numberIn(parser, every, 1, 1e6);
+    const auto earlier = numberIn(parser, before, 0, 60);
+    const auto later = numberIn(parser, after, 0, 3600);
+    const auto most = numberIn(parser, files, 0, 1e6);
+    const auto megabytes = numberIn(parser, keepFree, 0, 1e9);
+    const auto patience = numberIn(parser, wait, 0, 1e6);
+    const auto portOffset = numberIn(parser, offset, -29000, 35000);
+    if (!seconds || !nth || !earlier || !later || !most || !megabytes || !patience || !portOffset) {
+        return std::nullopt;
+    }
+    options.duration = *seconds;
+    options.wait = *patience;
+    options.quiet = parser.isSet(quiet);
+    options.receiver.host = parser.positionalArguments().constFirst();
+    options.receiver.port = static_cast<std::uint16_t>(rtde::kPort + static_cast<int>(*portOffset));
+    options.recorder.path = path;
+    options.recorder.every = static_cast<int>(*nth);
+    options.recorder.keepFree = static_cast<std::int64_t>(*megabytes * 1e6);
+    options.recorder.fields = namesIn(parser.value(fields));
+    if (!options.recorder.fields.empty()) {
+        options.receiver.fields = options.recorder.fields;
+    } else if (options.isMcap) {
+        options.recorder.fields = receive::defaultFields();
+    }
+    if (parser.isSet(trigger)) {
+        auto parsed = recording::RecordingTrigger::parse(parser.value(trigger));
+        if (!parsed) {
+            wrongArguments(QStringLiteral("--trigger: ") + parsed.error().controllerMessage);
+            return std::nullopt;
+        }
+        options.recorder.trigger = std::move(parsed).value();
+        options.recorder.trigger->before = *earlier;
+        options.recorder.trigger->after = *later;
+        options.recorder.trigger->files = static_cast<int>(*most);
+    }
+    options.mcap.ros = !parser.isSet(noRos);
+    if (parser.isSet(attach)) {
+        QFile file(parser.value(attach));
+        constexpr qint64 kMost = 64 << 20;
+        if (!file.open(QIODevice::ReadOnly) || file.size() > kMost) {
+            wrongArguments(QStringLiteral("--attach: '%1' cannot be read, or is larger than 64 MB")
+                               .arg(file.fileName()));
+            return std::nullopt;
+        }
+        options.mcap.attachmentName = QFileInfo(file).fileName().toStdString();
+        options.mcap.attachment = file.readAll().toStdString();
+    }
+    return options;
+}
+
+QString describe(const recording::RecorderProgress& progress, const receive::Receiver& receiver) {
+    if (progress.state == RecorderState::Waiting) {
+        return QStringLiteral("waiting for the trigger; %n files so far")
+            .replace("%n", QString::number(progress.files));
+    }
+    const double rate = progress.seconds > 0 ? static_cast<double>(progress.bytes) / progress.seconds : 0;
+    return QStringLiteral("%1 s  %2 rows  %3 lost  %4  %5/s  %6 Hz  %7 free")
+        .arg(progress.seconds, 0, 'f', 1)
+        .arg(progress.rows)
+        .arg(progress.lost)
+        .arg(QLocale::c().formattedDataSize(progress.bytes),
+             QLocale::c().formattedDataSize(static_cast<qint64>(rate)))
+        .arg(receiver.counters().rateHz, 0, 'f', 0)
+        .arg(QLocale::c().formattedDataSize(progress.freeBytes));
+}
+
+}  // namespace
+
+int record(const QStringList& arguments) {
+    bool helped = false;
+    std::optional<RecordOptions> options = optionsFrom(arguments, helped);
+    if (!options) {
+        return helped ? kSuccess : kWrongArguments;
+    }
+    holdTerminationSignals();
+    receive::Receiver receiver(options->receiver);
+    if (const auto started = receiver.start(); !started) {
+        return complain(started.error().controllerMessage, kWrongArguments);
+    }
+    if (auto came = receiver.waitForData(Deadline::after(duration<double>(options->wait))); !came) {
+        return complain(
+            QStringLiteral("no data from %1: %2").arg(options->receiver.host, came.error().toString()),
+            kFailed);
+    }
+    const SoftwareVersion version = receiver.version();
+    options->mcap.facts["robot"] = options->receiver.host.toStdString();
+    options->mcap.facts["software"] = toString(version);
+    options->mcap.facts["written_by"] = "tiller-cli " TILLER_VERSION;
+    if (options->isMcap) {
+        options->recorder.format = recording::mcapFormat(options->mcap);
+    }
+    recording::Recorder recorder;
+    if (const auto started = recorder.start(options->recorder, receiver); !started) {
+        return complain(started.error().toString(), kFailed);
+    }
+    ProgressLine line(!options->quiet);
+    const auto end = steady_clock::now() + duration<double>(options->duration);
+    const auto goesOn = [&] {
+        const RecorderState state = recorder.progress().state;
+        return state == RecorderState::Recording || state == RecorderState::Waiting;
+    };
+    while (goesOn() && (options->duration == 0 || steady_clock::now() < end) &&
+           !waitForTermination(kLookEvery)) {
+        line.show(describe(recorder.progress(), receiver));
+    }
+    recorder.stop();
+    line.clear();
+    const recording::RecorderProgress progress = recorder.progress();
+    if (options->recorder.trigger) {
+        out() << QStringLiteral("%1 files, %2 rows").arg(progress.files).arg(progress.rows) << Qt::endl;
+    } else {
+        out() << QStringLiteral("%1: %2 rows, %3 s, %4 lost, %5 bytes")
+                     .arg(options->recorder.path)
+                     .arg(progress.rows)
+                     .arg(progress.seconds, 0, 'f', 3)
+                     .arg(progress.lost)
+                     .arg(progress.bytes)
+              << Qt::endl;
+    }
+    if (progress.state != RecorderState::Finished) {
+        return complain(recorder.error().toString(), kFailed);
+    }
+    return kSuccess;
+}
+
+}  // namespace tiller::app
