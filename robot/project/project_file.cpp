@@ -3,54 +3,17 @@
 
 #include <QFile>
 #include <QFileInfo>
-#include <QJsonArray>
 #include <QJsonDocument>
 #include <QSaveFile>
 
 #include "robot/project/detail/project_reader.h"
+#include "robot/project/detail/project_writer.h"
 
 namespace tiller::project {
 namespace {
 
-constexpr char kFormat[] = "tiller-project";
 /// As earlier versions called it; the fields are the same.
 constexpr char kFormerFormat[] = "tiller-session";
-
-QJsonArray arrayOf(const std::array<double, 6>& values) {
-    QJsonArray result;
-    for (const double value : values) {
-        result.append(value);
-    }
-    return result;
-}
-
-QString textOf(const QUuid& id) {
-    return id.toString(QUuid::WithoutBraces);
-}
-
-QJsonObject toJson(const Frame& frame) {
-    QJsonObject object = frame.extra;
-    object["id"] = textOf(frame.id);
-    object["name"] = frame.name;
-    object["pose"] = arrayOf(frame.T_base_frame.array());
-    return object;
-}
-
-QJsonObject toJson(const Waypoint& point) {
-    QJsonObject object = point.extra;
-    object["id"] = textOf(point.id);
-    object["name"] = point.name;
-    object["move"] = QLatin1String(point.move == MoveKind::Joint ? "J" : "L");
-    object["rules"] = QLatin1String(point.ruling == Ruling::Joints ? "joints" : "pose");
-    object["frame"] = point.frame.isNull() ? QJsonValue(QJsonValue::Null) : QJsonValue(textOf(point.frame));
-    object["tcpOffset"] = arrayOf(point.tcpOffset.array());
-    object["joints"] = arrayOf(point.joints.array());
-    object["pose"] = arrayOf(point.pose.array());
-    object["jointSpeed"] = point.jointSpeed;
-    object["toolSpeed"] = point.toolSpeed;
-    object["blend"] = point.blend;
-    return object;
-}
 
 QString placeOf(const QByteArray& bytes, int offset) {
     const QByteArray before = bytes.left(offset);
@@ -113,19 +76,9 @@ Result<SaveReport> keepWhatCannotBeRead(const QString& path) {
     }
 }
 
-/// An array of the root; a wrong type is a problem, absence only where it is said to be one.
-QJsonArray arrayIn(const QJsonObject& root, const char* key, bool required, ProjectReader& reader) {
-    const QJsonValue value = root.value(QLatin1String(key));
-    if (value.isUndefined() ? required : !value.isArray()) {
-        reader.addProblem(QLatin1String(key), value.isUndefined() ? QStringLiteral("is missing")
-                                                                  : QStringLiteral("is not a list"));
-    }
-    return value.toArray();
-}
-
 Result<RecoveredProject> readRoot(const QJsonObject& root) {
     const QString format = root.value(QLatin1String("format")).toString();
-    if (format != QLatin1String(kFormat) && format != QLatin1String(kFormerFormat)) {
+    if (format != QLatin1String(kProjectFormat) && format != QLatin1String(kFormerFormat)) {
         return corrupt(QStringLiteral("is not a Tiller project (field \"format\")"));
     }
     ProjectReader reader;
@@ -143,28 +96,23 @@ Result<RecoveredProject> readRoot(const QJsonObject& root) {
                                                          ? QStringLiteral("is missing")
                                                          : QStringLiteral("is not a whole number from 1 on"));
     }
-    reader.readRobot(root.value(QLatin1String("robot")));
-    reader.readFrames(arrayIn(root, "frames", false, reader));
-    reader.readWaypoints(arrayIn(root, "waypoints", true, reader));
-    reader.setExtra(without(root, {"format", "version", "robot", "frames", "waypoints"}));
+    reader.read(root, true);
     return reader.take();
 }
 
 Result<RecoveredProject> salvage(const QByteArray& bytes, const QJsonParseError& error) {
     const FileProblem problem{placeOf(bytes, error.offset), error.errorString()};
-    if (!bytes.contains(kFormat) && !bytes.contains(kFormerFormat)) {
+    if (!bytes.contains(kProjectFormat) && !bytes.contains(kFormerFormat)) {
         return corrupt(problem.toString());
     }
     const SalvagedEntries entries = salvageEntries(bytes);
     ProjectReader reader;
     reader.addProblem(problem.where, problem.what);
-    reader.readFrames(entries.frames);
-    reader.readWaypoints(entries.waypoints);
-    for (int i = 0; i < entries.brokenFrames; ++i) {
-        reader.addLostFrame();
-    }
-    for (int i = 0; i < entries.brokenWaypoints; ++i) {
-        reader.addLostWaypoint();
+    reader.read(entries.root, false);
+    for (auto list = entries.broken.cbegin(); list != entries.broken.cend(); ++list) {
+        for (int i = 0; i < list.value(); ++i) {
+            reader.addLost(list.key());
+        }
     }
     return reader.take();
 }
@@ -218,23 +166,7 @@ Result<Project> loadProject(const QString& path) {
 }
 
 Result<QByteArray> serializeProject(const Project& document) {
-    QJsonArray frames;
-    for (const Frame& frame : document.frames) {
-        frames.append(toJson(frame));
-    }
-    QJsonArray waypoints;
-    for (const Waypoint& point : document.waypoints) {
-        waypoints.append(toJson(point));
-    }
-    QJsonObject root = document.extra;
-    root["format"] = QLatin1String(kFormat);
-    root["version"] = kProjectFileVersion;
-    if (document.robot) {
-        root["robot"] = QLatin1String(robotModel(*document.robot).name);
-    }
-    root["frames"] = frames;
-    root["waypoints"] = waypoints;
-    QByteArray bytes = QJsonDocument(root).toJson(QJsonDocument::Indented);
+    QByteArray bytes = QJsonDocument(toJson(document)).toJson(QJsonDocument::Indented);
     // What could not be read again must not be written: JSON has no NaN, for one.
     const Result<Project> again = parseProject(bytes);
     if (!again) {

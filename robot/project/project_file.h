@@ -1,15 +1,30 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What an operator keeps between two days: the waypoints and frames of a cell, in one JSON file
-// ("cell-7.tiller"). Lengths in metres, angles in radians, orientations as rotation vectors:
+// What an operator keeps between two days: the waypoints and frames of a cell, its tools, payloads, positions,
+// patterns and recorded paths, and what stands around the arm, in one JSON file ("cell-7.tiller"). Lengths in
+// metres, angles in radians, orientations as rotation vectors, masses in kilograms, times in seconds:
 //
-//   { "format": "tiller-project", "version": 1, "robot": "UR5e",
+//   { "format": "tiller-project", "version": 2, "robot": "UR5e",
 //     "frames":    [ { "id", "name", "pose": [x, y, z, rx, ry, rz] } ],
 //     "waypoints": [ { "id", "name", "move": "J"|"L", "rules": "joints"|"pose", "frame": null|id,
 //                      "tcpOffset": [6], "joints": [6], "pose": [6],
-//                      "jointSpeed", "toolSpeed", "blend" } ] }
+//                      "jointSpeed", "toolSpeed", "blend",
+//                      "group"?, "colour"?, "note"?, "actions"?: [ { "do", "group", "pin", "value", "seconds" } ],
+//                      "place"?: { "pattern": id, "column", "row", "layer" },
+//                      "history"?: [ { "at", "who", "what", "before": { ... } } ] } ],
+//     "tools"?:     [ { "id", "name", "tcpOffset": [6], "radius"?, "note"? } ],  "activeTool"?: id,
+//     "payloads"?:  [ { "id", "name", "mass", "centre": [3], "inertia"?: [6], "note"? } ], "activePayload"?: id,
+//     "positions"?: [ { "id", "name", "joints": [6], "note"? } ],  "home"?: id,
+//     "safeHeight"?: { "frame": null|id, "height" },
+//     "patterns"?:  [ { "id", "name", "first": { a waypoint }, "columnEnd": [3], "rowEnd": [3],
+//                       "columns", "rows", "layers", "layerStep", "order": "rows"|"meander",
+//                       "excluded"?: [ { "column", "row" } ], "corners"?: [null|id, null|id, null|id], "note"? } ],
+//     "cell"?:      { "floor"?: height, "boxes"?: [ { "id", "name", "frame", "pose": [6], "size": [3] } ],
+//                     "planes"?: [ { "id", "name", "frame", "pose": [6] } ] },
+//     "paths"?:     [ { "id", "name", "tcpOffset": [6], "tolerance", "points": [ { "t", "q": [6] } ], "note"? } ] }
 //
+// Version 1 had frames and waypoints only; what has a question mark is left out where there is nothing to say.
 // "format" was "tiller-session" before: such files are read alike, and get the new name when they are saved.
 // A file is never half written, and one that cannot be read completely is never written over: saving on top
 // of it first puts it aside. Fields this version does not know are kept and saved again.
@@ -22,11 +37,16 @@
 
 #include "robot/core/result.h"
 #include "robot/core/robot_model.h"
+#include "robot/project/cell_geometry.h"
+#include "robot/project/named_position.h"
+#include "robot/project/pattern.h"
+#include "robot/project/recorded_path.h"
+#include "robot/project/tooling.h"
 #include "robot/project/waypoint_list.h"
 
 namespace tiller::project {
 
-inline constexpr int kProjectFileVersion = 1;
+inline constexpr int kProjectFileVersion = 2;
 /// Larger files are not read: a project of a thousand waypoints takes half a megabyte.
 inline constexpr qint64 kMaxProjectFileBytes = 64LL * 1024 * 1024;
 
@@ -34,6 +54,11 @@ struct Project {
     std::optional<RobotModelId> robot;  ///< the arm it was taught with
     FrameList frames;
     WaypointList waypoints;
+    Tooling tooling;
+    Positions positions;
+    PatternList patterns;
+    CellGeometry cell;
+    PathList paths;
     QJsonObject extra;  ///< fields of the file that this version does not know
     friend bool operator==(const Project&, const Project&) = default;
 };
@@ -52,6 +77,7 @@ struct RecoveredProject {
     QVector<FileProblem> problems;
     int lostWaypoints = 0;  ///< entries that were left out
     int lostFrames = 0;
+    int lostParts = 0;  ///< tools, payloads, positions, patterns, boxes, planes and paths
 };
 
 /// Everything of the file, or the first thing that is wrong with it.

@@ -12,6 +12,8 @@
 #include "robot/core/joints.h"
 #include "robot/core/spatial.h"
 #include "robot/core/text.h"
+#include "robot/project/waypoint_action.h"
+#include "robot/project/waypoint_history.h"
 
 namespace tiller::project {
 
@@ -33,6 +35,19 @@ inline constexpr double kDefaultJointAcceleration = 1.3962634015954636;  ///< [r
 inline constexpr double kDefaultToolSpeed = 0.25;                        ///< [m/s]
 inline constexpr double kDefaultToolAcceleration = 1.2;                  ///< [m/s2]
 
+/// A mark to find it by. Which colour it is on screen, the theme decides.
+enum class WaypointColour { None, Blue, Orange, Green, Pink, Yellow, Sky };
+
+/// Which place of which pattern a waypoint is; columns, rows and layers count from 0.
+struct PatternPlace {
+    QUuid pattern;  ///< null: of none
+    int column = 0;
+    int row = 0;
+    int layer = 0;
+    bool isNull() const { return pattern.isNull(); }  ///< Of no pattern.
+    friend bool operator==(const PatternPlace&, const PatternPlace&) = default;
+};
+
 struct Waypoint {
     QUuid id;
     QString name;
@@ -45,7 +60,13 @@ struct Waypoint {
     double jointSpeed = kDefaultJointSpeed;  ///< used by MoveJ [rad/s]
     double toolSpeed = kDefaultToolSpeed;    ///< used by MoveL [m/s]
     double blend = 0;                        ///< [m]; 0 stops in the point
-    QJsonObject extra;                       ///< fields of the file that this version does not know
+    QString group;                           ///< those with the same word belong together; may be empty
+    WaypointColour colour = WaypointColour::None;
+    QString note;             ///< may have several lines
+    WaypointActions actions;  ///< done there, in this order
+    PatternPlace place;       ///< in the pattern that made it
+    WaypointHistory history;
+    QJsonObject extra;  ///< fields of the file that this version does not know
 
     /// Speed and acceleration of its kind of move: [rad/s, rad/s2] or [m/s, m/s2].
     double speed() const { return move == MoveKind::Joint ? jointSpeed : toolSpeed; }

@@ -1,62 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "robot/project/waypoint_list.h"
 
-#include <QRegularExpression>
 #include <algorithm>
 
 namespace tiller::project {
-namespace {
-
-/// `wanted`, or with the next free number behind it.
-template <class Taken>
-QString freeName(const QString& wanted, const Taken& taken) {
-    if (!taken(wanted)) {
-        return wanted;
-    }
-    static const QRegularExpression trailingNumber(QStringLiteral(R"(^(.*\S)\s+(\d{1,6})$)"));
-    const QRegularExpressionMatch match = trailingNumber.match(wanted);
-    const QString stem = match.hasMatch() ? match.captured(1) : wanted;
-    for (int number = match.hasMatch() ? match.captured(2).toInt() + 1 : 2;; ++number) {
-        const QString name = QStringLiteral("%1 %2").arg(stem).arg(number);
-        if (!taken(name)) {
-            return name;
-        }
-    }
-}
-
-}  // namespace
-
-void FrameList::insert(std::size_t index, Frame frame) {
-    const std::size_t at = std::min(index, frames_.size());
-    frames_.insert(frames_.begin() + static_cast<std::ptrdiff_t>(at), std::move(frame));
-}
-
-void FrameList::remove(std::size_t index) {
-    if (index < frames_.size()) {
-        frames_.erase(frames_.begin() + static_cast<std::ptrdiff_t>(index));
-    }
-}
-
-QString FrameList::uniqueName(const QString& wanted) const {
-    return freeName(wanted, [this](const QString& name) { return findByName(name) != nullptr; });
-}
-
-QString FrameList::nextName(const QString& stem) const {
-    return uniqueName(QStringLiteral("%1 %2").arg(stem).arg(size() + 1));
-}
-
-const Frame* FrameList::find(const QUuid& id) const {
-    const auto found =
-        std::find_if(frames_.begin(), frames_.end(), [&](const Frame& f) { return f.id == id; });
-    return found == frames_.end() ? nullptr : &*found;
-}
-
-const Frame* FrameList::findByName(const QString& name) const {
-    const auto found =
-        std::find_if(frames_.begin(), frames_.end(), [&](const Frame& f) { return f.name == name; });
-    return found == frames_.end() ? nullptr : &*found;
-}
-
 std::optional<Pose> FrameList::pose(const QUuid& id) const {
     if (id.isNull()) {
         return Pose();

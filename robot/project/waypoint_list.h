@@ -7,38 +7,18 @@
 #include <optional>
 #include <vector>
 
+#include "robot/project/entity_list.h"
 #include "robot/project/waypoint.h"
 
 namespace tiller::project {
 
-class FrameList {
+class FrameList : public EntityList<Frame> {
 public:
-    std::size_t size() const { return frames_.size(); }                     ///< Number of frames.
-    bool isEmpty() const { return frames_.empty(); }                        ///< No frame at all.
-    const Frame& at(std::size_t index) const { return frames_.at(index); }  ///< Throws std::out_of_range.
-    auto begin() const { return frames_.begin(); }
-    auto end() const { return frames_.end(); }
-    void append(Frame frame) { frames_.push_back(std::move(frame)); }  ///< At the end.
-    /// index  0 ... size(); the new one stands there afterwards
-    void insert(std::size_t index, Frame frame);
-    /// Its place stays.
-    void replace(std::size_t index, Frame frame) { frames_.at(index) = std::move(frame); }
-    void remove(std::size_t index);    ///< Those behind move up.
-    void clear() { frames_.clear(); }  ///< All go.
+    using EntityList::EntityList;
 
-    /// Null for the base frame and for an id that is not here.
-    const Frame* find(const QUuid& id) const;
-    const Frame* findByName(const QString& name) const;  ///< Null when there is none.
     /// T_base_frame; the identity for the base frame, nothing for an id that is not here.
     std::optional<Pose> pose(const QUuid& id) const;
-
-    /// As those of WaypointList.
-    QString uniqueName(const QString& wanted) const;
-    QString nextName(const QString& stem) const;  ///< "frame 1", "frame 2": the next free one.
     friend bool operator==(const FrameList&, const FrameList&) = default;
-
-private:
-    std::vector<Frame> frames_;
 };
 
 class WaypointList {

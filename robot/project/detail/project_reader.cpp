@@ -2,56 +2,81 @@
 #include "robot/project/detail/project_reader.h"
 
 #include <QJsonDocument>
-#include <cmath>
-#include <numbers>
+#include <QSet>
+
+#include "robot/project/detail/waypoint_reader.h"
 
 namespace tiller::project {
-namespace {
 
-QString at(const QString& where, const char* key) {
-    return where.isEmpty() ? QString::fromLatin1(key) : where + QLatin1Char('.') + QLatin1String(key);
+int& ProjectReader::countOf(const QString& list) {
+    return list == QLatin1String("waypoints") ? result_.lostWaypoints
+           : list == QLatin1String("frames")  ? result_.lostFrames
+                                              : result_.lostParts;
 }
 
-QString at(const QString& where, int index) {
-    return QStringLiteral("%1[%2]").arg(where).arg(index);
-}
-
-QString kindOf(const QJsonValue& value) {
-    switch (value.type()) {
-        case QJsonValue::Null:
-            return QStringLiteral("null");
-        case QJsonValue::Bool:
-            return QStringLiteral("true or false");
-        case QJsonValue::Double:
-            return QStringLiteral("a number");
-        case QJsonValue::String:
-            return QStringLiteral("a text");
-        case QJsonValue::Array:
-            return QStringLiteral("a list");
-        case QJsonValue::Object:
-            return QStringLiteral("an object");
-        case QJsonValue::Undefined:
-            break;
+template <class Read, class Accept>
+void ProjectReader::readEntries(const QString& where, const QJsonObject& root, const char* key,
+                                const Read& readOne, const Accept& accept) {
+    const QJsonArray entries = fields_.optionalList(where, root, key);
+    for (int i = 0; i < entries.size(); ++i) {
+        const QString at = fieldAt(fieldAt(where, key), i);
+        const qsizetype before = fields_.problemCount();
+        if (!entries[i].isObject()) {
+            fields_.addProblem(at, isNot(entries[i], QStringLiteral("an object")));
+        } else {
+            auto entity = readOne(at, entries[i].toObject());
+            if (fields_.problemCount() == before) {
+                accept(at, std::move(entity));
+            }
+        }
+        if (fields_.problemCount() != before) {
+            addLost(QLatin1String(key));
+        }
     }
-    return QStringLiteral("missing");
 }
 
-QString isNot(const QJsonValue& value, const QString& wanted) {
-    return value.isUndefined() ? QStringLiteral("is missing")
-                               : QStringLiteral("is %1, not %2").arg(kindOf(value), wanted);
+template <class Entity>
+void ProjectReader::readList(const QString& where, const QJsonObject& root, const char* key,
+                             EntityList<Entity>& list,
+                             Entity (PartReader::*readOne)(const QString&, const QJsonObject&)) {
+    readEntries(
+        where, root, key,
+        [&](const QString& at, const QJsonObject& object) { return (parts_.*readOne)(at, object); },
+        [&](const QString& at, Entity entity) {
+            if (list.find(entity.id) != nullptr) {
+                fields_.addProblem(fieldAt(at, "id"),
+                                   QStringLiteral("is used by another of %1").arg(QLatin1String(key)));
+            } else {
+                list.append(std::move(entity));
+            }
+        });
 }
 
-}  // namespace
-
-QJsonObject without(QJsonObject object, std::initializer_list<const char*> known) {
-    for (const char* key : known) {
-        object.remove(QLatin1String(key));
+template <class Entity>
+QUuid ProjectReader::reference(const QJsonObject& root, const char* key, const EntityList<Entity>& list) {
+    const QUuid id = fields_.optionalId({}, root, key);
+    if (!id.isNull() && list.find(id) == nullptr) {
+        fields_.addProblem(QLatin1String(key), QStringLiteral("nothing in this project has that id"));
+        return {};
     }
-    return object;
+    return id;
 }
 
-void ProjectReader::addProblem(const QString& where, const QString& what) {
-    result_.problems.append({where, what});
+void ProjectReader::read(const QJsonObject& root, bool waypointsRequired) {
+    readRobot(root.value(QLatin1String("robot")));
+    Project& document = result_.document;
+    // Frames first: nearly everything refers to them.
+    readList<Frame>({}, root, "frames", document.frames, &PartReader::frame);
+    readList<Pattern>({}, root, "patterns", document.patterns, &PartReader::pattern);
+    readWaypoints(root, waypointsRequired);
+    checkPatterns();
+    readTooling(root);
+    readPositions(root);
+    readCell(root.value(QLatin1String("cell")));
+    readList<RecordedPath>({}, root, "paths", document.paths, &PartReader::path);
+    document.extra =
+        without(root, {"format", "version", "robot", "frames", "waypoints", "tools", "activeTool", "payloads",
+                       "activePayload", "positions", "home", "safeHeight", "patterns", "cell", "paths"});
 }
 
 void ProjectReader::readRobot(const QJsonValue& value) {
@@ -69,168 +94,105 @@ void ProjectReader::readRobot(const QJsonValue& value) {
     }
 }
 
-void ProjectReader::readFrames(const QJsonArray& entries) {
-    for (int i = 0; i < entries.size(); ++i) {
-        const QString where = at(QStringLiteral("frames"), i);
-        std::optional<Frame> read;
-        if (entries[i].isObject()) {
-            read = frame(where, entries[i].toObject());
-        } else {
-            addProblem(where, isNot(entries[i], QStringLiteral("an object")));
+void ProjectReader::readWaypoints(const QJsonObject& root, bool required) {
+    if (required && !root.contains(QLatin1String("waypoints"))) {
+        addProblem(QStringLiteral("waypoints"), QStringLiteral("is missing"));
+    }
+    WaypointReader reader(fields_, result_.document.frames);
+    QSet<QUuid> ids;
+    QVector<QString> withoutPattern;
+    readEntries(
+        {}, root, "waypoints",
+        [&](const QString& at, const QJsonObject& object) { return reader.read(at, object); },
+        [&](const QString& at, Waypoint point) {
+            if (ids.contains(point.id)) {
+                fields_.addProblem(fieldAt(at, "id"), QStringLiteral("is used by another waypoint"));
+                return;
+            }
+            if (!point.place.isNull() && result_.document.patterns.find(point.place.pattern) == nullptr) {
+                withoutPattern.append(fieldAt(at, "place"));
+                point.place = {};  // an ordinary waypoint is worth keeping
+            }
+            ids.insert(point.id);
+            result_.document.waypoints.append(std::move(point));
+        });
+    for (const QString& where : withoutPattern) {
+        addProblem(where, QStringLiteral("no pattern of this project has that id"));
+    }
+}
+
+void ProjectReader::checkPatterns() {
+    Project& document = result_.document;
+    QSet<QUuid> ids;
+    for (const Waypoint& point : document.waypoints) {
+        ids.insert(point.id);
+    }
+    for (std::size_t i = 0; i < document.patterns.size(); ++i) {
+        Pattern pattern = document.patterns.at(i);
+        for (std::size_t n = 0; n < pattern.corners.size(); ++n) {
+            if (!pattern.corners[n].isNull() && !ids.contains(pattern.corners[n])) {
+                addProblem(
+                    fieldAt(fieldAt(fieldAt(QStringLiteral("patterns"), static_cast<int>(i)), "corners"),
+                            static_cast<int>(n)),
+                    QStringLiteral("no waypoint of this project has that id"));
+                pattern.corners[n] = {};
+            }
         }
-        if (read) {
-            result_.document.frames.append(std::move(*read));
-        } else {
-            addLostFrame();
+        document.patterns.replace(i, std::move(pattern));
+    }
+}
+
+void ProjectReader::readTooling(const QJsonObject& root) {
+    Tooling& tooling = result_.document.tooling;
+    readList<Tool>({}, root, "tools", tooling.tools, &PartReader::tool);
+    readList<Payload>({}, root, "payloads", tooling.payloads, &PartReader::payload);
+    tooling.activeTool = reference(root, "activeTool", tooling.tools);
+    tooling.activePayload = reference(root, "activePayload", tooling.payloads);
+}
+
+void ProjectReader::readPositions(const QJsonObject& root) {
+    Positions& positions = result_.document.positions;
+    readList<NamedPosition>({}, root, "positions", positions.list, &PartReader::position);
+    positions.home = reference(root, "home", positions.list);
+    const QJsonValue height = root.value(QLatin1String("safeHeight"));
+    if (height.isObject()) {
+        const qsizetype before = fields_.problemCount();
+        const SafeHeight read = parts_.safeHeight(QStringLiteral("safeHeight"), height.toObject());
+        if (fields_.problemCount() == before) {
+            positions.safeHeight = read;
         }
+    } else if (!height.isUndefined()) {
+        addProblem(QStringLiteral("safeHeight"), isNot(height, QStringLiteral("an object")));
     }
 }
 
-void ProjectReader::readWaypoints(const QJsonArray& entries) {
-    for (int i = 0; i < entries.size(); ++i) {
-        const QString where = at(QStringLiteral("waypoints"), i);
-        std::optional<Waypoint> read;
-        if (entries[i].isObject()) {
-            read = waypoint(where, entries[i].toObject());
-        } else {
-            addProblem(where, isNot(entries[i], QStringLiteral("an object")));
-        }
-        if (read) {
-            result_.document.waypoints.append(std::move(*read));
-        } else {
-            addLostWaypoint();
-        }
+void ProjectReader::readCell(const QJsonValue& value) {
+    if (value.isUndefined()) {
+        return;
     }
-}
-
-std::optional<Frame> ProjectReader::frame(const QString& where, const QJsonObject& object) {
-    const qsizetype before = result_.problems.size();
-    Frame frame;
-    frame.id = id(where, object, "id");
-    frame.name = text(where, object, "name");
-    frame.T_base_frame = Pose::fromArray(pose(where, object, "pose"));
-    frame.extra = without(object, {"id", "name", "pose"});
-    if (result_.document.frames.find(frame.id) != nullptr) {
-        addProblem(at(where, "id"), QStringLiteral("is used by another frame"));
+    const QString where = QStringLiteral("cell");
+    if (!value.isObject()) {
+        addProblem(where, isNot(value, QStringLiteral("an object")));
+        return;
     }
-    return result_.problems.size() == before ? std::optional(frame) : std::nullopt;
-}
-
-std::optional<Waypoint> ProjectReader::waypoint(const QString& where, const QJsonObject& object) {
-    const qsizetype before = result_.problems.size();
-    Waypoint point;
-    point.id = id(where, object, "id");
-    point.name = text(where, object, "name");
-
-    const QString move = text(where, object, "move");
-    point.move = move == QLatin1String("L") ? MoveKind::Linear : MoveKind::Joint;
-    if (!move.isEmpty() && move != QLatin1String("J") && move != QLatin1String("L")) {
-        addProblem(at(where, "move"), QStringLiteral("\"%1\" is neither \"J\" nor \"L\"").arg(move));
-    }
-    const QString rules = text(where, object, "rules");
-    point.ruling = rules == QLatin1String("pose") ? Ruling::Pose : Ruling::Joints;
-    if (!rules.isEmpty() && rules != QLatin1String("joints") && rules != QLatin1String("pose")) {
-        addProblem(at(where, "rules"),
-                   QStringLiteral("\"%1\" is neither \"joints\" nor \"pose\"").arg(rules));
-    }
-    if (object.value(QLatin1String("frame")).type() != QJsonValue::Null) {
-        point.frame = id(where, object, "frame");
-        if (!point.frame.isNull() && result_.document.frames.find(point.frame) == nullptr) {
-            addProblem(at(where, "frame"), QStringLiteral("no frame of this project has that id"));
-        }
-    }
-    point.tcpOffset = Pose::fromArray(pose(where, object, "tcpOffset"));
-    point.pose = Pose::fromArray(pose(where, object, "pose"));
-
-    const std::array<double, 6> joints = six(where, object, "joints");
-    for (int i = 0; i < kJointCount; ++i) {
-        // Twice the joint range: 88.24 here is somebody's degrees.
-        const double q = joints[static_cast<std::size_t>(i)];
-        point.joints[i] = number(at(at(where, "joints"), i), q, -4 * std::numbers::pi - 0.2,
-                                 4 * std::numbers::pi + 0.2, "rad");
-    }
-    const auto positive = [&](const char* key, double most, const char* unit) {
-        return number(at(where, key), object.value(QLatin1String(key)), 0, most, unit);
-    };
-    point.jointSpeed = positive("jointSpeed", 20, "rad/s");
-    point.toolSpeed = positive("toolSpeed", 20, "m/s");
-    point.blend = positive("blend", 10, "m");
-    point.extra = without(object, {"id", "name", "move", "rules", "frame", "tcpOffset", "joints", "pose",
-                                   "jointSpeed", "toolSpeed", "blend"});
-    if (result_.document.waypoints.indexOf(point.id) >= 0) {
-        addProblem(at(where, "id"), QStringLiteral("is used by another waypoint"));
-    }
-    return result_.problems.size() == before ? std::optional(point) : std::nullopt;
-}
-
-QString ProjectReader::text(const QString& where, const QJsonObject& object, const char* key) {
-    const QJsonValue value = object.value(QLatin1String(key));
-    if (!value.isString()) {
-        addProblem(at(where, key), isNot(value, QStringLiteral("a text")));
-    } else if (value.toString().isEmpty()) {
-        addProblem(at(where, key), QStringLiteral("is empty"));
-    }
-    return value.toString();
-}
-
-QUuid ProjectReader::id(const QString& where, const QJsonObject& object, const char* key) {
-    const QJsonValue value = object.value(QLatin1String(key));
-    const QUuid id(value.toString());
-    if (!value.isString()) {
-        addProblem(at(where, key), isNot(value, QStringLiteral("a text")));
-    } else if (id.isNull()) {
-        addProblem(at(where, key), QStringLiteral("\"%1\" is not an id").arg(value.toString()));
-    }
-    return id;
-}
-
-double ProjectReader::number(const QString& where, const QJsonValue& value, double least, double most,
-                             const char* unit) {
-    if (!value.isDouble()) {
-        addProblem(where, isNot(value, QStringLiteral("a number")));
-        return 0;
-    }
-    const double read = value.toDouble();
-    if (!std::isfinite(read) || read < least || read > most) {
-        addProblem(where, QStringLiteral("is %1 %2, outside %3 ... %4 %2")
-                              .arg(QString::number(read), QString::fromUtf8(unit), QString::number(least),
-                                   QString::number(most)));
-        return 0;
-    }
-    return read;
-}
-
-std::array<double, 6> ProjectReader::six(const QString& where, const QJsonObject& object, const char* key) {
-    std::array<double, 6> result{};
-    const QJsonValue value = object.value(QLatin1String(key));
-    if (!value.isArray()) {
-        addProblem(at(where, key), isNot(value, QStringLiteral("a list of 6 numbers")));
-        return result;
-    }
-    const QJsonArray array = value.toArray();
-    if (array.size() != 6) {
-        addProblem(at(where, key), QStringLiteral("has %1 numbers, not 6").arg(array.size()));
-        return result;
-    }
-    for (int i = 0; i < 6; ++i) {
-        if (array[i].isDouble()) {
-            result[static_cast<std::size_t>(i)] = array[i].toDouble();
-        } else {
-            addProblem(at(at(where, key), i), isNot(array[i], QStringLiteral("a number")));
+    const QJsonObject object = value.toObject();
+    CellGeometry& cell = result_.document.cell;
+    if (object.contains(QLatin1String("floor"))) {
+        const qsizetype before = fields_.problemCount();
+        const double floor =
+            fields_.number(where, object, "floor", -FieldReader::kMostLength, FieldReader::kMostLength, "m");
+        if (fields_.problemCount() == before) {
+            cell.floor = floor;
         }
     }
-    return result;
+    readList<CellBox>(where, object, "boxes", cell.boxes, &PartReader::box);
+    readList<CellPlane>(where, object, "planes", cell.planes, &PartReader::plane);
+    cell.extra = without(object, {"floor", "boxes", "planes"});
 }
 
-std::array<double, 6> ProjectReader::pose(const QString& where, const QJsonObject& object, const char* key) {
-    std::array<double, 6> result = six(where, object, key);
-    for (int i = 0; i < 6; ++i) {
-        // No arm reaches 50 m: such a figure is somebody's millimetres.
-        const double most = i < 3 ? 50 : 4 * std::numbers::pi;
-        double& component = result[static_cast<std::size_t>(i)];
-        component = number(at(at(where, key), i), component, -most, most, i < 3 ? "m" : "rad");
-    }
-    return result;
+RecoveredProject ProjectReader::take() {
+    result_.problems = fields_.takeProblems();
+    return std::move(result_);
 }
 
 namespace {
@@ -247,23 +209,30 @@ qsizetype endOfString(const QByteArray& bytes, qsizetype from) {
     return -1;
 }
 
+bool isListOfEntries(const QByteArray& name) {
+    static constexpr const char* kLists[] = {"frames",    "waypoints", "tools", "payloads",
+                                             "positions", "patterns",  "paths"};
+    return std::any_of(std::begin(kLists), std::end(kLists), [&](const char* list) { return name == list; });
+}
+
 }  // namespace
 
 SalvagedEntries salvageEntries(const QByteArray& bytes) {
-    // Keeps count of brackets only: { is depth 1, the array of a field 2, its entries 3.
+    // Keeps count of brackets only: { is depth 1, the list of a field 2, its entries 3.
     SalvagedEntries result;
+    QHash<QString, QJsonArray> lists;
     QByteArray lastString;
-    QByteArray arrayName;
+    QByteArray listName;
     int depth = 0;
     qsizetype entryStart = -1;
     const auto finish = [&](qsizetype end) {
-        const bool isFrame = arrayName == "frames";
         const QJsonDocument entry = QJsonDocument::fromJson(bytes.mid(entryStart, end - entryStart));
+        const QString list = QString::fromLatin1(listName);
         entryStart = -1;
         if (entry.isObject()) {
-            (isFrame ? result.frames : result.waypoints).append(entry.object());
+            lists[list].append(entry.object());
         } else {
-            ++(isFrame ? result.brokenFrames : result.brokenWaypoints);
+            ++result.broken[list];
         }
     };
     for (qsizetype i = 0; i < bytes.size(); ++i) {
@@ -282,9 +251,8 @@ SalvagedEntries salvageEntries(const QByteArray& bytes) {
             case '{':
                 ++depth;
                 if (depth == 2) {
-                    arrayName = lastString;
-                } else if (depth == 3 && bytes[i] == '{' &&
-                           (arrayName == "frames" || arrayName == "waypoints")) {
+                    listName = lastString;
+                } else if (depth == 3 && bytes[i] == '{' && isListOfEntries(listName)) {
                     entryStart = i;
                 }
                 break;
@@ -301,6 +269,9 @@ SalvagedEntries salvageEntries(const QByteArray& bytes) {
     }
     if (entryStart >= 0) {
         finish(bytes.size());
+    }
+    for (auto list = lists.cbegin(); list != lists.cend(); ++list) {
+        result.root.insert(list.key(), list.value());
     }
     return result;
 }

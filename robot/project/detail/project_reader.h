@@ -1,55 +1,55 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// From JSON to waypoints and frames, field by field, remembering what is wrong. Private to robot/project.
+// From JSON to a project, entry by entry, remembering what is wrong. Private to robot/project.
 
-#include <QJsonArray>
-#include <QJsonObject>
-#include <QJsonValue>
+#include <QHash>
 
-#include "robot/project/project_file.h"
+#include "robot/project/detail/part_reader.h"
 
 namespace tiller::project {
 
-/// Reads the entries of a project into a RecoveredProject. An entry with a problem is left out and counted.
+/// Reads a project into a RecoveredProject. An entry with a problem is left out and counted.
 class ProjectReader {
 public:
-    void readRobot(const QJsonValue& value);
-    void readFrames(const QJsonArray& entries);
-    /// After the frames: waypoints refer to them.
-    void readWaypoints(const QJsonArray& entries);
-    void setExtra(const QJsonObject& extra) { result_.document.extra = extra; }
-    void addProblem(const QString& where, const QString& what);
-    /// Entries that were seen but could not even be parsed.
-    void addLostFrame() { ++result_.lostFrames; }
-    void addLostWaypoint() { ++result_.lostWaypoints; }
+    void addProblem(const QString& where, const QString& what) { fields_.addProblem(where, what); }
+    /// An entry of this list was seen but could not even be parsed.
+    void addLost(const QString& list) { ++countOf(list); }
 
-    RecoveredProject take() { return std::move(result_); }
+    /// Everything but format and version; whether "waypoints" must be there.
+    void read(const QJsonObject& root, bool waypointsRequired);
+
+    RecoveredProject take();
 
 private:
-    std::optional<Frame> frame(const QString& where, const QJsonObject& object);
-    std::optional<Waypoint> waypoint(const QString& where, const QJsonObject& object);
+    int& countOf(const QString& list);
+    void readRobot(const QJsonValue& value);
+    void readTooling(const QJsonObject& root);
+    void readPositions(const QJsonObject& root);
+    void readCell(const QJsonValue& value);
+    void readWaypoints(const QJsonObject& root, bool required);
+    void checkPatterns();
+    /// The entries of root[key]; `readOne` makes one of them, `accept` takes it unless something was wrong with it.
+    template <class Read, class Accept>
+    void readEntries(const QString& where, const QJsonObject& root, const char* key, const Read& readOne,
+                     const Accept& accept);
+    template <class Entity>
+    void readList(const QString& where, const QJsonObject& root, const char* key, EntityList<Entity>& list,
+                  Entity (PartReader::*readOne)(const QString&, const QJsonObject&));
+    /// Null where nothing in the list has that id: that is a problem, but costs nothing else.
+    template <class Entity>
+    QUuid reference(const QJsonObject& root, const char* key, const EntityList<Entity>& list);
 
-    QString text(const QString& where, const QJsonObject& object, const char* key);
-    QUuid id(const QString& where, const QJsonObject& object, const char* key);
-    double number(const QString& where, const QJsonValue& value, double least, double most, const char* unit);
-    std::array<double, 6> six(const QString& where, const QJsonObject& object, const char* key);
-    std::array<double, 6> pose(const QString& where, const QJsonObject& object, const char* key);
-
+    FieldReader fields_;
     RecoveredProject result_;
+    PartReader parts_{fields_, result_.document.frames};
 };
 
-/// The complete entries of the arrays "frames" and "waypoints" of a text that is not whole JSON: cut off, or
-/// damaged somewhere.
+/// The complete entries of the lists of a text that is not whole JSON: cut off, or damaged somewhere.
 struct SalvagedEntries {
-    QJsonArray frames;
-    QJsonArray waypoints;
-    int brokenFrames = 0;
-    int brokenWaypoints = 0;
+    QJsonObject root;            ///< lists by their names, and what else was whole
+    QHash<QString, int> broken;  ///< entries that were seen but could not be parsed, by list
 };
 SalvagedEntries salvageEntries(const QByteArray& bytes);
-
-/// Fields of `object` that are not in `known`.
-QJsonObject without(QJsonObject object, std::initializer_list<const char*> known);
 
 }  // namespace tiller::project

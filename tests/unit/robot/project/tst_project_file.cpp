@@ -108,7 +108,7 @@ private Q_SLOTS:
     void fileSaysWhatItIs() {
         const QJsonObject root = QJsonDocument::fromJson(bytesOf(sample())).object();
         QCOMPARE(root["format"].toString(), QString("tiller-project"));
-        QCOMPARE(root["version"].toInt(), 1);
+        QCOMPARE(root["version"].toInt(), 2);
         QCOMPARE(root["robot"].toString(), QString("UR5e"));
     }
 
@@ -194,10 +194,11 @@ private Q_SLOTS:
         };
         QTest::newRow("format") << change("format", "other") << "is not a Tiller project";
         QTest::newRow("version text") << change("version", "one") << "version: is not a whole number";
-        QTest::newRow("waypoints object") << change("waypoints", QJsonObject()) << "waypoints: is not a list";
+        QTest::newRow("waypoints object")
+            << change("waypoints", QJsonObject()) << "waypoints: is an object, not a list";
         QTest::newRow("entry") << change("waypoints", QJsonArray{1})
                                << "waypoints[0]: is a number, not an object";
-        QTest::newRow("frames text") << change("frames", "x") << "frames: is not a list";
+        QTest::newRow("frames text") << change("frames", "x") << "frames: is a text, not a list";
         QTest::newRow("robot") << change("robot", "UR99") << "robot: \"UR99\"";
         QTest::newRow("list") << QByteArray("[1, 2]") << "is not a Tiller project";
         QTest::newRow("empty") << QByteArray() << "line 1, column 1";
@@ -319,7 +320,7 @@ private Q_SLOTS:
 
     void newerFileIsPutAsideToo() {
         QJsonObject root = QJsonDocument::fromJson(bytesOf(sample())).object();
-        root["version"] = 2;
+        root["version"] = kProjectFileVersion + 1;
         put(path_, QJsonDocument(root).toJson());
         QVERIFY(!saveProject(path_, sample())->keptCopy.isEmpty());
     }

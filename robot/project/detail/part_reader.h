@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Frames, tools, payloads, positions, patterns, the cell and recorded paths, each from its JSON object. Private to
+// robot/project.
+
+#include "robot/project/detail/field_reader.h"
+
+namespace tiller::project {
+
+class PartReader {
+public:
+    /// Both must outlive it.
+    PartReader(FieldReader& fields, const FrameList& frames) : fields_(fields), frames_(frames) {}
+
+    Frame frame(const QString& where, const QJsonObject& object);
+    Tool tool(const QString& where, const QJsonObject& object);
+    Payload payload(const QString& where, const QJsonObject& object);
+    NamedPosition position(const QString& where, const QJsonObject& object);
+    SafeHeight safeHeight(const QString& where, const QJsonObject& object);
+    Pattern pattern(const QString& where, const QJsonObject& object);
+    CellBox box(const QString& where, const QJsonObject& object);
+    CellPlane plane(const QString& where, const QJsonObject& object);
+    RecordedPath path(const QString& where, const QJsonObject& object);
+
+private:
+    FieldReader& fields_;
+    const FrameList& frames_;
+};
+
+}  // namespace tiller::project
