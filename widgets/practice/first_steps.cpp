@@ -42,7 +42,7 @@ double furthest(const JointPositions& a, const JointPositions& b) {
 FirstSteps::FirstSteps(RobotSession& session, ProjectDocument& document, QObject* parent)
     : QObject(parent), document_(document) {
     connect(&session, &RobotSession::stateChanged, this, &FirstSteps::onState);
-    connect(&document_, &ProjectDocument::waypointInserted, this, &FirstSteps::onWaypoint);
+    connect(&document_, &ProjectDocument::waypointsInserted, this, &FirstSteps::onWaypoint);
 }
 
 void FirstSteps::setFollowing(bool following) {

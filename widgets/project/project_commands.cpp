@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/project/project_commands.h"
 
-#include "widgets/project/project_document.h"
+#include <numeric>
 
 namespace tiller {
 
@@ -10,50 +10,50 @@ InsertWaypoints::InsertWaypoints(ProjectDocument& document, int row, std::vector
     : QUndoCommand(text), document_(document), row_(row), waypoints_(std::move(waypoints)) {}
 
 void InsertWaypoints::redo() {
-    int row = row_;
-    for (const project::Waypoint& waypoint : waypoints_) {
-        document_.insertRaw(row++, waypoint);
-    }
-    Q_EMIT document_.waypointsAppeared(row_, row - 1);
+    document_.insertRaw(row_, waypoints_);
+    Q_EMIT document_.waypointsAppeared(row_, row_ + static_cast<int>(waypoints_.size()) - 1);
 }
 
 void InsertWaypoints::undo() {
-    for (std::size_t n = 0; n < waypoints_.size(); ++n) {
-        document_.takeRaw(row_);
-    }
+    QVector<int> rows(static_cast<int>(waypoints_.size()));
+    std::iota(rows.begin(), rows.end(), row_);
+    (void)document_.takeRaw(rows);
 }
 
 RemoveWaypoints::RemoveWaypoints(ProjectDocument& document, QVector<int> rows, const QString& text)
     : QUndoCommand(text), document_(document), rows_(std::move(rows)) {}
 
 void RemoveWaypoints::redo() {
-    taken_.clear();
-    for (auto row = rows_.crbegin(); row != rows_.crend(); ++row) {
-        taken_.push_back(document_.takeRaw(*row));
-    }
+    taken_ = document_.takeRaw(rows_);
 }
 
 void RemoveWaypoints::undo() {
-    std::size_t n = taken_.size();
-    for (const int row : rows_) {
-        document_.insertRaw(row, taken_[--n]);
+    // Runs of neighbours go back together.
+    for (int from = 0; from < rows_.size();) {
+        int to = from + 1;
+        while (to < rows_.size() && rows_[to] == rows_[to - 1] + 1) {
+            ++to;
+        }
+        document_.insertRaw(rows_[from], {taken_.begin() + from, taken_.begin() + to});
+        from = to;
     }
     Q_EMIT document_.waypointsAppeared(rows_.first(), rows_.first());
 }
 
-ChangeWaypoint::ChangeWaypoint(ProjectDocument& document, int row, project::Waypoint after,
-                               const QString& text)
-    : QUndoCommand(text)
-    , document_(document)
-    , before_(document.waypoints().at(row))
-    , after_(std::move(after)) {}
-
-void ChangeWaypoint::redo() {
-    document_.replaceRaw(document_.waypoints().indexOf(before_.id), after_);
+ChangeWaypoints::ChangeWaypoints(ProjectDocument& document, const QVector<int>& rows,
+                                 std::vector<project::Waypoint> after, const QString& text)
+    : QUndoCommand(text), document_(document), after_(std::move(after)) {
+    for (const int row : rows) {
+        before_.push_back(document.waypoints().at(row));
+    }
 }
 
-void ChangeWaypoint::undo() {
-    document_.replaceRaw(document_.waypoints().indexOf(after_.id), before_);
+void ChangeWaypoints::redo() {
+    document_.replaceRaw(after_);
+}
+
+void ChangeWaypoints::undo() {
+    document_.replaceRaw(before_);
 }
 
 ReorderWaypoints::ReorderWaypoints(ProjectDocument& document, QVector<QUuid> order, const QString& text)
@@ -69,17 +69,6 @@ void ReorderWaypoints::redo() {
 
 void ReorderWaypoints::undo() {
     document_.reorderRaw(before_);
-}
-
-EditFrames::EditFrames(ProjectDocument& document, project::FrameList after, const QString& text)
-    : QUndoCommand(text), document_(document), before_(document.frames()), after_(std::move(after)) {}
-
-void EditFrames::redo() {
-    document_.setFramesRaw(after_);
-}
-
-void EditFrames::undo() {
-    document_.setFramesRaw(before_);
 }
 
 }  // namespace tiller

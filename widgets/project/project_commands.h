@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The edits of a project, each with its way back: four of the list of waypoints, one of the frames.
+// The edits of a project, each with its way back: four of the list of waypoints, one of any other part.
 
 #include <QUndoCommand>
 #include <QVector>
 #include <vector>
 
-#include "robot/project/waypoint_list.h"
+#include "widgets/project/project_document.h"
 
 namespace tiller {
-
-class ProjectDocument;
 
 class InsertWaypoints : public QUndoCommand {
 public:
@@ -38,16 +36,18 @@ private:
     std::vector<project::Waypoint> taken_;
 };
 
-class ChangeWaypoint : public QUndoCommand {
+class ChangeWaypoints : public QUndoCommand {
 public:
-    ChangeWaypoint(ProjectDocument& document, int row, project::Waypoint after, const QString& text);
+    /// after  as many as there are rows
+    ChangeWaypoints(ProjectDocument& document, const QVector<int>& rows, std::vector<project::Waypoint> after,
+                    const QString& text);
     void redo() override;
     void undo() override;
 
 private:
     ProjectDocument& document_;
-    project::Waypoint before_;
-    project::Waypoint after_;
+    std::vector<project::Waypoint> before_;
+    std::vector<project::Waypoint> after_;
 };
 
 class ReorderWaypoints : public QUndoCommand {
@@ -62,17 +62,24 @@ private:
     QVector<QUuid> after_;
 };
 
-/// There are few frames: the whole list is kept.
-class EditFrames : public QUndoCommand {
+/// There is little of these: the whole part is kept.
+template <class Part>
+class EditPart : public QUndoCommand {
 public:
-    EditFrames(ProjectDocument& document, project::FrameList after, const QString& text);
-    void redo() override;
-    void undo() override;
+    EditPart(ProjectDocument& document, Part project::Project::*part, Part after, const QString& text)
+        : QUndoCommand(text)
+        , document_(document)
+        , part_(part)
+        , before_(document.project().*part)
+        , after_(std::move(after)) {}
+    void redo() override { document_.setPartRaw(part_, after_); }
+    void undo() override { document_.setPartRaw(part_, before_); }
 
 private:
     ProjectDocument& document_;
-    project::FrameList before_;
-    project::FrameList after_;
+    Part project::Project::*part_;
+    Part before_;
+    Part after_;
 };
 
 }  // namespace tiller

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The project that is open: its waypoints and frames, the arm they are for, and the one history of every
-// edit. Tables show it, the store writes it. All of it belongs to the GUI thread.
+// The project that is open: its waypoints, frames and all else of it, the arm they are for, and the one history of
+// every edit. Tables show it, the store writes it. All of it belongs to the GUI thread.
 
 #include <QObject>
 #include <QUndoStack>
@@ -27,7 +27,14 @@ public:
     /// Reach depends on the arm.
     void setRobot(RobotModelId robot);
     const project::Reach& reach(int row) const { return reach_.at(static_cast<std::size_t>(row)); }
+    const project::Tooling& tooling() const { return project_.tooling; }
+    const project::Positions& positions() const { return project_.positions; }
+    const project::PatternList& patterns() const { return project_.patterns; }
+    const project::CellGeometry& cell() const { return project_.cell; }
+    const project::PathList& paths() const { return project_.paths; }
     QUndoStack& undoStack() { return undo_; }
+    /// Whose name the history of a waypoint notes; the name of the account unless told.
+    void setAuthor(const QString& name) { author_ = name; }
 
     /// Another project; the history is empty afterwards.
     void setProject(project::Project project);
@@ -35,39 +42,72 @@ public:
     // Edits by hand: one undo step each, named `text`. Rows count from 0.
     void insertWaypoints(int row, const std::vector<project::Waypoint>& waypoints, const QString& text);
     void removeWaypoints(QList<int> rows);
-    /// Does nothing when `waypoint` is as it was.
+    /// Does nothing when `waypoint` is as it was. What it was before goes into its history; a pattern that was
+    /// taught at it follows.
     void changeWaypoint(int row, const project::Waypoint& waypoint, const QString& text);
+    /// Several at once.
+    /// after  as many as there are rows; those that are as they were are left out
+    void changeWaypoints(const QList<int>& rows, const std::vector<project::Waypoint>& after,
+                         const QString& text);
     /// Moves the waypoints at `rows`, in their order, in front of the one at `before`.
     void moveWaypointsBefore(const QList<int>& rows, int before);
     void insertFrame(int row, const project::Frame& frame, const QString& text);
     /// Does nothing when `frame` is as it was.
     void changeFrame(int row, const project::Frame& frame, const QString& text);
-    /// Waypoints that were given in it stay where they are, given in Base.
+    /// Waypoints, patterns and whatever else was given in it stay where they are, given in Base.
     void removeFrame(int row);
 
+    // Each does nothing when all is as it was.
+    void changeTooling(const project::Tooling& after, const QString& text);
+    void changePositions(const project::Positions& after, const QString& text);
+    void changeCell(const project::CellGeometry& after, const QString& text);
+    void changePaths(const project::PathList& after, const QString& text);
+
+    /// Its waypoints are put in front of `row`.
+    void insertPattern(int row, const project::Pattern& pattern, const QString& text);
+    /// The pattern with that id becomes this one, and its waypoints follow: those that stand where they were laid
+    /// move, those that were moved by hand stay, new places come, and places that are no more go.
+    void changePattern(const project::Pattern& pattern, const QString& text);
+    /// Its waypoints stay, as ordinary ones.
+    void dissolvePattern(const QUuid& id, const QString& text);
+    /// And its waypoints.
+    void removePattern(const QUuid& id, const QString& text);
+
     // For the undo commands.
-    void insertRaw(int row, const project::Waypoint& waypoint);
-    project::Waypoint takeRaw(int row);
-    void replaceRaw(int row, const project::Waypoint& waypoint);
+    void insertRaw(int row, const std::vector<project::Waypoint>& waypoints);
+    /// rows     ascending
+    /// Returns  what was there, in that order
+    std::vector<project::Waypoint> takeRaw(const QVector<int>& rows);
+    /// Those with the same ids.
+    void replaceRaw(const std::vector<project::Waypoint>& waypoints);
     void reorderRaw(const QVector<QUuid>& order);
-    /// Every waypoint's frame must be among them.
-    void setFramesRaw(const project::FrameList& frames);
+    /// After it, every frame that waypoints are given in must be among the frames.
+    template <class Part>
+    void setPartRaw(Part project::Project::*part, const Part& value) {
+        project_.*part = value;
+        tellPart(value);
+    }
 
 Q_SIGNALS:
     /// Anything in the project is different now.
     void documentChanged();
     /// The frames are others, or stand elsewhere.
     void framesChanged();
+    void toolingChanged();
+    void positionsChanged();
+    void patternsChanged();
+    void cellChanged();
+    void pathsChanged();
     /// Waypoints that were added or put back, to select them.
     void waypointsAppeared(int first, int last);
 
     // For tables, each around or after one change of the list of waypoints.
     void projectAboutToBeReplaced();
     void projectReplaced();
-    void waypointAboutToBeInserted(int row);
-    void waypointInserted(int row);
-    void waypointAboutToBeRemoved(int row);
-    void waypointRemoved(int row);
+    void waypointsAboutToBeInserted(int first, int last);
+    void waypointsInserted(int first, int last);
+    void waypointsAboutToBeRemoved(int first, int last);
+    void waypointsRemoved();
     /// Also when only their reach is another one.
     void waypointsChanged(int first, int last);
     void orderAboutToChange();
@@ -76,12 +116,28 @@ Q_SIGNALS:
 private:
     void refreshReach();
     void tellAllChanged();
+    template <class Part>
+    void push(Part project::Project::*part, const Part& after, const QString& text);
     void pushFrames(const project::FrameList& after, const QString& text);
+    void pushChanges(const QVector<int>& rows, std::vector<project::Waypoint> after, const QString& text);
+    void replacePattern(const project::Pattern& pattern, const QString& text);
+    void relay(const project::Pattern& before, const project::Pattern& after, const QString& text);
+    void followCorners(const std::vector<project::Waypoint>& changed, const QString& text);
+    void leaveFrame(const QUuid& frame, const QString& text);
+    void forgetPlaces(const QList<int>& rows, const QString& text);
+    QVector<int> rowsOf(const QUuid& pattern) const;
+    void tellPart(const project::FrameList&);
+    void tellPart(const project::Tooling&);
+    void tellPart(const project::Positions&);
+    void tellPart(const project::PatternList&);
+    void tellPart(const project::CellGeometry&);
+    void tellPart(const project::PathList&);
 
     project::Project project_;
     std::vector<project::Reach> reach_;  ///< of the waypoints, in their order
     const RobotModel* robot_;
     QUndoStack undo_;
+    QString author_;
 };
 
 }  // namespace tiller

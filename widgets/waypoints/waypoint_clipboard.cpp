@@ -27,17 +27,43 @@ enum Column {
     Joints,
     PoseColumn = Joints + 6,
     Tcp = PoseColumn + 6,
-    ColumnCount = Tcp + 6
+    Group = Tcp + 6,
+    Colour,
+    Note,
+    ColumnCount
 };
 constexpr std::array<const char*, ColumnCount> kHeadings = {
-    "Name",    "Move",      "Rules",     "Frame",     "Speed",    "Blend mm", "Base °",   "Shoulder °",
-    "Elbow °", "Wrist 1 °", "Wrist 2 °", "Wrist 3 °", "X mm",     "Y mm",     "Z mm",     "RX °",
-    "RY °",    "RZ °",      "TCP X mm",  "TCP Y mm",  "TCP Z mm", "TCP RX °", "TCP RY °", "TCP RZ °"};
+    "Name",       "Move",     "Rules",     "Frame",     "Speed",     "Blend mm", "Base °",
+    "Shoulder °", "Elbow °",  "Wrist 1 °", "Wrist 2 °", "Wrist 3 °", "X mm",     "Y mm",
+    "Z mm",       "RX °",     "RY °",      "RZ °",      "TCP X mm",  "TCP Y mm", "TCP Z mm",
+    "TCP RX °",   "TCP RY °", "TCP RZ °",  "Group",     "Colour",    "Note"};
+constexpr std::array<const char*, 7> kColourWords = {"none", "blue",   "orange", "green",
+                                                     "pink", "yellow", "sky"};
 
 /// The texts of this file for the translators: lupdate finds them by this name.
 struct WaypointClipboard {
     Q_DECLARE_TR_FUNCTIONS(WaypointClipboard)
 };
+
+/// A text of several lines in one field.
+QString inOneLine(QString text) {
+    return text.replace(QLatin1Char('\\'), QLatin1String("\\\\"))
+        .replace(QLatin1Char('\n'), QLatin1String("\\n"))
+        .replace(QLatin1Char('\t'), QLatin1Char(' '));
+}
+
+QString inLines(const QString& text) {
+    QString result;
+    for (qsizetype i = 0; i < text.size(); ++i) {
+        if (text[i] == QLatin1Char('\\') && i + 1 < text.size()) {
+            ++i;
+            result += text[i] == QLatin1Char('n') ? QLatin1Char('\n') : text[i];
+        } else {
+            result += text[i];
+        }
+    }
+    return result;
+}
 
 QString figure(double value) {
     return QString::number(value, 'g', 14);
@@ -160,6 +186,17 @@ project::Waypoint waypointOf(Line& line, const project::FrameList& frames, const
         point.blend = line.number(Blend, 0, 10000) / kMmPerM;
     }
     point.tcpOffset = line.hasAny(Tcp) ? line.pose(Tcp) : defaults.tcpOffset;
+    point.group = inLines(line.text(Group));
+    point.note = inLines(line.text(Note));
+    if (const QString colour = line.text(Colour); !colour.isEmpty()) {
+        const auto found = std::find_if(kColourWords.begin(), kColourWords.end(),
+                                        [&](const char* word) { return colour == QLatin1String(word); });
+        if (found == kColourWords.end()) {
+            line.fail(Colour, WaypointClipboard::tr("“%1” is no colour of a waypoint").arg(colour));
+        } else {
+            point.colour = static_cast<project::WaypointColour>(found - kColourWords.begin());
+        }
+    }
     point.joints = defaults.near;
     if (hasJoints) {
         for (int i = 0; i < kJointCount; ++i) {
@@ -189,7 +226,7 @@ std::optional<std::array<int, ColumnCount>> placesWithoutHeading(qsizetype field
         for (std::size_t i = 0; i < places.size(); ++i) {
             places[i] = static_cast<qsizetype>(i) < fields ? static_cast<int>(i) : -1;
         }
-        if (fields < ColumnCount) {
+        if (fields < Group) {
             std::fill(places.begin() + Tcp, places.end(), -1);
         }
         return places;
@@ -230,6 +267,9 @@ QString toText(const std::vector<project::Waypoint>& waypoints, const project::F
         }
         appendPose(fields, point.pose);
         appendPose(fields, point.tcpOffset);
+        fields << inOneLine(point.group)
+               << QLatin1String(kColourWords[static_cast<std::size_t>(point.colour)])
+               << inOneLine(point.note);
         result += fields.join(QLatin1Char('\t')) + QLatin1Char('\n');
     }
     return result;

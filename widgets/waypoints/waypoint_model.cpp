@@ -46,12 +46,12 @@ void WaypointModel::followDocument() {
     const ProjectDocument* document = &document_;
     connect(document, &ProjectDocument::projectAboutToBeReplaced, this, [this] { beginResetModel(); });
     connect(document, &ProjectDocument::projectReplaced, this, [this] { endResetModel(); });
-    connect(document, &ProjectDocument::waypointAboutToBeInserted, this,
-            [this](int row) { beginInsertRows({}, row, row); });
-    connect(document, &ProjectDocument::waypointInserted, this, [this] { endInsertRows(); });
-    connect(document, &ProjectDocument::waypointAboutToBeRemoved, this,
-            [this](int row) { beginRemoveRows({}, row, row); });
-    connect(document, &ProjectDocument::waypointRemoved, this, [this] { endRemoveRows(); });
+    connect(document, &ProjectDocument::waypointsAboutToBeInserted, this,
+            [this](int first, int last) { beginInsertRows({}, first, last); });
+    connect(document, &ProjectDocument::waypointsInserted, this, [this] { endInsertRows(); });
+    connect(document, &ProjectDocument::waypointsAboutToBeRemoved, this,
+            [this](int first, int last) { beginRemoveRows({}, first, last); });
+    connect(document, &ProjectDocument::waypointsRemoved, this, [this] { endRemoveRows(); });
     connect(document, &ProjectDocument::waypointsChanged, this, [this](int first, int last) {
         Q_EMIT dataChanged(index(first, 0), index(last, ColumnCount - 1));
     });
@@ -65,8 +65,12 @@ void WaypointModel::followDocument() {
     connect(document, &ProjectDocument::orderChanged, this, [this] {
         const QModelIndexList before = persistentIndexList();
         QModelIndexList after;
+        QHash<QUuid, int> rows;
+        for (int row = 0; row < rowCount(); ++row) {
+            rows.insert(waypointAt(row).id, row);
+        }
         for (qsizetype i = 0; i < before.size(); ++i) {
-            after.append(index(document_.waypoints().indexOf(orderBefore_[i]), before[i].column()));
+            after.append(index(rows.value(orderBefore_[i]), before[i].column()));
         }
         changePersistentIndexList(before, after);
         Q_EMIT layoutChanged({}, VerticalSortHint);
