@@ -46,6 +46,7 @@ RobotSession::RobotSession(const Clock& clock, QObject* parent)
     , d_(std::make_unique<SessionBackend>(clock))
     , outputs_(*this, *d_)
     , services_(*this, *d_)
+    , tooling_(*this, *d_)
     , recording_(*this, *d_) {
     qRegisterMetaType<SessionState>();
     d_->frameClock.setTimerType(Qt::PreciseTimer);

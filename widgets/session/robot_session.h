@@ -16,6 +16,7 @@
 #include "widgets/session/robot_command.h"
 #include "widgets/session/robot_outputs.h"
 #include "widgets/session/robot_services.h"
+#include "widgets/session/robot_tooling.h"
 #include "widgets/session/sample_batch.h"
 #include "widgets/session/session_recording.h"
 #include "widgets/session/session_state.h"
@@ -72,6 +73,8 @@ public:
     const RobotOutputs& outputs() const { return outputs_; }
     /// Power, recovery and programs.
     RobotServices& services() { return services_; }
+    /// TCP and payload.
+    RobotTooling& tooling() { return tooling_; }
     SessionRecording& recording() { return recording_; }
 
     // Control. The outcome comes through stateChanged and message.
@@ -136,6 +139,7 @@ private:
     std::unique_ptr<SessionBackend> d_;
     RobotOutputs outputs_;
     RobotServices services_;
+    RobotTooling tooling_;
     SessionRecording recording_;
 };
 

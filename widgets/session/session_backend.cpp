@@ -112,6 +112,10 @@ void SessionBackend::readSample() {
     state.tcpSpeed = robot.tcpSpeed();
     state.tcpForce = robot.tcpForce();
     state.payloadMass = robot.number("payload", 0, 0.0);
+    state.payloadKnown = robot.has("payload") && robot.has("payload_cog");
+    state.payloadCentre = state.payloadKnown ? robot.payloadCentreOfGravity() : Eigen::Vector3d::Zero();
+    state.rawWrenchKnown = robot.has("ft_raw_wrench");
+    state.rawWrench = state.rawWrenchKnown ? robot.rawWrench() : Wrench();
     state.jointCurrent = robot.jointCurrent();
     state.jointTemperature = robot.jointTemperature();
     state.speedFraction = robot.number("target_speed_fraction", 0, 1.0);

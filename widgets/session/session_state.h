@@ -98,7 +98,11 @@ struct SessionState {
     Pose tcpOffset;
     Twist tcpSpeed;
     Wrench tcpForce;
-    double payloadMass = 0;                      ///< as the robot was told [kg]
+    double payloadMass = 0;     ///< as the robot was told [kg]
+    bool payloadKnown = false;  ///< false where the software does not tell mass and centre
+    Eigen::Vector3d payloadCentre = Eigen::Vector3d::Zero();  ///< as the robot was told, from the flange [m]
+    bool rawWrenchKnown = false;                 ///< false where the software does not tell rawWrench
+    Wrench rawWrench;                            ///< force sensor at the flange, with payload, not zeroed
     Vector6 jointCurrent = Vector6::Zero();      ///< [A]
     Vector6 jointTemperature = Vector6::Zero();  ///< [deg C]
     control::StopMeasurement lastStop;

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The payload, found by the force sensor in four or more poses of the arm. Between them the arm is jogged, or taken to
+// the next of the poses proposed here while a key is held. It says how well the poses agree and which fits least.
+
+#include <QWidget>
+#include <vector>
+
+#include "robot/kinematics/payload_estimation.h"
+#include "widgets/common/hold_guard.h"
+#include "widgets/session/motion_port.h"
+#include "widgets/session/move_time.h"
+#include "widgets/tools/standstill_mean.h"
+
+class QLabel;
+class QPushButton;
+
+namespace tiller {
+
+class HoldButton;
+
+class PayloadEstimator : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PayloadEstimator(MotionPort port, QWidget* parent = nullptr);
+    ~PayloadEstimator() override;
+
+    /// Begins anew, around where the arm stands now.
+    void begin();
+    void setState(const SessionState& state);
+    void setHeldSpeed(std::function<HeldSpeed()> speed) { heldSpeed_ = std::move(speed); }
+    const kinematics::PayloadEstimate& estimate() const { return estimate_; }
+
+Q_SIGNALS:
+    void found(double mass, const Eigen::Vector3d& centre);
+    void cancelled();
+
+private:
+    Result<MotionPort::Id> beginMove();
+    JointPositions nextPose() const;
+    void take();
+    void refresh();
+    QString feedback() const;
+
+    MotionPort port_;
+    std::function<HeldSpeed()> heldSpeed_ = [] { return HeldSpeed(); };
+    HoldBounds bounds_;
+    SessionState state_;
+    JointPositions start_;
+    std::vector<kinematics::PayloadReading> readings_;
+    kinematics::PayloadEstimate estimate_;
+    StandstillMean mean_;
+    bool taking_ = false;
+    QString problem_;
+    QPushButton* take_;
+    QPushButton* again_;
+    HoldButton* next_;
+    QLabel* feedback_;
+    QLabel* poses_;
+    QPushButton* keep_;
+};
+
+}  // namespace tiller

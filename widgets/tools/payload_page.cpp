@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/tools/payload_page.h"
+
+#include <QAction>
+#include <QGridLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "widgets/common/figure_box.h"
+#include "widgets/common/format.h"
+#include "widgets/common/notation.h"
+#include "widgets/common/notice_bar.h"
+#include "widgets/common/row_table.h"
+#include "widgets/project/project_document.h"
+
+namespace tiller {
+namespace {
+
+PartModel* payloadModel(ProjectDocument& document) {
+    const auto at = [&document](int row) -> const project::Payload& {
+        return document.tooling().payloads.at(static_cast<std::size_t>(row));
+    };
+    PartModel::Content content;
+    content.figureHeadings = [] {
+        return QStringList{PayloadPage::tr("Mass kg"), PayloadPage::tr("CX %1").arg(format::lengthUnit()),
+                           PayloadPage::tr("CY %1").arg(format::lengthUnit()),
+                           PayloadPage::tr("CZ %1").arg(format::lengthUnit())};
+    };
+    content.count = [&document] { return static_cast<int>(document.tooling().payloads.size()); };
+    content.isInUse = [&document, at](int row) { return at(row).id == document.tooling().activePayload; };
+    content.inUse = PayloadPage::tr("In use");
+    content.name = [at](int row) { return at(row).name; };
+    content.figures = [at](int row) {
+        QStringList figures{format::number(at(row).mass, 3)};
+        for (int i = 0; i < 3; ++i) {
+            figures << format::lengthNumber(at(row).centre[i], 1, false);
+        }
+        return figures;
+    };
+    content.nameProblem = [&document](int, const QString& name) {
+        return name.isEmpty() ? PayloadPage::tr("A payload needs a name.")
+               : document.tooling().payloads.findByName(name) != nullptr
+                   ? PayloadPage::tr("“%1” is taken by another payload. Choose another name.").arg(name)
+                   : QString();
+    };
+    content.rename = [&document, at](int row, const QString& name) {
+        project::Tooling after = document.tooling();
+        project::Payload payload = at(row);
+        const QString text = PayloadPage::tr("Rename “%1” to “%2”").arg(payload.name, name);
+        payload.name = name;
+        after.payloads.replace(static_cast<std::size_t>(row), payload);
+        document.changeTooling(after, text);
+    };
+    return new PartModel(content);
+}
+
+struct Preset {
+    const char* name;
+    double mass;    ///< [kg]
+    double height;  ///< of the centre above the flange [m]
+};
+/// Source: data sheets of the makers, with coupling, without a part.
+constexpr Preset kPresets[] = {
+    {QT_TRANSLATE_NOOP("tiller::PayloadPage", "Nothing mounted"), 0, 0},
+    {QT_TRANSLATE_NOOP("tiller::PayloadPage", "Robotiq 2F-85, empty"), 0.925, 0.058},
+    {QT_TRANSLATE_NOOP("tiller::PayloadPage", "Robotiq 2F-140, empty"), 1.025, 0.073}};
+
+}  // namespace
+
+PayloadPage::PayloadPage(RobotSession& session, ProjectDocument& document, MotionPort port, QWidget* parent)
+    : PartPage(
+          QStringLiteral("payload"), tr("Payloads"), payloadModel(document),
+          tr("No payload yet.\nPress From robot to keep the one it has, or Weigh… to find it with the arm."),
+          new QWidget, parent)
+    , session_(session)
+    , document_(document)
+    , state_(session.state())
+    , facts_(new QLabel)
+    , estimator_(new PayloadEstimator(std::move(port), this)) {
+    estimator_->hide();
+    facts_->setObjectName(QStringLiteral("payload.facts"));
+    facts_->setWordWrap(true);
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(8);
+    static constexpr const char* kNames[] = {"mass", "x", "y", "z"};
+    const QString titles[] = {tr("Mass"), tr("CX"), tr("CY"), tr("CZ")};
+    const QString spoken[] = {tr("Mass of the payload"), tr("Centre of gravity X"), tr("Centre of gravity Y"),
+                              tr("Centre of gravity Z")};
+    for (int i = 0; i < 4; ++i) {
+        auto* box = new FigureBox;
+        box->setObjectName(QStringLiteral("payload.details.") + QLatin1String(kNames[i]));
+        box->setAccessibleName(spoken[i]);
+        box->setToolTip(tr("Return applies it to the project; the robot keeps its own."));
+        box->setDecimals(i == 0 ? 3 : 2);
+        auto* title = new QLabel(titles[i]);
+        title->setProperty("role", "secondary");
+        grid->addWidget(title, 0, i);
+        grid->addWidget(box, 1, i);
+        boxes_[static_cast<std::size_t>(i)] = box;
+        connect(box, &QAbstractSpinBox::editingFinished, this, [this, i] { takeFigure(i); });
+    }
+    auto* layout = new QVBoxLayout(&details());
+    layout->setContentsMargins(12, 8, 12, 12);
+    layout->setSpacing(6);
+    layout->addWidget(facts_);
+    layout->addLayout(grid);
+
+    addKey(QStringLiteral("use"), tr("Set on robot"), tr("Use this payload and set it on the robot"), 3,
+           [this] { use(); })
+        ->setProperty("primary", true);
+    addKey(QStringLiteral("weigh"), tr("Weigh…"), tr("Find the payload with the arm"), 2, [this] {
+        estimator_->setState(state_);
+        estimator_->begin();
+        notice().dismiss();
+        showInstead(estimator_);
+    });
+    addKey(QStringLiteral("check"), tr("Is it true?"), tr("Check whether the payload is true"), 2,
+           [this] { checkTruth(); });
+    addCommand(QStringLiteral("fromRobot"), tr("Keep the payload the robot has"), false,
+               [this] { addFromRobot(); });
+    addCommand(QStringLiteral("new"), tr("New payload in figures"), false, [this] {
+        project::Payload payload;
+        payload.name = document_.tooling().payloads.nextName(tr("payload"));
+        insert(payload);
+        boxes_[0]->setFocus();
+        boxes_[0]->selectAll();
+    });
+    for (const Preset& preset : kPresets) {
+        addCommand(QStringLiteral("preset%1").arg(&preset - kPresets),
+                   tr("Add preset: %1").arg(tr(preset.name)), false, [this, preset] {
+                       project::Payload payload;
+                       payload.name = document_.tooling().payloads.uniqueName(tr(preset.name));
+                       payload.mass = preset.mass;
+                       payload.centre.z() = preset.height;
+                       insert(payload);
+                   });
+    }
+    addCommand(QStringLiteral("rename"), tr("Rename payload"), true, [this] { table().renameCurrent(); });
+    addCommand(QStringLiteral("duplicate"), tr("Duplicate payload"), true, [this] {
+        if (const project::Payload* payload = current()) {
+            project::Payload copy = *payload;
+            copy.name = document_.tooling().payloads.uniqueName(copy.name);
+            insert(copy);
+        }
+    });
+    addCommand(QStringLiteral("delete"), tr("Delete payload"), true, [this] { remove(); });
+
+    connect(estimator_, &PayloadEstimator::cancelled, this, [this] { showInstead(nullptr); });
+    connect(estimator_, &PayloadEstimator::found, this, [this](double mass, const Eigen::Vector3d& centre) {
+        showInstead(nullptr);
+        project::Payload payload;
+        payload.name = document_.tooling().payloads.nextName(tr("payload"));
+        payload.mass = mass;
+        payload.centre = centre;
+        insert(payload);
+    });
+    connect(&document_, &ProjectDocument::toolingChanged, this, [this] {
+        followList();
+        compare();
+    });
+    followList();
+}
+
+const project::Payload* PayloadPage::current() const {
+    return currentRow() < 0 ? nullptr
+                            : &document_.tooling().payloads.at(static_cast<std::size_t>(currentRow()));
+}
+
+void PayloadPage::insert(project::Payload payload) {
+    payload.id = QUuid::createUuid();
+    project::Tooling after = document_.tooling();
+    after.payloads.append(payload);
+    document_.changeTooling(after, tr("Add the payload “%1”").arg(payload.name));
+    selectRow(document_.tooling().payloads.indexOf(payload.id));
+}
+
+void PayloadPage::change(const project::Payload& payload, const QString& text) {
+    project::Tooling after = document_.tooling();
+    after.payloads.replace(static_cast<std::size_t>(after.payloads.indexOf(payload.id)), payload);
+    document_.changeTooling(after, text);
+}
+
+void PayloadPage::takeFigure(int figure) {
+    const project::Payload* payload = current();
+    const auto at = static_cast<std::size_t>(figure);
+    if (payload == nullptr || boxes_[at]->isRefused() || boxes_[at]->value() == shown_[at]) {
+        return;  // the digits that are not shown stay
+    }
+    project::Payload after = *payload;
+    if (figure == 0) {
+        after.mass = boxes_[at]->value();
+    } else {
+        after.centre[figure - 1] = boxes_[at]->value() * format::metresPerUnit();
+    }
+    // It belonged to the mass before.
+    after.inertia.reset();
+    change(after, tr("Change the payload “%1”").arg(payload->name));
+}
+
+void PayloadPage::addFromRobot() {
+    if (!state_.hasData()) {
+        showProblem(tr("No robot is connected. Connect one, or try the simulator."));
+        return;
+    }
+    project::Payload payload;
+    payload.name = document_.tooling().payloads.nextName(tr("payload"));
+    payload.mass = state_.payloadMass;
+    payload.centre = state_.payloadCentre;
+    insert(payload);
+}
+
+void PayloadPage::use() {
+    const project::Payload* payload = current();
+    if (payload == nullptr) {
+        showProblem(tr("Select a payload to set."));
+        return;
+    }
+    const project::Payload chosen = *payload;
+    // What is about to be set needs no question.
+    askedFor_ = chosen.id;
+    askedMass_ = state_.payloadMass;
+    askedCentre_ = state_.payloadCentre;
+    project::Tooling after = document_.tooling();
+    after.activePayload = chosen.id;
+    document_.changeTooling(after, tr("Use the payload “%1”").arg(chosen.name));
+    notice().dismiss();
+    if (!state_.canMove()) {
+        showProblem(state_.controlReason.isEmpty() ? tr("The arm is not under control. Take control first.")
+                                                   : state_.controlReason);
+        return;
+    }
+    session_.tooling().setPayload({chosen.mass, chosen.centre, chosen.inertia}, chosen.name);
+}
+
+void PayloadPage::remove() {
+    const project::Payload* payload = current();
+    if (payload == nullptr) {
+        return;
+    }
+    const QString text = tr("Delete the payload “%1”").arg(payload->name);
+    project::Tooling after = document_.tooling();
+    if (after.activePayload == payload->id) {
+        after.activePayload = {};
+    }
+    after.payloads.remove(static_cast<std::size_t>(currentRow()));
+    document_.changeTooling(after, text);
+}
+
+void PayloadPage::setState(const SessionState& state) {
+    state_ = state;
+    estimator_->setState(state);
+    refresh();
+    compare();
+    if (checking_) {
+        followCheck();
+    }
+}
+
+void PayloadPage::checkTruth() {
+    if (!state_.hasData()) {
+        showProblem(tr("No robot is connected. Connect one, or try the simulator."));
+        return;
+    }
+    mean_.begin();
+    checking_ = true;
+    notice().dismiss();
+    facts_->setText(tr("Weighing… let nothing touch the tool."));
+}
+
+void PayloadPage::followCheck() {
+    switch (mean_.add(state_)) {
+        case StandstillMean::Outcome::Collecting:
+            return;
+        case StandstillMean::Outcome::Moved:
+            showProblem(tr("The arm moved. Let it come to rest, touch nothing, and check again."));
+            break;
+        case StandstillMean::Outcome::NoForce:
+            showProblem(tr("The robot sends no forces: its payload cannot be checked."));
+            break;
+        case StandstillMean::Outcome::Done: {
+            const Wrench left = mean_.remaining();
+            const double force = left.force.norm();
+            const double torque = left.torque.norm();
+            const QString felt = tr("With %1 kg the arm feels %2 and %3 at rest.")
+                                     .arg(format::number(mean_.payloadMass(), 3), format::newtons(force),
+                                          format::newtonMetres(torque));
+            if (force <= kTrueForce && torque <= kTrueTorque) {
+                Q_EMIT message(Severity::Info, tr("The payload is true. %1").arg(felt));
+                notice().show(NoticeBar::Kind::Question, tr("The payload is true"), felt);
+                break;
+            }
+            // What pulls down is weight the robot was not told of, what pushes up weight that is not there.
+            const double missing = -left.force.z() / kinematics::kStandardGravity;
+            const QString advice =
+                std::abs(missing) > 0.1
+                    ? (missing > 0 ? tr("About %1 kg more hang there than it was told of.")
+                                   : tr("About %1 kg less hang there than it was told of."))
+                          .arg(format::number(std::abs(missing), 2))
+                    : tr("Its centre is elsewhere, or something touches the tool.");
+            const QString text =
+                tr("%1 %2 Weigh it, or choose another payload. Zeroing the force sensor hides a "
+                   "wrong payload until the tool turns.")
+                    .arg(felt, advice);
+            Q_EMIT message(Severity::Warning, tr("The payload is not true. %1 %2").arg(felt, advice));
+            notice().show(NoticeBar::Kind::Warning, tr("The payload is not true"), text);
+            break;
+        }
+    }
+    checking_ = false;
+    refresh();
+}
+
+void PayloadPage::onSelection() {
+    refresh();
+}
+
+bool PayloadPage::isOnRobot(const project::Payload& payload) const {
+    return std::abs(payload.mass - state_.payloadMass) <= kSameMass &&
+           (!state_.payloadKnown || payload.mass == 0 ||
+            (payload.centre - state_.payloadCentre).norm() <= kSameCentre);
+}
+
+void PayloadPage::refresh() {
+    const project::Payload* payload = current();
+    findChild<QPushButton*>(QStringLiteral("payload.use"))->setEnabled(payload != nullptr);
+    if (payload == nullptr) {
+        return;
+    }
+    showFigures(*payload);
+    if (checking_) {
+        return;
+    }
+    facts_->setText(!state_.hasData()     ? payload->name
+                    : isOnRobot(*payload) ? tr("%1, as the robot has it").arg(payload->name)
+                                          : tr("%1; the robot was told %2 kg, centre %3")
+                                                .arg(payload->name, format::number(state_.payloadMass, 3),
+                                                     format::position(state_.payloadCentre)));
+}
+
+void PayloadPage::showFigures(const project::Payload& payload) {
+    const double perUnit = format::metresPerUnit();
+    if (shownPayload_ == payload && shownUnit_ == perUnit) {
+        return;  // what is being typed stays
+    }
+    shownPayload_ = payload;
+    shownUnit_ = perUnit;
+    for (int i = 0; i < 4; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        FigureBox& box = *boxes_[at];
+        const QSignalBlocker quiet(box);
+        const double most = i == 0 ? project::kHeaviestPayload : project::kFarthestPayload / perUnit;
+        box.setRange(i == 0 ? 0 : -most, most);
+        box.setSuffix(i == 0 ? QStringLiteral(" kg") : QStringLiteral(" ") + format::lengthUnit());
+        box.setValue(i == 0 ? payload.mass : payload.centre[i - 1] / perUnit);
+        shown_[at] = box.value();
+    }
+}
+
+void PayloadPage::compare() {
+    const project::Payload* used = document_.tooling().payloads.find(document_.tooling().activePayload);
+    if (used == nullptr || !state_.hasData() || state_.moving) {
+        return;
+    }
+    if (isOnRobot(*used)) {
+        if (askedFor_ == used->id) {
+            askedFor_ = {};
+        }
+        return;
+    }
+    if (askedFor_ == used->id && askedMass_ == state_.payloadMass && askedCentre_ == state_.payloadCentre) {
+        return;
+    }
+    askedFor_ = used->id;
+    askedMass_ = state_.payloadMass;
+    askedCentre_ = state_.payloadCentre;
+    const QString title = tr("The robot has another payload than “%1”").arg(used->name);
+    const QString text =
+        tr("On the robot: %1 kg, centre %2. In the project: %3 kg, centre %4. Nothing was changed.")
+            .arg(format::number(state_.payloadMass, 3), format::position(state_.payloadCentre),
+                 format::number(used->mass, 3), format::position(used->centre));
+    Q_EMIT message(Severity::Warning, title + QStringLiteral(": ") + text);
+    notice().show(NoticeBar::Kind::Question, title, text, tr("Set “%1” on the robot").arg(used->name),
+                  [this, id = used->id] {
+                      selectRow(document_.tooling().payloads.indexOf(id));
+                      use();
+                  });
+}
+
+}  // namespace tiller
+
+#include "moc_payload_page.cpp"

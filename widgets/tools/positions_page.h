@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Joint positions with a name, one of them Home, and the height above which the arm may travel.
+
+#include <array>
+
+#include "robot/project/named_position.h"
+#include "widgets/tools/part_page.h"
+
+class QCheckBox;
+class QLabel;
+
+namespace tiller {
+
+class FigureBox;
+class ProjectDocument;
+
+class PositionsPage : public PartPage {
+    Q_OBJECT
+
+public:
+    /// document  must outlive it
+    PositionsPage(RobotSession& session, ProjectDocument& document, QWidget* parent = nullptr);
+
+    void setState(const SessionState& state);
+    /// Keeps where the arm stands, and makes it Home: the one there is, or a new one.
+    void setHomeHere();
+
+protected:
+    void onSelection() override;
+
+private:
+    const project::NamedPosition* current() const;
+    QString obstacle() const;
+    void addHere();
+    void touchUp();
+    void useAsHome();
+    void remove();
+    void insert(project::NamedPosition position, bool asHome, const QString& text);
+    void change(const project::NamedPosition& position, const QString& text);
+    void takeJoint(int joint);
+    void takeHeight();
+    void setHeight(const std::optional<project::SafeHeight>& height);
+    void refresh();
+
+    ProjectDocument& document_;
+    SessionState state_;
+    QLabel* facts_;
+    std::array<FigureBox*, 6> joints_{};
+    std::array<double, 6> shown_{};
+    std::optional<project::NamedPosition> shownPosition_;
+    QCheckBox* hasHeight_;
+    FigureBox* height_;
+    double shownHeight_ = 0;
+};
+
+}  // namespace tiller

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/tools/tools_tab.h"
+
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include "widgets/common/segmented_control.h"
+#include "widgets/tools/payload_page.h"
+#include "widgets/tools/positions_page.h"
+#include "widgets/tools/tcp_page.h"
+
+namespace tiller {
+
+ToolsTab::ToolsTab(RobotSession& session, ProjectDocument& document, QWidget* parent)
+    : ToolsTab(session, document, motionPort(session), parent) {}
+
+ToolsTab::ToolsTab(RobotSession& session, ProjectDocument& document, MotionPort port, QWidget* parent)
+    : QWidget(parent)
+    , state_(session.state())
+    , choice_(new SegmentedControl({tr("TCP"), tr("Payload"), tr("Positions")}))
+    , pages_(new QStackedWidget)
+    , tcps_(new TcpPage(session, document))
+    , payloads_(new PayloadPage(session, document, std::move(port)))
+    , positions_(new PositionsPage(session, document)) {
+    setObjectName(QStringLiteral("tools"));
+    setAccessibleName(tr("Tools"));
+    choice_->setNames(QStringLiteral("tools.page"), tr("TCP, payload or positions"));
+    pages_->addWidget(tcps_);
+    pages_->addWidget(payloads_);
+    pages_->addWidget(positions_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 12, 0, 0);
+    layout->setSpacing(0);
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(12, 0, 12, 0);
+    row->addWidget(choice_);
+    row->addStretch();
+    layout->addLayout(row);
+    layout->addWidget(pages_, 1);
+
+    connect(choice_, &SegmentedControl::currentChanged, this, [this](int index) {
+        Q_EMIT pageChanged();
+        pages_->setCurrentIndex(index);
+    });
+    const auto connectPage = [this](PartPage* page, Page index) {
+        connect(page, &PartPage::message, this, &ToolsTab::message);
+        connect(page, &PartPage::frontWanted, this, [this, index] {
+            Q_EMIT frontWanted();
+            showPage(index);
+        });
+    };
+    connectPage(tcps_, Tcps);
+    connectPage(payloads_, Payloads);
+    connectPage(positions_, Positions);
+
+    // Figures that change sixty times a second cannot be read; what is weighed needs every state.
+    liveTimer_.setSingleShot(true);
+    liveTimer_.setInterval(100);
+    connect(&liveTimer_, &QTimer::timeout, this, [this] {
+        tcps_->setState(state_);
+        positions_->setState(state_);
+    });
+    connect(&session, &RobotSession::stateChanged, this, [this](const SessionState& state) {
+        state_ = state;
+        payloads_->setState(state);
+        if (!liveTimer_.isActive()) {
+            liveTimer_.start();
+        }
+    });
+}
+
+void ToolsTab::showPage(Page page) {
+    choice_->setCurrentIndex(page);
+}
+
+QList<QAction*> ToolsTab::commandActions() const {
+    return tcps_->commandActions() + payloads_->commandActions() + positions_->commandActions();
+}
+
+void ToolsTab::setHeldSpeed(std::function<HeldSpeed()> speed) {
+    payloads_->setHeldSpeed(std::move(speed));
+}
+
+}  // namespace tiller
+
+#include "moc_tools_tab.cpp"
