@@ -35,5 +35,9 @@ int record(const QStringList& arguments);
 int info(const QStringList& arguments);
 /// A recording as CSV or HDF5.
 int exportRecording(const QStringList& arguments);
+/// A robot's packages to viewers, until told to end.
+int serve(const QStringList& arguments);
+/// Recordings as demonstrations to learn from.
+int episodes(const QStringList& arguments);
 
 }  // namespace tiller::app

@@ -30,8 +30,9 @@ const QString kExportHelp = QStringLiteral(
     "  --quiet              no progress on the terminal\n"
     "  --help               this text\n"
     "\n"
-    "Numbers are the shortest that read back exactly; what the robot did not send is an empty cell. Exit\n"
-    "code: 0 all was written, 1 it was not, or not all of the recording could be read, 2 wrong arguments.\n");
+    "Numbers are the shortest that read back exactly; what the robot did not send is an empty cell.\n"
+    "Exit code: 0 all was written, 1 it was not, or not all of the recording could be read, 2 wrong\n"
+    "arguments.\n");
 
 }  // namespace
 
@@ -95,9 +96,7 @@ int exportRecording(const QStringList& arguments) {
     const recording::Recording& file = *opened.value();
     recording::ExportChoice choice;
     choice.path = target;
-    for (const QString& name : parser.value(columns).split(',', Qt::SkipEmptyParts)) {
-        choice.columns.push_back(name.trimmed().toStdString());
-    }
+    choice.columns = namesIn(parser.value(columns));
     choice.from = *first;
     choice.until = *last;
     ProgressLine line(!parser.isSet(quiet));

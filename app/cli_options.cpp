@@ -20,4 +20,12 @@ std::optional<double> numberIn(const QCommandLineParser& parser, const QCommandL
     return std::nullopt;
 }
 
+std::vector<std::string> namesIn(const QString& list) {
+    std::vector<std::string> names;
+    for (const QString& name : list.split(',', Qt::SkipEmptyParts)) {
+        names.push_back(name.trimmed().toStdString());
+    }
+    return names;
+}
+
 }  // namespace tiller::app

@@ -68,14 +68,6 @@ struct RecordOptions {
     bool quiet = false;
 };
 
-std::vector<std::string> namesIn(const QString& list) {
-    std::vector<std::string> names;
-    for (const QString& name : list.split(',', Qt::SkipEmptyParts)) {
-        names.push_back(name.trimmed().toStdString());
-    }
-    return names;
-}
-
 /// Nothing: it was complained about.
 std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& helped) {
     QCommandLineParser parser;

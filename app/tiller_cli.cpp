@@ -25,6 +25,8 @@ const QString kHelp = QStringLiteral(
     "  record ADDRESS       write what a robot sends to a file (see 'tiller-cli record --help')\n"
     "  info FILE            say what is in a recording\n"
     "  export FILE          a recording as CSV or HDF5 (see 'tiller-cli export --help')\n"
+    "  serve ADDRESS        send on what a robot sends, to Foxglove or PlotJuggler\n"
+    "  episodes FILE...     recordings as demonstrations to learn from\n"
     "\n"
     "Options:\n"
     "  --help               this text\n"
@@ -68,6 +70,12 @@ int main(int argc, char* argv[]) {
     }
     if (command == QLatin1String("export")) {
         return app::exportRecording(arguments);
+    }
+    if (command == QLatin1String("serve")) {
+        return app::serve(arguments);
+    }
+    if (command == QLatin1String("episodes")) {
+        return app::episodes(arguments);
     }
     return app::wrongArguments(QStringLiteral("'%1' is not a command").arg(command));
 }

@@ -148,13 +148,13 @@ private:
     }
 
     bool begin() {
-        bool ok = putText(file_.get(), "written_by", "tiller") &&
-                  putNumber(file_.get(), "period", recording_.period());
+        bool ok = putNumber(file_.get(), "period", recording_.period());
         if (const auto start = recording_.startUtcNs()) {
             ok = ok && putCount(file_.get(), "start_utc_ns", static_cast<std::uint64_t>(*start));
         }
         for (const auto& [key, value] : recording_.facts()) {
-            ok = ok && putText(file_.get(), key.c_str(), value);
+            // One of ours that was exported once more has them already.
+            ok = ok && (H5Aexists(file_.get(), key.c_str()) > 0 || putText(file_.get(), key.c_str(), value));
         }
         time_ = makeSet(file_.get(), "time", H5T_IEEE_F64LE, rows_.count, 1);
         ok = ok && time_ && putText(time_.get(), "unit", "s") &&

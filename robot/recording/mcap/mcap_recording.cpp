@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <list>
 #include <unordered_map>
 
@@ -254,7 +255,11 @@ private:
             }
             if (!steps.empty()) {
                 std::sort(steps.begin(), steps.end());
-                period_ = static_cast<double>(steps[steps.size() / 2]) / static_cast<double>(kNsPerSecond);
+                // To the microsecond: what the map of the clocks adds is less.
+                constexpr double kMicroseconds = 1e6;
+                const double seconds =
+                    static_cast<double>(steps[steps.size() / 2]) / static_cast<double>(kNsPerSecond);
+                period_ = std::round(seconds * kMicroseconds) / kMicroseconds;
             }
             return;
         }

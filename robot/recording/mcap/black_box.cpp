@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: MIT
+#include "robot/recording/mcap/black_box.h"
+
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
+#include <QTimeZone>
+#include <algorithm>
+#include <cmath>
+#include <condition_variable>
+#include <deque>
+#include <optional>
+#include <thread>
+
+#include "robot/core/modes.h"
+#include "robot/realtime/thread_priority.h"
+#include "robot/receive/robot_state.h"
+#include "robot/recording/detail/recording_file.h"
+#include "robot/recording/mcap/detail/sample_store.h"
+#include "robot/recording/mcap/mcap_format.h"
+
+namespace tiller::recording {
+
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds kLookEvery{100};
+constexpr double kShortest = 1;
+constexpr double kLongestBefore = 600;
+constexpr double kLongestAfter = 60;
+constexpr std::size_t kMostNotes = 10'000;
+
+/// What a stop of this kind is called in names of files; null for a state that is none.
+const char* reasonOf(SafetyMode mode) {
+    switch (mode) {
+        case SafetyMode::ProtectiveStop:
+            return "protective-stop";
+        case SafetyMode::SystemEmergencyStop:
+        case SafetyMode::RobotEmergencyStop:
+        case SafetyMode::ImmiEmergencyStop:
+        case SafetyMode::ProfisafeEmergencyStop:
+            return "emergency-stop";
+        case SafetyMode::Violation:
+            return "violation";
+        case SafetyMode::Fault:
+            return "fault";
+        default:
+            return nullptr;
+    }
+}
+
+std::string asName(const QString& reason) {
+    std::string name;
+    for (const QChar c : reason.toLower().left(40)) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+        name += plain ? static_cast<char>(c.unicode()) : '-';
+    }
+    return name.empty() ? "alarm" : name;
+}
+
+}  // namespace
+
+struct BlackBox::Worker {
+    BlackBoxOptions options;
+    std::shared_ptr<const receive::SampleLayout> layout;
+    receive::Subscription subscription;
+    std::int64_t steadyToUtc = 0;
+
+    std::thread thread;
+    std::mutex mutex;  // for what follows, and for waiting
+    std::condition_variable wake;
+    bool stopping = false;
+    std::deque<RecordedNote> notes;
+    std::optional<std::string> alarm;
+    std::string projectName;
+    std::string project;
+    std::map<std::string, std::string> facts;
+
+    // The thread's own.
+    std::optional<SampleStore> store;
+    std::optional<SafetyMode> previous;
+    std::uint64_t lastSequence = 0;
+    std::uint64_t lastConnection = 0;
+    std::optional<Incident> pending;
+    std::int64_t stopNs = 0;  ///< of it, on the receiver's clock
+
+    void run() {
+        realtime::nameThread("tiller-box");
+        constexpr double kMostHz = 500;
+        const double seconds = options.before + options.after + 2;
+        store.emplace(static_cast<std::size_t>(seconds * kMostHz), layout);
+        for (bool last = false; !last;) {
+            std::optional<std::string> raised;
+            {
+                std::unique_lock lock(mutex);
+                last = wake.wait_for(lock, kLookEvery, [&] { return stopping; });
+                raised = std::exchange(alarm, std::nullopt);
+            }
+            drain();
+            if (raised && !pending && store->count() > 0) {
+                begin(raised->c_str(), store->at(store->count() - 1));
+            }
+            if (pending && last) {
+                write();
+            }
+        }
+    }
+
+    void drain() {
+        while (subscription.next(store->next())) {
+            const receive::Sample& sample = store->next();
+            const std::uint64_t missing =
+                lastSequence == 0 ? 0 : sample.sequence - lastSequence - 1 + sample.lostBefore;
+            lastSequence = sample.sequence;
+            const SafetyMode now = receive::RobotState(sample).safetyMode();
+            const std::int64_t timeNs = sample.hostTimeNs;
+            // What is found on connecting happened before.
+            const bool isNew = previous && sample.connection == lastConnection && *previous != now;
+            lastConnection = sample.connection;
+            previous = now;
+            if (isNew && !pending && reasonOf(now) != nullptr) {
+                begin(reasonOf(now), sample);
+            }
+            store->keepNext(missing);
+            forgetBefore(timeNs);
+            if (pending && static_cast<double>(timeNs - stopNs) >= options.after * 1e9) {
+                write();
+            }
+        }
+    }
+
+    void forgetBefore(std::int64_t nowNs) {
+        const std::int64_t from =
+            (pending ? stopNs : nowNs) - static_cast<std::int64_t>(std::llround(options.before * 1e9));
+        while (store->count() > 0 && store->at(0).hostTimeNs < from) {
+            store->dropOldest();
+        }
+    }
+
+    void begin(const char* reason, const receive::Sample& sample) {
+        stopNs = sample.hostTimeNs;
+        pending.emplace();
+        pending->reason = reason;
+        pending->utcNs = stopNs + steadyToUtc;
+    }
+
+    void write() {
+        Incident incident = std::exchange(pending, std::nullopt).value();
+        const auto result = writeFile(incident);
+        if (!result) {
+            incident.error = result.error();
+            incident.path = {};
+        } else {
+            removeOldest();
+        }
+        if (options.written) {
+            options.written(incident);
+        }
+    }
+
+    QString freePath(const Incident& incident) const {
+        constexpr std::int64_t kNsPerMs = 1'000'000;
+        const QDateTime time = QDateTime::fromMSecsSinceEpoch(incident.utcNs / kNsPerMs);
+        const QString name =
+            QStringLiteral("incident_%1_%2")
+                .arg(time.toString(QStringLiteral("yyyy-MM-dd_HH-mm-ss")), Text(incident.reason));
+        const QDir folder(options.folder);
+        QString path = folder.filePath(name + QStringLiteral(".mcap"));
+        for (int more = 2; QFileInfo::exists(path); ++more) {
+            path = folder.filePath(QStringLiteral("%1_%2.mcap").arg(name).arg(more));
+        }
+        return path;
+    }
+
+    Result<void> writeFile(Incident& incident) {
+        if (!QDir().mkpath(options.folder)) {
+            return Error{ErrorCode::FileNotWritable,
+                         QStringLiteral("write an incident to %1").arg(options.folder),
+                         QStringLiteral("the folder cannot be made")};
+        }
+        incident.path = freePath(incident);
+        McapFormatOptions format;
+        format.facts = options.facts;
+        format.facts["incident"] = incident.reason;
+        format.facts["incident_utc_ns"] = std::to_string(incident.utcNs);
+        std::deque<RecordedNote> said;
+        {
+            const std::lock_guard lock(mutex);
+            format.attachmentName = projectName;
+            format.attachment = project;
+            for (const auto& [key, value] : facts) {
+                format.facts[key] = value;
+            }
+            said = notes;
+        }
+        std::vector<std::string> fields;
+        for (const auto& entry : layout->entries()) {
+            fields.push_back(entry.name);
+        }
+        const auto encoder = mcapFormat(format)->encoder({layout, fields, false});
+        auto file = systemFile();
+        // By a name of its own until it is whole.
+        const QString part = incident.path + QStringLiteral(".part");
+        if (auto opened = file->open(part); !opened) {
+            return opened;
+        }
+        incident.secondsBefore =
+            store->count() == 0 ? 0 : static_cast<double>(stopNs - store->at(0).hostTimeNs) / 1e9;
+        for (std::size_t i = 0; i < store->count(); ++i) {
+            encoder->add(store->at(i), i == 0 ? 0 : store->missingBefore(i),
+                         store->at(i).hostTimeNs + steadyToUtc);
+        }
+        const std::int64_t from = store->count() == 0 ? 0 : store->at(0).hostTimeNs + steadyToUtc;
+        for (const RecordedNote& note : said) {
+            if (note.utcNs >= from) {
+                encoder->add(note);
+            }
+        }
+        encoder->add({incident.utcNs, 40, "tiller", Text("incident: " + incident.reason)});
+        const std::string bytes = encoder->take(RecordingEncoder::Close::Last).bytes;
+        std::size_t got = 0;
+        Result<void> result = file->write(bytes, got);
+        if (result) {
+            result = file->sync();
+        }
+        if (auto closed = file->close(); result && !closed) {
+            result = closed;
+        }
+        if (result && !QFile::rename(part, incident.path)) {
+            result = Error{
+                ErrorCode::FileNotWritable, QStringLiteral("write the incident %1").arg(incident.path), {}};
+        }
+        if (!result) {
+            QFile::remove(part);
+        }
+        return result;
+    }
+
+    void removeOldest() {
+        const QDir folder(options.folder);
+        // Their names begin with their times.
+        const QStringList files =
+            folder.entryList({QStringLiteral("incident_*.mcap")}, QDir::Files, QDir::Name);
+        for (qsizetype i = 0; i < files.size() - options.keep; ++i) {
+            QFile::remove(folder.filePath(files[i]));
+        }
+    }
+};
+
+BlackBox::BlackBox() = default;
+
+BlackBox::~BlackBox() {
+    stop();
+}
+
+std::shared_ptr<BlackBox::Worker> BlackBox::worker() const {
+    const std::lock_guard lock(mutex_);
+    return d_;
+}
+
+Result<void> BlackBox::start(const BlackBoxOptions& options, const receive::Receiver& receiver) {
+    stop();
+    if (options.folder.isEmpty()) {
+        return Error{ErrorCode::InvalidArgument, QStringLiteral("start the black box"),
+                     QStringLiteral("no folder is given")};
+    }
+    auto next = std::make_shared<Worker>();
+    next->options = options;
+    next->options.before = std::clamp(options.before, kShortest, kLongestBefore);
+    next->options.after = std::clamp(options.after, 0.0, kLongestAfter);
+    next->options.keep = std::max(options.keep, 1);
+    next->layout = receiver.layout();
+    next->subscription = receiver.subscribe();
+    const auto utc = std::chrono::system_clock::now().time_since_epoch();
+    next->steadyToUtc =
+        std::chrono::duration_cast<std::chrono::nanoseconds>(utc).count() - SteadyClock::shared().nowNs();
+    next->thread = std::thread([box = next.get()] { box->run(); });
+    const std::lock_guard lock(mutex_);
+    d_ = std::move(next);
+    return {};
+}
+
+void BlackBox::stop() {
+    std::shared_ptr<Worker> ending;
+    {
+        const std::lock_guard lock(mutex_);
+        ending.swap(d_);
+    }
+    if (!ending) {
+        return;
+    }
+    {
+        const std::lock_guard lock(ending->mutex);
+        ending->stopping = true;
+    }
+    ending->wake.notify_all();
+    ending->thread.join();
+}
+
+void BlackBox::note(const RecordedNote& note) {
+    if (const auto box = worker()) {
+        const std::lock_guard lock(box->mutex);
+        box->notes.push_back(note);
+        if (box->notes.size() > kMostNotes) {
+            box->notes.pop_front();
+        }
+    }
+}
+
+void BlackBox::alarm(const Text& reason) {
+    if (const auto box = worker()) {
+        const std::lock_guard lock(box->mutex);
+        box->alarm = asName(reason);
+    }
+}
+
+void BlackBox::setProject(const Text& name, std::string content) {
+    if (const auto box = worker()) {
+        const std::lock_guard lock(box->mutex);
+        box->projectName = name.toStdString();
+        box->project = std::move(content);
+    }
+}
+
+void BlackBox::setFact(const std::string& key, const std::string& value) {
+    if (const auto box = worker()) {
+        const std::lock_guard lock(box->mutex);
+        box->facts[key] = value;
+    }
+}
+
+}  // namespace tiller::recording

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+//
+// tiller-cli record, info and export as their users type them, on the simulated controller.
+
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+#include <csignal>
+
+#include "robot/recording/csv_reader.h"
+#include "robot/recording/formats/open_recording.h"
+#include "robot/simulator/simulator.h"
+
+using namespace tiller;
+using namespace tiller::recording;
+
+namespace {
+
+constexpr int kPatienceMs = 60'000;
+
+QString ownAddress() {
+    const auto pid = static_cast<unsigned>(QCoreApplication::applicationPid());
+    return QStringLiteral("127.%1.%2.19").arg(100 + pid % 100).arg((pid / 100) % 250);
+}
+
+struct Answer {
+    int code = -1;
+    QString out;
+    QString err;
+};
+
+Answer run(const QStringList& arguments) {
+    QProcess process;
+    process.start(QStringLiteral(TILLER_CLI), arguments);
+    if (!process.waitForFinished(kPatienceMs)) {
+        process.kill();
+        process.waitForFinished();
+    }
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -2,
+            QString::fromUtf8(process.readAllStandardOutput()),
+            QString::fromUtf8(process.readAllStandardError())};
+}
+
+}  // namespace
+
+class TestCliRecording : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() {
+        simulator_ = std::make_unique<simulator::Simulator>(simulator::SimulatorOptions{
+            .listenAddress = address_, .poweredOn = true, .fastTransitions = true});
+        QVERIFY(simulator_->start().ok());
+    }
+    void recordsForATimeAndTellsWhatIsInIt();
+    void endsInOrderOnASignal();
+    void aKilledRecorderLosesHalfASecondAtMost();
+    void exportsAPart();
+    void wrongArgumentsSaySo_data();
+    void wrongArgumentsSaySo();
+    void whatCannotBeReadSaysSo();
+    void nobodyThereIsAFailure();
+    void helpIsThere_data();
+    void helpIsThere();
+
+private:
+    QString path(const char* name) const { return folder_.filePath(QLatin1String(name)); }
+    QTemporaryDir folder_;
+    const QString address_ = ownAddress();
+    std::unique_ptr<simulator::Simulator> simulator_;
+};
+
+void TestCliRecording::recordsForATimeAndTellsWhatIsInIt() {
+    const Answer recorded = run({"record", address_, "--out", path("a.mcap"), "--duration", "1"});
+    QCOMPARE(recorded.err, QString());
+    QCOMPARE(recorded.code, 0);
+    QVERIFY2(recorded.out.contains("rows"), qPrintable(recorded.out));
+    const Answer told = run({"info", path("a.mcap"), "--json"});
+    QCOMPARE(told.code, 0);
+    const QJsonObject info = QJsonDocument::fromJson(told.out.toUtf8()).object();
+    QCOMPARE(info["format"].toString(), QStringLiteral("MCAP"));
+    QVERIFY(info["rows"].toInt() > 0);
+    QCOMPARE(info["period"].toDouble(), 0.002);
+    QCOMPARE(info["facts"]["robot"].toString(), address_);
+    QVERIFY(info["columns"].toArray().size() > 100);
+    QVERIFY(run({"info", path("a.mcap")}).out.contains("actual_q_0 [rad]"));
+    // By default text is what it always was.
+    QCOMPARE(
+        run({"record", address_, "--out", path("a.csv"), "--duration", "0.3", "--fields", "actual_q"}).code,
+        0);
+    QCOMPARE(readCsv(path("a.csv")).value().columns,
+             (std::vector<std::string>{"timestamp", "actual_q_0", "actual_q_1", "actual_q_2", "actual_q_3",
+                                       "actual_q_4", "actual_q_5", "packages_lost"}));
+}
+
+void TestCliRecording::endsInOrderOnASignal() {
+    QProcess process;
+    process.start(QStringLiteral(TILLER_CLI), {"record", address_, "--out", path("signal.mcap")});
+    QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(path("signal.mcap")).size() > 20'000, kPatienceMs);
+    ::kill(static_cast<pid_t>(process.processId()), SIGTERM);
+    QVERIFY(process.waitForFinished(kPatienceMs));
+    QCOMPARE(process.exitCode(), 0);
+    const auto recording = openRecording(path("signal.mcap")).value();
+    QVERIFY(recording->problems().isEmpty());
+    QVERIFY(recording->rows() > 0);
+}
+
+void TestCliRecording::aKilledRecorderLosesHalfASecondAtMost() {
+    QProcess process;
+    process.start(QStringLiteral(TILLER_CLI), {"record", address_, "--out", path("killed.mcap")});
+    QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(path("killed.mcap")).size() > 100'000, kPatienceMs);
+    ::kill(static_cast<pid_t>(process.processId()), SIGKILL);
+    QVERIFY(process.waitForFinished(kPatienceMs));
+    const auto recording = openRecording(path("killed.mcap")).value();
+    QVERIFY(recording->rows() > 0);
+    const auto stamps =
+        recording->read(std::vector{recording->indexOf("timestamp").value()}, {0, recording->rows()})
+            .value()
+            .front();
+    const auto lost =
+        recording->read(std::vector{recording->indexOf("packages_lost").value()}, {0, recording->rows()})
+            .value()
+            .front();
+    for (std::size_t i = 1; i < stamps.size(); ++i) {
+        // Every package is there, in order, or its absence is.
+        QCOMPARE(std::round((stamps[i] - stamps[i - 1]) * 500), 1 + lost[i]);
+    }
+}
+
+void TestCliRecording::exportsAPart() {
+    QCOMPARE(run({"record", address_, "--out", path("whole.mcap"), "--duration", "1"}).code, 0);
+    const Answer text =
+        run({"export", path("whole.mcap"), "--out", path("part.csv"), "--columns", "actual_q,robot_mode",
+             "--from", "0.1", "--until", "0.2", "--separator", ";", "--decimal", ",", "--units"});
+    QCOMPARE(text.err, QString());
+    QCOMPARE(text.code, 0);
+    QFile file(path("part.csv"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readLine(),
+             QByteArray("actual_q_0;actual_q_1;actual_q_2;actual_q_3;actual_q_4;actual_q_5;robot_mode\n"));
+    QCOMPARE(file.readLine(), QByteArray("rad;rad;rad;rad;rad;rad;-\n"));
+    QVERIFY(file.readLine().contains(','));
+    QCOMPARE(run({"export", path("whole.mcap"), "--out", path("all.h5")}).code, 0);
+    const auto whole = openRecording(path("whole.mcap")).value();
+    const auto all = openRecording(path("all.h5")).value();
+    QCOMPARE(all->format(), QStringLiteral("HDF5"));
+    QCOMPARE(all->rows(), whole->rows());
+    QCOMPARE(run({"export", path("whole.mcap"), "--out", path("all.h5")}).code, 2);
+    QCOMPARE(run({"export", path("all.h5"), "--out", path("again.csv"), "--quiet"}).code, 0);
+    QCOMPARE(openRecording(path("again.csv")).value()->rows(), whole->rows());
+}
+
+void TestCliRecording::wrongArgumentsSaySo_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QString>("said");
+    QTest::newRow("no address") << QStringList{"record", "--out", "a.csv"} << "address";
+    QTest::newRow("no file") << QStringList{"record", address_} << "--out";
+    QTest::newRow("no format") << QStringList{"record", address_, "--out", "a.txt"} << ".mcap";
+    QTest::newRow("no field") << QStringList{"record",      address_,   "--out",
+                                             path("b.csv"), "--fields", "actual_qq"}
+                              << "did you mean";
+    QTest::newRow("no condition") << QStringList{"record",      address_,    "--out",
+                                                 path("b.csv"), "--trigger", "force"}
+                                  << "COLUMN";
+    QTest::newRow("no number") << QStringList{"record",      address_,     "--out",
+                                              path("b.csv"), "--duration", "long"}
+                               << "--duration";
+    QTest::newRow("no option") << QStringList{"record", address_, "--inp", "b.csv"} << "inp";
+    QTest::newRow("info of nothing") << QStringList{"info"} << "file";
+    QTest::newRow("export of nothing") << QStringList{"export", "--out", "a.csv"} << "recording";
+    QTest::newRow("export to a picture") << QStringList{"export", "a.mcap", "--out", "a.png"} << ".h5";
+}
+
+void TestCliRecording::wrongArgumentsSaySo() {
+    QFETCH(QStringList, arguments);
+    QFETCH(QString, said);
+    const Answer answer = run(arguments);
+    QCOMPARE(answer.code, 2);
+    QVERIFY2(answer.err.contains(said), qPrintable(answer.err));
+}
+
+void TestCliRecording::whatCannotBeReadSaysSo() {
+    QFile file(path("broken.mcap"));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write("hello\1\2") > 0);
+    file.close();
+    for (const QStringList& arguments :
+         {QStringList{"info", path("broken.mcap")},
+          QStringList{"export", path("broken.mcap"), "--out", path("x.csv")}}) {
+        const Answer answer = run(arguments);
+        QCOMPARE(answer.code, 1);
+        QVERIFY2(answer.err.contains("not a table of numbers"), qPrintable(answer.err));
+    }
+    QVERIFY(!QFileInfo::exists(path("x.csv")));
+}
+
+void TestCliRecording::nobodyThereIsAFailure() {
+    const Answer answer =
+        run({"record", "127.0.0.1", "--port-offset", "13", "--out", path("none.csv"), "--wait", "0.2"});
+    QCOMPARE(answer.code, 1);
+    QVERIFY2(answer.err.contains("no data from"), qPrintable(answer.err));
+    QVERIFY(!QFileInfo::exists(path("none.csv")));
+}
+
+void TestCliRecording::helpIsThere_data() {
+    QTest::addColumn<QString>("command");
+    for (const char* command : {"record", "info", "export", "serve"}) {
+        QTest::newRow(command) << command;
+    }
+}
+
+void TestCliRecording::helpIsThere() {
+    QFETCH(QString, command);
+    const Answer answer = run({command, "--help"});
+    QCOMPARE(answer.code, 0);
+    QVERIFY(answer.out.startsWith("tiller-cli " + command));
+    QVERIFY(answer.out.contains("Exit code"));
+    for (const QString& line : answer.out.split('\n')) {
+        QVERIFY2(line.size() <= 110, qPrintable(line));
+    }
+}
+
+QTEST_GUILESS_MAIN(TestCliRecording)
+#include "tst_cli_recording.moc"

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include <QFileInfo>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+#include <numeric>
+#include <random>
+
+#include "robot/recording/formats/open_recording.h"
+#include "robot/recording/hdf5/episodes.h"
+#include "robot/recording/hdf5/hdf5_export.h"
+#include "robot/recording/mcap/mcap_format.h"
+#include "tests/unit/robot/recording/made_recording.h"
+
+using namespace tiller;
+using namespace tiller::recording;
+using test::MadeSamples;
+
+namespace {
+
+constexpr std::uint64_t kRows = 1000;
+
+std::unique_ptr<Recording> made(const QString& path, std::uint64_t gap = 0) {
+    test::writeFile(path, test::madeFile(*mcapFormat({.facts = {{"model", "UR5e"}}}), kRows, gap));
+    return openRecording(path).value();
+}
+
+void readAll(const Recording& recording) {
+    std::vector<std::size_t> some(std::min<std::size_t>(recording.columns().size(), 10));
+    std::iota(some.begin(), some.end(), std::size_t(0));
+    constexpr std::uint64_t kSome = 5000;
+    static_cast<void>(recording.read(some, {0, kSome}));
+    static_cast<void>(recording.times({0, kSome}));
+}
+
+}  // namespace
+
+class TestHdf5 : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void whatIsExportedIsReadBack();
+    void aPartOfItIsAsked();
+    void givingUpLeavesWhatWasThere();
+    void brokenFilesEndInWords();
+    void filesOfOthers();
+    void episodesByProgram();
+    void noEpisodeIsAnError();
+
+private:
+    QString path(const char* name) const { return folder_.filePath(QLatin1String(name)); }
+    QTemporaryDir folder_;
+};
+
+void TestHdf5::whatIsExportedIsReadBack() {
+    const auto source = made(path("a.mcap"), 400);
+    const auto report = exportHdf5(*source, {.path = path("a.h5")}).value();
+    QCOMPARE(report.rows, kRows);
+    QCOMPARE(report.bytes, QFileInfo(path("a.h5")).size());
+    const auto back = openRecording(path("a.h5")).value();
+    QVERIFY2(back->problems().isEmpty(), qPrintable(back->problems().join('\n')));
+    QCOMPARE(back->format(), QStringLiteral("HDF5"));
+    QCOMPARE(back->rows(), kRows);
+    QCOMPARE(back->period(), source->period());
+    QCOMPARE(back->facts().at("model"), std::string("UR5e"));
+    QCOMPARE(back->gaps().size(), std::size_t(1));
+    QCOMPARE(back->gaps().front().row, std::uint64_t(400));
+    QCOMPARE(back->columns().size(), source->columns().size());
+    for (const RecordedColumn& column : source->columns()) {
+        const auto there = back->indexOf(column.name);
+        QVERIFY2(there, column.name.c_str());
+        QCOMPARE(back->columns()[*there].unit, column.unit);
+        const auto expected = source->read(std::vector{*source->indexOf(column.name)}, {0, kRows}).value();
+        QCOMPARE(back->read(std::vector{*there}, {0, kRows}).value(), expected);
+    }
+    QCOMPARE(back->times({0, kRows}).value(), source->times({0, kRows}).value());
+    QCOMPARE(back->rowAt(1.0).value(), std::uint64_t(500));
+}
+
+void TestHdf5::aPartOfItIsAsked() {
+    const auto source = made(path("b.mcap"));
+    ExportChoice choice{
+        .path = path("b.h5"), .columns = {"actual_q", "robot_mode"}, .from = 0.5, .until = 0.6};
+    QCOMPARE(exportHdf5(*source, choice).value().rows, std::uint64_t(51));
+    const auto back = openRecording(path("b.h5")).value();
+    QCOMPARE(back->columns().size(), std::size_t(7));
+    choice.columns = {"actual_qq"};
+    QCOMPARE(exportHdf5(*source, choice).error().code, ErrorCode::FieldUnknown);
+    QVERIFY(openRecording(path("b.h5")).ok());
+}
+
+void TestHdf5::givingUpLeavesWhatWasThere() {
+    const auto source = made(path("c.mcap"));
+    QVERIFY(test::writeFile(path("c.h5"), "precious"));
+    ExportChoice choice{.path = path("c.h5")};
+    choice.progress = [](double) { return false; };
+    QCOMPARE(exportHdf5(*source, choice).error().code, ErrorCode::Cancelled);
+    QCOMPARE(QFileInfo(path("c.h5")).size(), qint64(8));
+    QVERIFY(!QFileInfo::exists(path("c.h5.part")));
+    choice = {.path = path("no/such/folder.h5")};
+    QCOMPARE(exportHdf5(*source, choice).error().code, ErrorCode::FileNotWritable);
+    QCOMPARE(exportCsv(*source, {.path = path("no/such/folder.csv")}).error().code,
+             ErrorCode::FileNotWritable);
+}
+
+// libhdf5 reads them: what it does with a broken file is not ours, so the mutations are those of a disk or a transfer,
+// and each is opened in this very process.
+void TestHdf5::brokenFilesEndInWords() {
+    const auto source = made(path("d.mcap"));
+    exportHdf5(*source, {.path = path("d.h5"), .columns = {"actual_q", "robot_mode"}}).value();
+    QFile file(path("d.h5"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const std::string whole = file.readAll().toStdString();
+    std::mt19937 random(5);
+    for (int i = 0; i < 1000; ++i) {
+        std::string bytes = whole;
+        if (i % 3 == 0) {
+            bytes.resize(random() % bytes.size());
+        }
+        for (unsigned change = 0; change < 1 + random() % 5 && !bytes.empty(); ++change) {
+            bytes[random() % bytes.size()] = static_cast<char>(random());
+        }
+        QVERIFY(test::writeFile(path("mutated.h5"), bytes));
+        if (const auto recording = openRecording(path("mutated.h5"))) {
+            readAll(**recording);
+        } else {
+            QVERIFY(!recording.error().toString().isEmpty());
+        }
+    }
+}
+
+void TestHdf5::filesOfOthers() {
+    if (QProcess::execute("/usr/bin/python3", {"-c", "import h5py"}) != 0) {
+        QSKIP("h5py is not installed (python3-h5py)");
+    }
+    const char* script =
+        "import h5py, sys, numpy\n"
+        "f = h5py.File(sys.argv[1], 'w')\n"
+        "f['time'] = numpy.arange(10) * 0.1 + 5\n"
+        "f['force'] = numpy.arange(20, dtype='f4').reshape(10, 2)\n"
+        "f['force'].attrs['unit'] = 'N'\n"
+        "f['count'] = numpy.arange(10, dtype='i2')\n"
+        "f['names'] = ['a', 'b']\n"
+        "f['short'] = [1.0, 2.0]\n"
+        "f.create_group('more')\n";
+    QCOMPARE(QProcess::execute("/usr/bin/python3", {"-c", script, path("o.h5")}), 0);
+    const auto recording = openRecording(path("o.h5")).value();
+    QCOMPARE(recording->rows(), std::uint64_t(10));
+    QCOMPARE(recording->columns().size(), std::size_t(3));
+    QCOMPARE(recording->read(std::vector{*recording->indexOf("force_1")}, {9, 1}).value().front().front(),
+             19.0);
+    QVERIFY(recording->columns()[*recording->indexOf("count")].whole);
+    QVERIFY(std::abs(recording->times({9, 1}).value().front() - 0.9) < 1e-9);
+    QCOMPARE(recording->problems().size(), 3);
+}
+
+void TestHdf5::episodesByProgram() {
+    // Two programs of 200 rows each, with pauses of 100 rows.
+    MadeSamples samples;
+    std::vector<std::string> fields;
+    for (const auto& entry : samples.layout->entries()) {
+        fields.push_back(entry.name);
+    }
+    const std::size_t state = samples.layout->indexOfComponent("runtime_state").value();
+    const auto encoder = mcapFormat()->encoder({samples.layout, fields, false});
+    for (std::uint64_t row = 0; row < 1000; ++row) {
+        receive::Sample sample = samples.at(row);
+        sample.values[state] = (row >= 100 && row < 300) || (row >= 400 && row < 650) || row == 900 ? 2 : 1;
+        encoder->add(sample, 0, samples.utcNs(row));
+    }
+    QVERIFY(test::writeFile(path("e.mcap"), encoder->take(RecordingEncoder::Close::Last).bytes));
+    const auto recording = openRecording(path("e.mcap")).value();
+    const auto found = findEpisodes(*recording, EpisodeChoice::Cut::Program).value();
+    QCOMPARE(found.size(), std::size_t(3));
+    QCOMPARE(found[1].rows.first, std::uint64_t(400));
+    QCOMPARE(found[1].rows.count, std::uint64_t(250));
+    EpisodeChoice choice;
+    choice.shortest = 0.1;
+    const auto report = writeEpisodes({recording.get(), recording.get()}, path("e.h5"), choice).value();
+    QCOMPARE(report.episodes, 4);
+    QCOMPARE(report.tooShort, 2);
+    QCOMPARE(report.rows, std::uint64_t(2 * (8 + 10)));
+    if (QProcess::execute("/usr/bin/python3", {"-c", "import h5py"}) != 0) {
+        QSKIP("h5py is not installed (python3-h5py)");
+    }
+    const char* script =
+        "import h5py, json, sys\n"
+        "f = h5py.File(sys.argv[1])\n"
+        "assert json.loads(f['data'].attrs['env_args'])['env_name']\n"
+        "assert f['data'].attrs['total'] == 36\n"
+        "d = f['data/demo_3']\n"
+        "assert d.attrs['num_samples'] == 10\n"
+        "assert d['obs/actual_q'].shape == d['next_obs/actual_q'].shape == (10, 6)\n"
+        "assert (d['obs/actual_q'][1:] == d['next_obs/actual_q'][:-1]).all()\n"
+        "assert d['actions'].shape == (10, 6) and d['dones'][-1] == 1 and d['rewards'].shape == (10,)\n";
+    QCOMPARE(QProcess::execute("/usr/bin/python3", {"-c", script, path("e.h5")}), 0);
+}
+
+void TestHdf5::noEpisodeIsAnError() {
+    const auto recording = made(path("f.mcap"));
+    EpisodeChoice choice;
+    choice.cut = EpisodeChoice::Cut::Whole;
+    choice.shortest = 1000;
+    QCOMPARE(writeEpisodes({recording.get()}, path("f.h5"), choice).error().code, ErrorCode::InvalidArgument);
+    QVERIFY(!QFileInfo::exists(path("f.h5")));
+    choice.shortest = 0;
+    choice.observations = {"actual_qq"};
+    QCOMPARE(writeEpisodes({recording.get()}, path("f.h5"), choice).error().code, ErrorCode::FieldUnknown);
+}
+
+QTEST_GUILESS_MAIN(TestHdf5)
+#include "tst_hdf5.moc"
