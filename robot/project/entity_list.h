@@ -51,9 +51,9 @@ public:
         return placeOf([&](const Entity& entity) { return entity.name == name; });
     }
     const Entity* find(const QUuid& id) const { return pointer(indexOf(id)); }  ///< Null when there is none.
-    const Entity* findByName(const QString& name) const {
-        return pointer(indexOfName(name));
-    }  ///< As find().
+    /// As find(). Where two have that name, which the tables of the window do not let happen, it is the
+    /// first of them.
+    const Entity* findByName(const QString& name) const { return pointer(indexOfName(name)); }
 
     QString uniqueName(const QString& wanted) const {  ///< As freeName(), among these.
         return freeName(wanted, [this](const QString& name) { return indexOfName(name) >= 0; });
