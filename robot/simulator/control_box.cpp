@@ -4,6 +4,7 @@
 #include <QAbstractEventDispatcher>
 
 #include "robot/simulator/faults.h"
+#include "robot/simulator/host/script_host.h"
 #include "robot/simulator/programs/program_runner.h"
 
 namespace tiller::simulator {
@@ -13,9 +14,12 @@ ControlBox::ControlBox(const SimulatorOptions& options)
     , services(plant, [this](std::string_view line) { return answerFaultLine(*this, line); }) {}
 
 void ControlBox::service() {
-    // Accepts connections and moves the scripts' sockets on.
-    if (auto* dispatcher = QAbstractEventDispatcher::instance()) {
-        dispatcher->processEvents(QEventLoop::AllEvents);
+    // Accepts connections and moves the sockets of scripts on: nothing else in this thread has events.
+    const bool isKnocking = services.link().doorbell().look();
+    if (isKnocking || plant.scriptHost().hasSockets() || plant.programs().awaitsScript()) {
+        if (auto* dispatcher = QAbstractEventDispatcher::instance()) {
+            dispatcher->processEvents(QEventLoop::AllEvents);
+        }
     }
     services.faults().service();  // also of a mute controller, or nobody could end its silence
     if (!silent) {

@@ -7,7 +7,7 @@
 // shared with others there are seconds in which it is theirs, and the middle one tells what is usual. Prints
 // tables and, with --json, one JSON object; asserts nothing.
 //
-//   simulator_cost [--seconds 20] [--controllers 8] [--priority 95] [--json]
+//   simulator_cost [--seconds 20] [--controllers 8] [--clients 3] [--priority 95] [--json]
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
@@ -210,11 +210,13 @@ int main(int argc, char* argv[]) {
     parser.addOptions(
         {{"seconds", "How long each part is watched.", "s", "20"},
          {"controllers", "How many run side by side in the second part; 0 leaves it out.", "n", "8"},
+         {"clients", "RTDE clients of the one in the first part.", "n", "3"},
          {"priority", "SCHED_FIFO priority asked for; 0: none.", "p", "95"},
          {"json", "One JSON object instead of tables."}});
     parser.process(application);
     const int seconds = parser.value("seconds").toInt();
     const int priority = parser.value("priority").toInt();
+    const int clients = parser.value("clients").toInt();
     const int several = parser.value("controllers").toInt();
 
     QString text;
@@ -223,8 +225,8 @@ int main(int argc, char* argv[]) {
     out.setRealNumberPrecision(1);
     const QString before = load();
     out << "load before: " << before << "; " << QThread::idealThreadCount() << " processors\n"
-        << "one controller, 3 RTDE clients, 1 primary client, a servo script at 500 Hz\n";
-    const auto one = measure(out, 1, 3, priority, seconds);
+        << "one controller, " << clients << " RTDE clients, 1 primary client, a servo script at 500 Hz\n";
+    const auto one = measure(out, 1, clients, priority, seconds);
     if (!one) {
         return 1;
     }

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/kinematics/arm_kinematics.h"
-
 namespace tiller::simulator::arm {
 
 namespace {
@@ -35,6 +33,9 @@ Eigen::Vector3d vectorFromQuaternion(const Eigen::Quaterniond& q) {
 }
 
 ArmGeometry::ArmGeometry(const RobotModel& model) : model_(model) {
+    const auto alpha = Vector6::Map(model.dh.alpha.data()).array();
+    sinAlpha_ = alpha.sin();
+    cosAlpha_ = alpha.cos();
     const auto& a = model.dh.a;
     determinantScale_ = std::abs(a[1] * a[2]) * (std::abs(a[1]) + std::abs(a[2]));
 }
@@ -44,8 +45,27 @@ void ArmGeometry::setTcp(const Pose& T_flange_tcp) {
     T_flange_tcp_ = T_flange_tcp.transform();
 }
 
+void ArmGeometry::placeLinks(const Vector6& q, std::array<Eigen::Isometry3d, 7>& frames) const {
+    frames[0].setIdentity();
+    for (int i = 0; i < kJointCount; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const double theta = q[i] + model_.dh.theta[k];
+        const double st = std::sin(theta);
+        const double ct = std::cos(theta);
+        const auto before = frames[k].linear();
+        const Eigen::Vector3d x = ct * before.col(0) + st * before.col(1);
+        const Eigen::Vector3d y = ct * before.col(1) - st * before.col(0);
+        Eigen::Isometry3d& T = frames[k + 1];
+        T.linear().col(0) = x;
+        T.linear().col(1) = cosAlpha_[i] * y + sinAlpha_[i] * before.col(2);
+        T.linear().col(2) = cosAlpha_[i] * before.col(2) - sinAlpha_[i] * y;
+        T.translation() = frames[k].translation() + model_.dh.a[k] * x + model_.dh.d[k] * before.col(2);
+        T.makeAffine();
+    }
+}
+
 void ArmGeometry::evaluate(const Vector6& q, Posture& posture) const {
-    posture.frames = kinematics::linkFrames(model_.dh, JointPositions(q));
+    placeLinks(q, posture.frames);
     posture.T_base_tcp = posture.frames[6] * T_flange_tcp_;
     const Eigen::Vector3d p = posture.T_base_tcp.translation();
     for (int i = 0; i < kJointCount; ++i) {
@@ -58,7 +78,9 @@ void ArmGeometry::evaluate(const Vector6& q, Posture& posture) const {
 }
 
 Eigen::Isometry3d ArmGeometry::tcpPose(const Vector6& q) const {
-    return kinematics::forward(model_.dh, JointPositions(q)) * T_flange_tcp_;
+    std::array<Eigen::Isometry3d, 7> frames;
+    placeLinks(q, frames);
+    return frames[6] * T_flange_tcp_;
 }
 
 Vector6 ArmGeometry::solve(const Posture& posture, const Vector6& twist) const {

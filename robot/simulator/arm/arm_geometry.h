@@ -47,8 +47,12 @@ public:
 
 private:
     Vector6 solve(const Posture& posture, const Vector6& twist) const;
+    /// As kinematics::linkFrames(), without asking for the same sines in each control period.
+    void placeLinks(const Vector6& q, std::array<Eigen::Isometry3d, 7>& frames) const;
 
     const RobotModel& model_;
+    Vector6 sinAlpha_;
+    Vector6 cosAlpha_;
     Pose tcp_;
     Eigen::Isometry3d T_flange_tcp_ = Eigen::Isometry3d::Identity();
     double determinantScale_ = 1;

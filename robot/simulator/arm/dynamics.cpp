@@ -3,8 +3,9 @@
 
 #include <kdl/chain.hpp>
 #include <kdl/chaindynparam.hpp>
-#include <kdl/chainidsolver_recursive_newton_euler.hpp>
 #include <optional>
+
+#include "robot/simulator/arm/newton_euler.h"
 
 namespace tiller::simulator::arm {
 
@@ -32,7 +33,7 @@ KDL::RigidBodyInertia toKdl(const Payload& payload) {
 }  // namespace
 
 struct Dynamics::Chain {
-    explicit Chain(const RobotModel& m) : model(m), q(6), qd(6), qdd(6), torque(6), mass(6), external(6) {
+    explicit Chain(const RobotModel& m) : model(m), q(6), qd(6), torque(6), mass(6), newtonEuler(m) {
         const DhParameters& dh = model.dh;
         for (std::size_t i = 0; i < 6; ++i) {
             chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::RotZ),
@@ -42,20 +43,18 @@ struct Dynamics::Chain {
     }
 
     void rebuild(const Eigen::Vector3d& gravity) {
-        const KDL::Vector down = toKdl(-gravity);
-        inverse.emplace(chain, down);
-        parameters.emplace(chain, down);
+        parameters.emplace(chain, toKdl(-gravity));
+        newtonEuler.setGravity(gravity);
     }
 
     static void set(KDL::JntArray& to, const Vector6& from) { to.data = from; }
 
     const RobotModel& model;
     KDL::Chain chain;
-    std::optional<KDL::ChainIdSolver_RNE> inverse;
     std::optional<KDL::ChainDynParam> parameters;
-    KDL::JntArray q, qd, qdd, torque;
+    KDL::JntArray q, qd, torque;
     KDL::JntSpaceInertiaMatrix mass;
-    KDL::Wrenches external;
+    NewtonEuler newtonEuler;
     Payload payload;
 };
 
@@ -67,6 +66,7 @@ Dynamics::~Dynamics() = default;
 
 void Dynamics::setPayload(const Payload& payload) {
     chain_->payload = payload;
+    chain_->newtonEuler.setPayload(payload);
     chain_->chain.getSegment(5).setInertia(toKdl(chain_->model.links[5]) + toKdl(payload));
 }
 
@@ -75,13 +75,7 @@ void Dynamics::setGravity(const Eigen::Vector3d& gravity) {
 }
 
 Vector6 Dynamics::torques(const Vector6& q, const Vector6& qd, const Vector6& qdd, const Wrench& onFlange) {
-    Chain& c = *chain_;
-    Chain::set(c.q, q);
-    Chain::set(c.qd, qd);
-    Chain::set(c.qdd, qdd);
-    c.external[5] = KDL::Wrench(toKdl(onFlange.force), toKdl(onFlange.torque));
-    c.inverse->CartToJnt(c.q, c.qd, c.qdd, c.external, c.torque);
-    return c.torque.data;
+    return chain_->newtonEuler.torques(q, qd, qdd, onFlange);
 }
 
 Matrix6 Dynamics::massMatrix(const Vector6& q, bool rotors) {

@@ -2,7 +2,7 @@
 #pragma once
 
 // Rigid-body dynamics of the arm with a payload: torques for a motion, mass matrix, Coriolis torques,
-// momentum. Recursive Newton-Euler by orocos-KDL on the model's DH chain.
+// momentum. Torques by NewtonEuler, what is asked for seldom by orocos-KDL, both on the model's DH chain.
 // Nothing allocates after construction, except setGravity().
 
 #include <memory>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/simulator/arm/sensors.h"
 
-#include <Eigen/LU>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -269,8 +269,7 @@ void Sensors::updateDrives(DriveState drive, ArmState& state) {
     state.externalTorque.values = needed - expected;
     const Matrix6 J = actual_.jacobian;
     const Matrix6 damped = J * J.transpose() + 1e-6 * Matrix6::Identity();
-    state.wrenchFromCurrents =
-        Wrench::fromVector(-damped.partialPivLu().solve(J * state.externalTorque.values));
+    state.wrenchFromCurrents = Wrench::fromVector(-damped.llt().solve(J * state.externalTorque.values));
 }
 
 Vector6 Sensors::unexplainedTorques() const {

@@ -32,6 +32,7 @@ public:
     std::string_view receivedBytes(std::string_view name) const override;
     void consumeBytes(std::string_view name, std::size_t count) override;
     void closeAllSockets() { sockets_.clear(); }
+    bool hasSockets() const { return !sockets_.empty(); }  ///< They need events to be processed.
 
     /// Takes in what has arrived.
     void serviceSockets();

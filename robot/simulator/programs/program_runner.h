@@ -47,6 +47,8 @@ public:
     void submitControlled(std::string text, ScriptProvider provider);
 
     void requestStop();
+    /// Of an External Control node; it needs events to be processed.
+    bool awaitsScript() const { return controlled_ != nullptr; }
     /// A stop has been asked for and not begun.
     bool isStopRequested() const;
     /// Ends the main program within this call.

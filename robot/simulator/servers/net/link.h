@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "robot/core/native_socket.h"
+#include "robot/simulator/servers/net/doorbell.h"
 
 namespace tiller::simulator {
 
@@ -37,6 +38,8 @@ public:
     void setTime(double now) { now_ = now; }
     double now() const { return now_; }
 
+    /// What arrives at the controller's end.
+    Doorbell& doorbell() { return doorbell_; }
     /// Bytes pass as they are.
     bool isPlain() const { return plain_; }
     bool isLost() const { return conditions_.lost; }
@@ -55,6 +58,7 @@ public:
     std::size_t buried() const { return buried_.size(); }
 
 private:
+    Doorbell doorbell_;
     LinkConditions conditions_;
     double now_ = 0;
     bool plain_ = true;

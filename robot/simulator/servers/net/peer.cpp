@@ -28,6 +28,11 @@ Peer::~Peer() {
     close();
 }
 
+void Peer::attach(Link* link) {
+    link_ = link;
+    isWatched_ = link_ != nullptr && open_ && link_->doorbell().add(descriptor_, &hasArrived_);
+}
+
 bool Peer::isPlain() const {
     return link_ == nullptr || link_->isPlain();
 }
@@ -35,6 +40,9 @@ bool Peer::isPlain() const {
 void Peer::close() {
     if (open_) {
         open_ = false;
+        if (isWatched_) {
+            link_->doorbell().remove(descriptor_);
+        }
         if (link_ == nullptr || !link_->bury(descriptor_)) {
             native_socket::close(descriptor_);
         }
@@ -51,11 +59,17 @@ std::size_t Peer::receive(std::span<std::uint8_t> into) {
 }
 
 std::size_t Peer::receiveNow(std::span<std::uint8_t> into) {
+    if (!hasArrived_) {
+        return 0;
+    }
     const native_socket::Transfer got = native_socket::receive(descriptor_, into);
     switch (got.status) {
         case native_socket::Status::Ok:
+            // Less than there was room for is all there was.
+            hasArrived_ = !isWatched_ || got.bytes == into.size();
             return got.bytes;
         case native_socket::Status::WouldBlock:
+            hasArrived_ = !isWatched_;
             return 0;
         case native_socket::Status::Closed:
         case native_socket::Status::Failed:

@@ -25,7 +25,7 @@ public:
     Peer& operator=(const Peer&) = delete;
 
     /// The cable it is connected by; outlives this object.
-    void attach(Link* link) { link_ = link; }
+    void attach(Link* link);
 
     bool isOpen() const { return open_; }
     void close();
@@ -68,6 +68,8 @@ private:
     std::deque<Segment> held_;      ///< on their way to the client
     std::deque<Segment> arriving_;  ///< on their way from it
     std::size_t heldBytes_ = 0;
+    bool isWatched_ = false;  ///< by the link's doorbell, which sets:
+    bool hasArrived_ = true;  ///< there may be something to read
     bool open_ = true;
     bool closing_ = false;
     bool ended_ = false;  ///< the client has ended the connection; what arrives is from before

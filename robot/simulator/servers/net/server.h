@@ -23,8 +23,13 @@ public:
 
     /// The cable its clients are connected by.
     void setLink(Link* link) { link_ = link; }
-    Result<void> open(const QHostAddress& address, std::uint16_t port, const char* name) {
-        return listener_.open(address, port, name);
+    /// doorbell  is told of the port; outlives this object
+    Result<void> open(const QHostAddress& address, std::uint16_t port, const char* name, Doorbell& doorbell) {
+        auto opened = listener_.open(address, port, name);
+        if (opened) {
+            doorbell.addPort(listener_.socketDescriptor());
+        }
+        return opened;
     }
     void close() {
         listener_.close();

@@ -3,6 +3,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "robot/simulator/arm/arm_geometry.h"
 #include "robot/simulator/arm/dynamics.h"
 #include "tests/unit/robot/simulator/arm/arm_fixture.h"
 
@@ -20,6 +21,7 @@ private Q_SLOTS:
     void gravityTorquesMatchTheRecordedRobot();
     void currentsMatchTheRecordedRobot();
     void massMatrixGivesTheTorquesOfAcceleration();
+    void whatPushesTheFlangeIsCarriedByTheJoints();
     void payloadAddsItsTorque();
     void configuredPayloadIsNotFelt();
     void wrongPayloadIsFelt();
@@ -68,7 +70,9 @@ void TestArmSensors::currentsMatchTheRecordedRobot() {
 
 void TestArmSensors::massMatrixGivesTheTorquesOfAcceleration() {
     Dynamics dynamics(robotModel(RobotModelId::UR5e));
-    dynamics.setPayload({.mass = 2, .centreOfGravity = {0.01, 0.02, 0.08}});
+    dynamics.setPayload({.mass = 2,
+                         .centreOfGravity = {0.01, 0.02, 0.08},
+                         .inertia = (Vector6() << 0.02, 0.03, 0.04, 0.001, -0.002, 0.003).finished()});
     const Vector6 q = kPoseC.values;
     const Vector6 qd = (Vector6() << 0.5, -0.4, 0.3, 0.2, -0.6, 0.7).finished();
     const Vector6 qdd = (Vector6() << 1, 2, -1, 0.5, -0.5, 3).finished();
@@ -76,6 +80,22 @@ void TestArmSensors::massMatrixGivesTheTorquesOfAcceleration() {
         dynamics.massMatrix(q) * qdd + dynamics.coriolis(q, qd) + dynamics.gravityTorques(q);
     QVERIFY((dynamics.torques(q, qd, qdd) - expected).cwiseAbs().maxCoeff() < 1e-9);
     QVERIFY((dynamics.massMatrix(q) - dynamics.massMatrix(q).transpose()).cwiseAbs().maxCoeff() < 1e-9);
+}
+
+void TestArmSensors::whatPushesTheFlangeIsCarriedByTheJoints() {
+    const RobotModel& model = robotModel(RobotModelId::UR5e);
+    Dynamics dynamics(model);
+    ArmGeometry geometry(model);
+    Posture posture;
+    const Vector6 q = kPoseC.values;
+    geometry.evaluate(q, posture);  // without a TCP: the Jacobian is the flange's
+    const Wrench onFlange{{3, -5, 7}, {0.4, 0.2, -0.6}};
+    const Eigen::Matrix3d R = posture.frames[6].linear();
+    Vector6 inBase;
+    inBase << R * onFlange.force, R * onFlange.torque;
+    const Vector6 expected = dynamics.gravityTorques(q) - posture.jacobian.transpose() * inBase;
+    const Vector6 found = dynamics.torques(q, Vector6::Zero(), Vector6::Zero(), onFlange);
+    QVERIFY((found - expected).cwiseAbs().maxCoeff() < 1e-9);
 }
 
 void TestArmSensors::payloadAddsItsTorque() {

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The torques of a motion by recursive Newton-Euler, each link in its own frame: outward velocities and accelerations,
+// inward forces. Written out for six revolute joints by Denavit-Hartenberg parameters, because the simulated
+// controller asks twice in each control period.
+
+#include <array>
+
+#include "robot/core/joints.h"
+#include "robot/core/robot_model.h"
+#include "robot/core/spatial.h"
+#include "robot/simulator/arm/arm_state.h"
+
+namespace tiller::simulator::arm {
+
+/// Nothing allocates.
+class NewtonEuler {
+public:
+    explicit NewtonEuler(const RobotModel& model);
+
+    /// Carried by the flange, and part of the last link.
+    void setPayload(const Payload& payload);
+    /// Acceleration the base experiences; upright [0, 0, 9.82] m/s2.
+    void setGravity(const Eigen::Vector3d& gravity) { gravity_ = gravity; }
+
+    /// Torques at the joints [Nm] that produce qdd while `onFlange` (flange frame, about its origin) acts.
+    Vector6 torques(const Vector6& q, const Vector6& qd, const Vector6& qdd, const Wrench& onFlange) const;
+
+private:
+    struct Body {
+        double mass = 0;                                    ///< [kg]
+        Eigen::Vector3d centre = Eigen::Vector3d::Zero();   ///< link frame [m]
+        Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about the centre, link frame [kg m2]
+    };
+    struct Link {
+        double theta = 0;  ///< added to the joint position [rad]
+        double sinAlpha = 0;
+        double cosAlpha = 1;
+        Eigen::Vector3d arm = Eigen::Vector3d::Zero();  ///< from the frame before, own frame [m]
+        Body body;
+    };
+    static Body joined(const Body& one, const Body& other);
+
+    std::array<Link, kJointCount> links_;
+    Body bareLast_;  ///< the last link without payload
+    Eigen::Vector3d gravity_{0, 0, 9.82};
+};
+
+}  // namespace tiller::simulator::arm
