@@ -581,6 +581,10 @@ void MainWindow::changeEvent(QEvent* event) {
         stopMotion(control::StopCause::WindowDeactivated);
     }
     QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::WindowStateChange) {
+        // What nobody sees is not painted, whatever the platform would ask for.
+        setUpdatesEnabled(!isMinimized());
+    }
 }
 
 void MainWindow::keepLayout() {

@@ -3,7 +3,10 @@
 
 #include <QGridLayout>
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "robot/core/angles.h"
 #include "robot/core/robot_model.h"
@@ -18,11 +21,13 @@ namespace {
 
 constexpr double kWarnAngle = toRadians(15);
 constexpr int kRowMargin = 12;  // as the panel's content
+constexpr int kNumberPeriodMs = 100;
 
 }  // namespace
 
 JointBar::JointBar(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAttribute(Qt::WA_OpaquePaintEvent);  // it moves with the arm: what lies below is not painted each time
 }
 
 bool JointBar::isNearLimit() const {
@@ -30,16 +35,25 @@ bool JointBar::isNearLimit() const {
 }
 
 void JointBar::setAngle(double angle, bool valid) {
-    if (angle != angle_ || valid != valid_) {
-        angle_ = angle;
-        valid_ = valid;
+    // The rim of the marker is drawn in shares of a pixel; a quarter of one is seen.
+    const auto looks = [this] { return std::tuple(valid_, isNearLimit(), std::lround(4 * place())); };
+    const auto before = looks();
+    angle_ = angle;
+    valid_ = valid;
+    if (looks() != before) {
         update();
     }
+}
+
+double JointBar::place() const {
+    const double share = std::clamp((angle_ / kJointPositionLimit + 1) / 2, 0.0, 1.0);
+    return (2 + share * (width() - 4)) * devicePixelRatioF();
 }
 
 void JointBar::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::current();
     QPainter painter(this);
+    painter.fillRect(rect(), theme.panel);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
     const double track = std::min(8.0, height() - 4.0);
@@ -49,8 +63,7 @@ void JointBar::paintEvent(QPaintEvent*) {
     if (!valid_) {
         return;
     }
-    const double place = std::clamp((angle_ / kJointPositionLimit + 1) / 2, 0.0, 1.0);
-    const double x = 2 + place * (width() - 4);
+    const double x = place() / devicePixelRatioF();
     if (isNearLimit()) {
         const QRectF end = angle_ < 0 ? QRectF(groove.left(), groove.top(), std::max(x, 14.0), track)
                                       : QRectF(std::min(x, width() - 14.0), groove.top(),
@@ -114,12 +127,21 @@ void JointRow::setAngle(double angle, bool moving, bool valid, bool stale) {
                (moving && !compact_ ? QString(QChar(0x2007)) : QString());
     }
     bar_->setAngle(angle, valid);
-    const bool grey = !valid || stale;
-    if (text != value_ || grey != grey_) {
-        value_ = text;
-        grey_ = grey;
-        update();
+    value_ = text;
+    grey_ = !valid || stale;
+}
+
+void JointRow::showNumber() {
+    if (value_ != shown_) {
+        shown_ = value_;
+        update(textRect());
     }
+}
+
+QRect JointRow::textRect() const {
+    const int left = compact_ ? 0 : kRowMargin;
+    const int lower = compact_ ? 9 : 1;
+    return {left, 0, minus_->x() - left - 10, height() - lower};
 }
 
 void JointRow::resizeEvent(QResizeEvent*) {
@@ -153,9 +175,7 @@ void JointRow::changeEvent(QEvent* event) {
 void JointRow::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::current();
     QPainter painter(this);
-    const int left = compact_ ? 0 : kRowMargin;
-    const int lower = compact_ ? 9 : 1;
-    const QRect text(left, 0, minus_->x() - left - 10, height() - lower);
+    const QRect text = textRect();
     // Beside wide keys there is no room for both in one line, and in high rows there is for two.
     const bool two = compact_ && touchHeight() > 0;
     painter.setPen(theme.text);
@@ -175,6 +195,13 @@ JointRows::JointRows(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(t
     setObjectName(QStringLiteral("jointRows"));
     setAccessibleName(tr("Joints"));
     grid_->setSpacing(0);
+    pace_.setSingleShot(true);
+    pace_.setInterval(kNumberPeriodMs);
+    connect(&pace_, &QTimer::timeout, this, [this] {
+        if (std::exchange(pending_, false)) {
+            showNumbers();
+        }
+    });
     for (int joint = 0; joint < kJointCount; ++joint) {
         rows_.append(new JointRow(joint, this));
     }
@@ -217,9 +244,28 @@ void JointRows::setLow(bool low) {
 }
 
 void JointRows::setJoints(const JointPositions& q, bool moving, bool valid, bool stale) {
+    const bool other = moving != moving_ || valid != valid_ || stale != stale_;
+    moving_ = moving;
+    valid_ = valid;
+    stale_ = stale;
     for (JointRow* row : rows_) {
         row->setAngle(q[row->joint()], moving, valid, stale);
+        if (other) {
+            row->update();
+        }
     }
+    if (other || !pace_.isActive()) {
+        showNumbers();
+    } else {
+        pending_ = true;
+    }
+}
+
+void JointRows::showNumbers() {
+    for (JointRow* row : rows_) {
+        row->showNumber();
+    }
+    pace_.start();
 }
 
 }  // namespace tiller

@@ -4,6 +4,7 @@
 // One row a joint: its angle, where it stands in its range, and a key for each direction. In compact form the
 // six rows become three rows of two, for small windows.
 
+#include <QTimer>
 #include <QVector>
 #include <QWidget>
 
@@ -33,6 +34,9 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    /// Of the marker's middle [device px].
+    double place() const;
+
     double angle_ = 0;
     bool valid_ = false;
 };
@@ -49,6 +53,8 @@ public:
     JointBar* bar() const { return bar_; }
     QString valueText() const { return value_; }
     void setAngle(double angle, bool moving, bool valid, bool stale);
+    /// Paints the number, if it is another than the one painted last. Its marker needs no call: it follows the arm.
+    void showNumber();
     void setCompact(bool compact);
     /// A line of full width that is less high.
     void setLow(bool low);
@@ -64,10 +70,12 @@ protected:
 
 private:
     QString shortName() const;
+    QRect textRect() const;
 
     int joint_;
     QString name_;
     QString value_;
+    QString shown_;  ///< the value painted last
     HoldButton* minus_;
     HoldButton* plus_;
     JointBar* bar_;
@@ -83,6 +91,7 @@ public:
     explicit JointRows(QWidget* parent = nullptr);
 
     const QVector<JointRow*>& rows() const { return rows_; }
+    /// The markers are painted at once, the numbers ten times a second: a person reads no faster.
     void setJoints(const JointPositions& q, bool moving, bool valid, bool stale);
     void setCompact(bool compact);
     void setLow(bool low);
@@ -91,9 +100,15 @@ public:
 
 private:
     void arrange();
+    void showNumbers();
 
     QGridLayout* grid_;
     QVector<JointRow*> rows_;
+    QTimer pace_;
+    bool pending_ = false;
+    bool moving_ = false;
+    bool valid_ = false;
+    bool stale_ = false;
     bool compact_ = false;
 };
 

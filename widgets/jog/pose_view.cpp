@@ -5,6 +5,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <utility>
 
 #include "robot/core/angles.h"
 #include "widgets/common/format.h"
@@ -37,15 +38,14 @@ QString dash() {
 PoseView::PoseView(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("poseView"));
     setFocusPolicy(Qt::TabFocus);
+    setAttribute(Qt::WA_OpaquePaintEvent);  // what lies below is not painted with each new figure
     describe();
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     pace_.setSingleShot(true);
     pace_.setInterval(kDigitPeriodMs);
     connect(&pace_, &QTimer::timeout, this, [this] {
-        if (pending_) {
-            pending_ = false;
-            update();
-            pace_.start();
+        if (std::exchange(pending_, false)) {
+            showFigures();
         }
     });
 }
@@ -67,12 +67,31 @@ void PoseView::setPose(const Pose& pose, bool moving, bool valid, bool stale) {
 }
 
 void PoseView::changed(bool atOnce) {
+    if (atOnce) {
+        shown_.clear();
+    }
     if (atOnce || !pace_.isActive()) {
-        update();
-        pace_.start();
+        showFigures();
     } else {
         pending_ = true;
     }
+}
+
+QStringList PoseView::figures() const {
+    QStringList texts{speedText()};
+    for (int axis = 0; axis < 3; ++axis) {
+        texts << positionText(axis) << deltaText(axis) << rotationText(axis);
+    }
+    return texts;
+}
+
+// An arm at rest trembles by less than is shown.
+void PoseView::showFigures() {
+    if (const QStringList now = figures(); now != shown_) {
+        shown_ = now;
+        update();
+    }
+    pace_.start();
 }
 
 void PoseView::setFrame(const QString& name, const Pose& T_base_frame) {
@@ -181,6 +200,7 @@ QString PoseView::rotationText(int axis) const {
 void PoseView::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::current();
     QPainter painter(this);
+    painter.fillRect(rect(), theme.panel);
     const double rowHeight = (height() - kCaptionHeight) / 3.0;
     const QColor ink = valid_ && !stale_ ? theme.text : theme.disabledText;
     const QFont value = textFont(19);

@@ -59,6 +59,9 @@ protected:
 private:
     void describe();
     void changed(bool atOnce);
+    /// All that changes with the arm, as it is written.
+    QStringList figures() const;
+    void showFigures();
     Eigen::Vector3d inFrame(const Eigen::Vector3d& way) const;
 
     Pose pose_;
@@ -69,6 +72,7 @@ private:
     double factor_ = 1;
     Eigen::Vector3d zero_ = Eigen::Vector3d::Zero();
     QTimer pace_;
+    QStringList shown_;
     bool pending_ = false;
     bool hasZero_ = false;
     bool ownZero_ = false;  ///< the operator's, not the press's

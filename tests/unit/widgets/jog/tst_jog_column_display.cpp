@@ -4,6 +4,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <numbers>
+#include <numeric>
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "tests/support/jog_scene.h"
@@ -20,6 +21,29 @@ using namespace tiller;
 using namespace tiller::test;
 using control::JogTarget;
 using control::StopCause;
+
+namespace {
+
+/// Paint events of all widgets since it was made.
+class PaintCount : public QObject {
+public:
+    PaintCount() { qApp->installEventFilter(this); }
+    int of(const QWidget* widget) const { return counts_.value(widget); }
+    int all() const { return std::accumulate(counts_.begin(), counts_.end(), 0); }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::Paint) {
+            ++counts_[watched];
+        }
+        return false;
+    }
+
+private:
+    QHash<const QObject*, int> counts_;
+};
+
+}  // namespace
 
 class TestJogColumnDisplay : public QObject {
     Q_OBJECT
@@ -188,6 +212,45 @@ private Q_SLOTS:
         s.state.link = LinkState::Lost;
         s.column.applyState(s.state);
         QCOMPARE(pose->positionText(0), QStringLiteral("–"));
+    }
+
+    // An arm at rest trembles a little in its own data.
+    void aReadOutIsPaintedOnlyWhenItsTextChanges() {
+        JogScene s({390, 948});
+        auto* pose = s.column.findChild<PoseView*>();
+        auto* row = s.column.findChild<JointRow*>(QStringLiteral("joint.2"));
+        auto* bar = s.column.findChild<JointBar*>(QStringLiteral("joint.2.bar"));
+        QVERIFY(pose->isVisible() && row->isVisible());
+        const auto settle = [] { QTest::qWait(250); };  // two periods of the figures
+        settle();
+        PaintCount paints;
+        for (int i = 1; i <= 20; ++i) {
+            s.state.q[2] += (i % 2 == 0 ? 1 : -1) * 1e-7;
+            s.state.tcpPose.position.x() += (i % 2 == 0 ? 1 : -1) * 1e-8;
+            s.column.applyState(s.state);
+            QCoreApplication::processEvents();
+        }
+        settle();
+        QCOMPARE(paints.of(pose), 0);
+        QCOMPARE(paints.of(row), 0);
+        QCOMPARE(paints.of(bar), 0);
+        s.state.q[2] += 0.002;
+        s.state.tcpPose.position.x() += 1e-4;
+        s.column.applyState(s.state);
+        QTRY_VERIFY(paints.of(pose) > 0);
+        QTRY_VERIFY(paints.of(row) > 0);
+    }
+
+    // The marker is drawn on its own ground: while the arm moves nothing else of the column is painted for it.
+    void aMarkerThatMovesPaintsNothingElse() {
+        JogScene s({390, 948});
+        auto* rows = s.column.findChild<JointRows*>();
+        auto* bar = s.column.findChild<JointBar*>(QStringLiteral("joint.2.bar"));
+        QTest::qWait(250);
+        PaintCount paints;
+        rows->rows()[2]->setAngle(s.state.q[2] + 1, false, true, false);
+        QTRY_VERIFY(paints.of(bar) > 0);
+        QCOMPARE(paints.all(), paints.of(bar));
     }
 
     void jointNearItsLimitIsAmber() {
