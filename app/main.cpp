@@ -75,6 +75,19 @@ void tellOfSize(app::MainWindow& window) {
     }
 }
 
+void connectAsAsked(app::MainWindow& window, const app::CommandLine& line) {
+    switch (line.start) {
+        case app::CommandLine::Start::Simulator:
+            window.connectSimulator();
+            break;
+        case app::CommandLine::Start::Robot:
+            window.connectRobot({line.robotHost, line.robotHost, 0, false});
+            break;
+        case app::CommandLine::Start::Ask:
+            break;
+    }
+}
+
 int runDemonstration(QApplication& application, app::MainWindow& window, const QString& folder) {
     app::Demonstration demonstration(window, folder);
     QObject::connect(&demonstration, &app::Demonstration::finished, &application, [&](bool succeeded) {
@@ -138,6 +151,10 @@ int main(int argc, char* argv[]) {
     app::MainWindow window(settings);
     const QString theme = line->theme.isEmpty() ? settings.theme() : line->theme;
     window.setTheme(theme.isEmpty() ? QStringLiteral("light") : theme);
+    if (!demonstration) {
+        // Before the window is shown: the robot answers while the first frame is painted.
+        connectAsAsked(window, *line);
+    }
     window.show();
 
     const app::StartProject project = projectOf(*line, settings);
@@ -154,16 +171,8 @@ int main(int argc, char* argv[]) {
     }
     tellOfSize(window);
     window.lookForDevices();
-    switch (line->start) {
-        case app::CommandLine::Start::Simulator:
-            window.connectSimulator();
-            break;
-        case app::CommandLine::Start::Robot:
-            window.connectRobot({line->robotHost, line->robotHost, 0, false});
-            break;
-        case app::CommandLine::Start::Ask:
-            window.askForRobot();
-            break;
+    if (line->start == app::CommandLine::Start::Ask) {
+        window.askForRobot();
     }
     return QApplication::exec();
 }
