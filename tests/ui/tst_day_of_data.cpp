@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A day of data through everything that remembers some of it: plots, records of stops, the log. What is kept has an
+// end, so the memory in use after a day is that of the morning. Without a robot and without a day: the samples are
+// made here and handed over as the session would.
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+
+#include "app/main_window.h"
+#include "resources/resources.h"
+#include "tests/support/sample_stream.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+namespace {
+
+constexpr int kDay = 24 * 3600;     // [s]
+constexpr int kMorning = 8 * 3600;  // by now everything is as full as it gets [s]
+constexpr double kGrowth = 1.05;
+/// Of the samples [Hz]. The suite's is enough to fill every history by the morning; TILLER_SAMPLE_RATE=500 gives a
+/// whole day's.
+constexpr int kRate = 50;
+
+/// In memory of this process [MB].
+double residentMb() {
+    QFile status(QStringLiteral("/proc/self/status"));
+    if (!status.open(QIODevice::ReadOnly)) {
+        return 0;
+    }
+    for (const QByteArray& line : status.readAll().split('\n')) {
+        if (line.startsWith("VmRSS:")) {
+            return line.simplified().split(' ').value(1).toDouble() / 1024;
+        }
+    }
+    return 0;
+}
+
+}  // namespace
+
+class TestDayOfData : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { initResources(); }
+
+    void theMemoryOfTheMorningIsThatOfTheEvening() {
+        if (residentMb() == 0) {
+            QSKIP("this system does not tell how much memory a process has");
+        }
+        bool given = false;
+        const int asked = qEnvironmentVariableIntValue("TILLER_SAMPLE_RATE", &given);
+        const int rate = given && asked > 0 ? asked : kRate;
+        const QTemporaryDir folder;
+        app::MainWindow window{app::Settings(folder.filePath("settings.ini"))};
+        window.resize(1920, 1080);
+        RobotSession& session = window.session();
+        Q_EMIT session.linkBegan();
+        SampleStream stream;
+        stream.layout = std::make_shared<const receive::SampleLayout>(std::vector<std::string>{
+            "timestamp", "actual_q", "actual_TCP_force", "actual_current", "target_current",
+            "actual_TCP_speed", "robot_mode", "safety_mode", "standard_analog_input0"});
+        SessionState state;
+        state.link = LinkState::Live;
+        state.robotMode = RobotMode::Running;
+        state.safetyMode = SafetyMode::Normal;
+        std::uint64_t sequence = 0;
+        double atStart = residentMb();
+        double inTheMorning = 0;
+        for (int second = 0; second < kDay; ++second) {
+            for (int i = 0; i < rate; ++i) {
+                const double time = second + static_cast<double>(i) / rate;
+                receive::Sample& sample = stream.add(time, ++sequence);
+                stream.set(sample, "actual_TCP_force_2", 5 * std::sin(time));
+                stream.set(sample, "actual_current_1", std::cos(time));
+                stream.set(sample, "safety_mode", static_cast<double>(SafetyMode::Normal));
+            }
+            stream.frame([&](const SampleBatch& batch) { Q_EMIT session.samplesReceived(batch); });
+            state.sequence = sequence;
+            state.robotTime = second;
+            state.q[0] = std::sin(second * 0.01);
+            Q_EMIT session.stateChanged(state);
+            if (second % 10 == 0) {
+                Q_EMIT session.message(Severity::Info, QStringLiteral("It is %1 s now").arg(second));
+            }
+            if (second % 600 == 0) {
+                QCoreApplication::processEvents();
+            }
+            if (second == kMorning) {
+                inTheMorning = residentMb();
+            }
+        }
+        const double inTheEvening = residentMb();
+        const QString figures = QStringLiteral("%1 MB at the start, %2 MB after 8 h, %3 MB after 24 h")
+                                    .arg(atStart, 0, 'f', 0)
+                                    .arg(inTheMorning, 0, 'f', 0)
+                                    .arg(inTheEvening, 0, 'f', 0);
+        qInfo("%s", qPrintable(figures));
+        QVERIFY2(inTheEvening <= inTheMorning * kGrowth, qPrintable(figures));
+    }
+};
+
+QTEST_MAIN(TestDayOfData)
+#include "tst_day_of_data.moc"
