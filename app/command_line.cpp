@@ -35,6 +35,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     QCommandLineOption session("session", project.description(), "file");
     session.setFlags(QCommandLineOption::HiddenFromHelp);
     const QCommandLineOption theme("theme", CommandLineText::tr("Colours: light or dark."), "name");
+    parser.addPositionalArgument("file", project.description(), "[file.tiller]");
     parser.addOptions({simulator, robot, demo, project, session, theme});
 
     const auto wrong = [&](const QString& what) {
@@ -43,9 +44,15 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     if (!parser.parse(arguments)) {
         return wrong(parser.errorText());
     }
-    if (!parser.positionalArguments().isEmpty()) {
-        return wrong(
-            CommandLineText::tr("\"%1\" was not expected").arg(parser.positionalArguments().constFirst()));
+    // As a file manager calls it.
+    QStringList files = parser.positionalArguments();
+    const bool opened = !files.isEmpty() && files.constFirst().endsWith(QLatin1String(".tiller"));
+    const QString file = opened ? files.takeFirst() : QString();
+    if (!files.isEmpty()) {
+        return wrong(CommandLineText::tr("\"%1\" was not expected").arg(files.constFirst()));
+    }
+    if (opened && parser.isSet(project)) {
+        return wrong(CommandLineText::tr("only one project can be opened, not \"%1\" too").arg(file));
     }
 
     CommandLine line;
@@ -53,7 +60,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     line.showVersion = parser.isSet(version);
     line.helpText = parser.helpText();
     line.demoDirectory = parser.value(demo);
-    line.projectFile = parser.value(parser.isSet(project) ? project : session);
+    line.projectFile = opened ? file : parser.value(parser.isSet(project) ? project : session);
     line.theme = parser.value(theme).toLower();
     if (!line.theme.isEmpty() && line.theme != "light" && line.theme != "dark") {
         return wrong(CommandLineText::tr("--theme takes light or dark, not \"%1\"").arg(line.theme));

@@ -111,6 +111,8 @@ int main(int argc, char* argv[]) {
     QApplication::setApplicationName(QStringLiteral("Tiller"));
     QApplication::setOrganizationName(QStringLiteral("Tiller"));
     QApplication::setApplicationVersion(QStringLiteral(TILLER_VERSION));
+    // By this name the desktop finds its icon.
+    QApplication::setDesktopFileName(QStringLiteral("org.tiller.Tiller"));
 
     QTranslator translator;
     // The English texts say the plurals, where no other language is there.

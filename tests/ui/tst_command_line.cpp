@@ -41,12 +41,21 @@ private Q_SLOTS:
         QVERIFY2(help.contains("--project") && !help.contains("--session"), qPrintable(help));
     }
 
+    void aProjectFileAloneIsOpened() {
+        const Result<CommandLine> line = parseCommandLine({"tiller", "/home/me/my cell.tiller"});
+        QVERIFY(line.ok());
+        QCOMPARE(line->projectFile, QString("/home/me/my cell.tiller"));
+        QCOMPARE(line->start, CommandLine::Start::Ask);
+    }
+
     void wrongArgumentsAreNamed_data() {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QString>("named");
         QTest::newRow("unknown option") << QStringList{"--robt", "x"} << "robt";
         QTest::newRow("robot without address") << QStringList{"--robot"} << "robot";
         QTest::newRow("stray word") << QStringList{"192.168.0.10"} << "192.168.0.10";
+        QTest::newRow("two projects") << QStringList{"a.tiller", "b.tiller"} << "b.tiller";
+        QTest::newRow("a project twice") << QStringList{"a.tiller", "--project", "b.tiller"} << "a.tiller";
         QTest::newRow("both robots") << QStringList{"--robot", "x", "--simulator"} << "exclude";
         QTest::newRow("demonstration on a real robot")
             << QStringList{"--demo", "d", "--robot", "x"} << "simulated";
