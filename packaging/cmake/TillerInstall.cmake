@@ -25,15 +25,20 @@ set_target_properties(ur_rtde_library PROPERTIES OUTPUT_NAME rtde LINKER_LANGUAG
     UR_RTDE_HEADERS "${ur_rtde_headers}"
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 target_link_libraries(ur_rtde_library PRIVATE tiller::ur_rtde)
-install(TARGETS ur_rtde_library COMPONENT development)
 list(TRANSFORM ur_rtde_headers PREPEND ${CMAKE_SOURCE_DIR}/robot/ur_rtde/ OUTPUT_VARIABLE ur_rtde_files)
 install(FILES ${ur_rtde_files} DESTINATION include/ur_rtde COMPONENT development)
 
-list(TRANSFORM tiller_rooms PREPEND tiller_ OUTPUT_VARIABLE tiller_room_libraries)
-install(TARGETS tiller_robot ${tiller_room_libraries} tiller_simulator tiller_urscript tiller_arm tiller_ur_rtde
-    EXPORT tillerTargets COMPONENT development
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/tiller
-    INCLUDES DESTINATION include/tiller)
+if(TILLER_SHARED)
+    include(TillerShared)
+    install(TARGETS ur_rtde_library EXPORT tillerTargets COMPONENT development INCLUDES DESTINATION include/tiller)
+else()
+    install(TARGETS ur_rtde_library COMPONENT development)
+    list(TRANSFORM tiller_rooms PREPEND tiller_ OUTPUT_VARIABLE tiller_room_libraries)
+    install(TARGETS tiller_robot ${tiller_room_libraries} tiller_simulator tiller_urscript tiller_arm tiller_ur_rtde
+        EXPORT tillerTargets COMPONENT development
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/tiller
+        INCLUDES DESTINATION include/tiller)
+endif()
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/robot/ DESTINATION include/tiller/robot COMPONENT development
     FILES_MATCHING PATTERN "*.h" PATTERN "python" EXCLUDE PATTERN "detail" EXCLUDE PATTERN "examples" EXCLUDE
     PATTERN "simulator" EXCLUDE PATTERN "ur_rtde" EXCLUDE

@@ -15,7 +15,7 @@ target_include_directories(tiller_options INTERFACE ${CMAKE_SOURCE_DIR})
 target_compile_definitions(tiller_options INTERFACE QT_NO_KEYWORDS QT_NO_FOREACH)
 if(NOT MSVC)
     target_compile_options(tiller_options INTERFACE
-        -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
+        -Wall -Wextra -Wpedantic -Wconversion -Wshadow $<$<BOOL:${TILLER_WARNINGS_ARE_ERRORS}>:-Werror>)
 else()
     target_compile_options(tiller_options INTERFACE /W4 /WX /permissive-)
 endif()

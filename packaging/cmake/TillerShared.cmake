@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: MIT
+# One shared library of all rooms and the simulated controller, for distributions: libtiller. It exports what the
+# installed headers declare and nothing else, and takes the place of the rooms' archives in what is installed;
+# find_package(tiller) gives the same names.
+#
+# The rule of its ABI: TILLER_ABI is counted up whenever something that was exported in a released version goes or
+# changes; additions leave it alone.
+set(TILLER_ABI 1)
+
+set(tiller_objects)
+foreach(room ${tiller_rooms} urscript arm simulator)
+    list(APPEND tiller_objects $<TARGET_OBJECTS:tiller_${room}>)
+    list(APPEND tiller_archives $<TARGET_FILE:tiller_${room}>)
+    list(APPEND tiller_archive_targets tiller_${room})
+endforeach()
+foreach(header ${simulator_headers})
+    list(APPEND simulator_header_files robot/simulator/${header})
+endforeach()
+
+# tiller_exports(<target> <headers...> ARCHIVES <files...> DEPENDS <targets...>)
+# The linker gets a list of the symbols that these headers declare; all others stay inside.
+function(tiller_exports target)
+    cmake_parse_arguments(ARG "" "" "ARCHIVES;DEPENDS" ${ARGN})
+    set(list ${CMAKE_CURRENT_BINARY_DIR}/${target}.exports)
+    add_custom_command(OUTPUT ${list}
+        COMMAND ${Python_EXECUTABLE} -B ${CMAKE_SOURCE_DIR}/packaging/cmake/list_exports.py --nm ${CMAKE_NM}
+                --top ${CMAKE_SOURCE_DIR} --output ${list} --headers ${ARG_UNPARSED_ARGUMENTS} --archives ${ARG_ARCHIVES}
+        DEPENDS ${ARG_DEPENDS} ${CMAKE_SOURCE_DIR}/packaging/cmake/list_exports.py
+        COMMENT "Listing what ${target} exports" VERBATIM)
+    add_custom_target(${target}_exports DEPENDS ${list})
+    add_dependencies(${target} ${target}_exports)
+    target_link_options(${target} PRIVATE -Wl,--version-script=${list} -Wl,--no-undefined)
+    set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${list})
+endfunction()
+
+add_library(tiller_shared SHARED ${tiller_objects})
+set_target_properties(tiller_shared PROPERTIES OUTPUT_NAME tiller EXPORT_NAME tiller LINKER_LANGUAGE CXX
+    VERSION ${TILLER_ABI}.${PROJECT_VERSION} SOVERSION ${TILLER_ABI})
+# The archives give nothing more themselves, but what they need from elsewhere.
+target_link_libraries(tiller_shared PUBLIC Qt6::Core Qt6::Network Eigen3::Eigen Threads::Threads PRIVATE
+    ${tiller_archive_targets})
+target_include_directories(tiller_shared PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>)
+target_compile_features(tiller_shared PUBLIC cxx_std_20)
+tiller_exports(tiller_shared robot/core robot/realtime robot/rtde robot/receive robot/script robot/dashboard robot/control
+    robot/io robot/kinematics robot/project robot/recording robot/doctor ${simulator_header_files}
+    ARCHIVES ${tiller_archives} DEPENDS ${tiller_archive_targets})
+
+# The face of ur_rtde stands on it, as any other program does.
+set_property(TARGET ur_rtde_library PROPERTY LINK_LIBRARIES)
+target_link_libraries(ur_rtde_library PUBLIC tiller_shared)
+target_include_directories(ur_rtde_library PUBLIC $<INSTALL_INTERFACE:include/tiller/robot>)
+list(TRANSFORM ur_rtde_headers PREPEND robot/ur_rtde/ OUTPUT_VARIABLE ur_rtde_exported)
+tiller_exports(ur_rtde_library ${ur_rtde_exported} ARCHIVES $<TARGET_FILE:tiller_ur_rtde> DEPENDS tiller_ur_rtde)
+set_target_properties(ur_rtde_library PROPERTIES EXPORT_NAME ur_rtde)
+
+# The names that programs know: tiller::control, tiller::robot ...
+set(tiller_names robot ${tiller_rooms} simulator)
+foreach(name ${tiller_names})
+    add_library(tiller_name_${name} INTERFACE)
+    set_target_properties(tiller_name_${name} PROPERTIES EXPORT_NAME ${name})
+    target_link_libraries(tiller_name_${name} INTERFACE tiller_shared)
+    list(APPEND tiller_name_targets tiller_name_${name})
+endforeach()
+install(TARGETS tiller_shared ${tiller_name_targets} EXPORT tillerTargets COMPONENT development
+    INCLUDES DESTINATION include/tiller)

@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: MIT
+"""The manual: python3 -m sphinx -b html packaging/manual OUTPUT. The same pages are the window's help (F1)."""
+import pathlib
+import re
+
+project = "Tiller"
+author = copyright = "The Tiller maintainers"
+_cmake = (pathlib.Path(__file__).parents[2] / "CMakeLists.txt").read_text(encoding="utf-8")
+version = release = re.search(r"project\(tiller VERSION (\S+)", _cmake)[1]
+html_theme = "alabaster"
+html_theme_options = {"description": "Jog, teach, run and monitor a robot arm from a PC", "fixed_sidebar": True}
+html_show_sphinx = False
+html_copy_source = False
+nitpicky = True

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: MIT
+"""What desktop, shells, man and systemd are told about the programs is well-formed, and true: it names the options that
+the programs have."""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+import xml.etree.ElementTree as xml
+
+SOURCE = pathlib.Path(os.environ["TILLER_SOURCE"])
+LINUX = SOURCE / "packaging/linux"
+PROGRAMS = {"tiller": os.environ["TILLER_PROGRAM"], "tiller-cli": os.environ["TILLER_CLI"]}
+
+
+def help_of(program, *words):
+    return subprocess.run([PROGRAMS[program], *words, "--help"], capture_output=True, text=True, check=True,
+                          env=dict(os.environ, QT_QPA_PLATFORM="offscreen", LC_ALL="C.UTF-8")).stdout
+
+
+def options_in(text):
+    return set(re.findall(r"--([a-z][a-z-]+)", text))
+
+
+def commands():
+    part = help_of("tiller-cli").partition("Commands:\n")[2].partition("\n\n")[0]
+    return re.findall(r"^  ([a-z]+)", part, re.MULTILINE)
+
+
+class TestDesktopFiles(unittest.TestCase):
+    def run_tool(self, *command):
+        if not shutil.which(command[0]):
+            self.skipTest(f"{command[0]} is not installed")
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return done.stdout + done.stderr
+
+    def test_the_desktop_file(self):
+        self.assertEqual(self.run_tool("desktop-file-validate", str(LINUX / "tiller.desktop")), "")
+
+    def test_the_appstream_data(self):
+        self.run_tool("appstreamcli", "validate", "--no-net", str(LINUX / "tiller.metainfo.xml"))
+        releases = xml.parse(LINUX / "tiller.metainfo.xml").findall("releases/release")
+        version = re.search(r"project\(tiller VERSION (\S+)", (SOURCE / "CMakeLists.txt").read_text())[1]
+        self.assertEqual(releases[0].get("version"), version)
+        first = (SOURCE / "packaging/debian/changelog").read_text().splitlines()[0]
+        self.assertIn(f"({version})", first)
+
+    def test_the_mime_type_knows_a_project(self):
+        tree = xml.parse(LINUX / "tiller-mime.xml")
+        space = {"m": "http://www.freedesktop.org/standards/shared-mime-info"}
+        name = tree.find("m:mime-type", space).get("type")
+        self.assertIn(f"MimeType={name};", (LINUX / "tiller.desktop").read_text())
+        magic = tree.find(".//m:match", space).get("value").encode()
+        for sample in (SOURCE / "resources/samples").glob("*.tiller"):
+            self.assertIn(magic, sample.read_bytes()[:64 + len(magic)], sample)
+
+    def test_the_manual_pages_name_every_option_and_no_other(self):
+        man = (SOURCE / "packaging/manual/man/tiller.1.rst").read_text()
+        said = options_in(help_of("tiller")) - {"help-all", "platform"}  # Qt's own
+        self.assertEqual(options_in(man), said)
+        page = self.page_of_the_commands()
+        for command in commands():
+            self.assertRegex(page, rf"(?m)^{command}$")
+            self.assertLessEqual(options_in(help_of("tiller-cli", command)), options_in(page))
+
+    def page_of_the_commands(self):
+        return subprocess.run(["python3", "-B", str(SOURCE / "packaging/manual/man_page.py"), PROGRAMS["tiller-cli"],
+                               str(SOURCE / "packaging/manual/man/tiller-cli.1.rst")], capture_output=True, text=True,
+                              check=True).stdout
+
+    def test_the_manual_pages_have_no_faults(self):
+        if not shutil.which("rst2man"):
+            self.skipTest("rst2man is not installed")
+        for text in ((SOURCE / "packaging/manual/man/tiller.1.rst").read_text(), self.page_of_the_commands()):
+            done = subprocess.run(["rst2man", "--strict"], input=text, capture_output=True, text=True, check=False)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_the_shells_complete_what_there_is(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, path in PROGRAMS.items():
+                subprocess.run(["python3", "-B", str(LINUX / "make_completions.py"), path, folder], check=True)
+            for shell, file in (("bash", "tiller-cli.bash"), ("zsh", "_tiller-cli"), ("fish", "tiller-cli.fish"),
+                                ("bash", "tiller.bash"), ("zsh", "_tiller"), ("fish", "tiller.fish")):
+                if shutil.which(shell):
+                    subprocess.run([shell, "-n", os.path.join(folder, file)], check=True)
+            self.assertEqual(self.completed(folder, "tiller-cli", ""), {*commands(), "--help", "--version"})
+            self.assertEqual(self.completed(folder, "tiller-cli", "simulate", "--mo"), {"--model"})
+            self.assertEqual(self.completed(folder, "tiller-cli", "simulate", "--model", ""), set())
+            self.assertIn("--demo", self.completed(folder, "tiller", "--d"))
+
+    def completed(self, folder, program, *words):
+        line = " ".join(f"'{word}'" for word in (program, *words))
+        function = "_" + program.replace("-", "_")
+        script = (f". {folder}/{program}.bash; compopt() {{ :; }}; COMP_WORDS=({line}); COMP_CWORD={len(words)}; {function}; "
+                  'printf "%s\\n" "${COMPREPLY[@]}"')
+        return set(subprocess.run(["bash", "-c", script], capture_output=True, text=True, check=True).stdout.split())
+
+    def test_the_units_are_well_formed_and_start_what_there_is(self):
+        for unit in (LINUX / "systemd").glob("*.service"):
+            command = re.search(r"^ExecStart=.*/usr/bin/tiller-cli (\w+) (.*)$", unit.read_text(), re.MULTILINE)
+            self.assertLessEqual(options_in(command[2]), options_in(help_of("tiller-cli", command[1])), unit)
+            self.assertIn("NoNewPrivileges=yes", unit.read_text())
+
+
+if __name__ == "__main__":
+    unittest.main()
