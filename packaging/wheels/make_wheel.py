@@ -1,53 +1,171 @@
 # SPDX-License-Identifier: MIT
-"""Packs the Python modules into a wheel: make_wheel.py FOLDER_OF_MODULES OUTPUT_FOLDER VERSION.
+"""Packs two wheels that need nothing of the system but glibc and the C++ runtime.
 
-A wheel is a zip archive with a list of its files; nothing has to be installed to make one. The modules use the
-system's Qt libraries, so the wheel is for systems like the one it was made on.
+    tiller            the Python modules and tiller-cli, for the Python they were built for
+    tiller-simulator  the simulated controller alone, as a program with a fixture for pytest, for any Python
+
+A wheel is a zip archive with a list of its files. The libraries the programs use (Qt Core and Network and what these
+want) go along under names of their own, so that another Qt in the same process is not mistaken for them. The tag says
+the oldest glibc they run on, as their symbols tell it.
 """
+import argparse
 import base64
 import hashlib
 import os
+import pathlib
+import re
+import shutil
+import subprocess
 import sys
 import sysconfig
+import tempfile
 import zipfile
 
-NAME = "tiller_ur_rtde"
 MODULES = ("rtde_control", "rtde_receive", "rtde_io", "dashboard_client", "script_client", "robotiq_gripper")
+# Every Linux that Python's wheels are for has these.
+SYSTEM = re.compile(r"^(ld-linux.*|lib(c|m|dl|rt|util|pthread|resolv|gcc_s|stdc\+\+)\.so\.\d+)$")
+LICENCES = "MIT AND GPL-3.0-or-later AND LGPL-3.0-only"
 
 
-def main(folder, output, version):
-    tag = "cp{0}{1}-cp{0}{1}-{2}".format(*sys.version_info[:2], sysconfig.get_platform().replace("-", "_"))
-    info = f"{NAME}-{version}.dist-info"
-    suffix = sysconfig.get_config_var("EXT_SUFFIX")
-    files = {}
-    for module in MODULES:
-        for ending in (suffix, ".pyi"):
-            with open(os.path.join(folder, module + ending), "rb") as file:
-                files[module + ending] = file.read()
-        # Where type checkers look for the stubs of a module that is not a package.
-        files[f"{module}-stubs/__init__.pyi"] = files[module + ".pyi"]
-    for name in sorted(os.listdir(os.path.join(folder, "tiller"))):
-        if name.endswith((".py", ".pyi", suffix)) or name == "py.typed":
-            with open(os.path.join(folder, "tiller", name), "rb") as file:
-                files["tiller/" + name] = file.read()
-    files[f"{info}/entry_points.txt"] = b"[pytest11]\ntiller = tiller.pytest_plugin\n"
-    files[f"{info}/METADATA"] = (
-        f"Metadata-Version: 2.1\nName: {NAME.replace('_', '-')}\nVersion: {version}\n"
-        "Summary: Control, monitor and simulate Universal Robots arms; with the Python interface of ur_rtde\n"
-        "License: MIT\nRequires-Python: >=3.9\nRequires-Dist: numpy\n").encode()
-    files[f"{info}/WHEEL"] = (
-        f"Wheel-Version: 1.0\nGenerator: tiller\nRoot-Is-Purelib: false\nTag: {tag}\n").encode()
-    files[f"{info}/top_level.txt"] = "".join(module + "\n" for module in (*MODULES, "tiller")).encode()
+def said(*command):
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout
+
+
+def needed(path):
+    return [name for name in said("patchelf", "--print-needed", str(path)).split() if not SYSTEM.match(name)]
+
+
+def libraries_of(paths):
+    """Everything they load, directly or not, by name: where it is."""
+    found = {}
+    for path in paths:
+        for name, place in re.findall(r"^\s*(\S+) => (\S+) \(", said("ldd", str(path)), re.MULTILINE):
+            if not SYSTEM.match(name):
+                found[name] = os.path.realpath(place)
+        missing = re.findall(r"^\s*(\S+) => not found", said("ldd", str(path)), re.MULTILINE)
+        if missing:
+            sys.exit(f"{path} wants {', '.join(missing)}, which this system has not")
+    return found
+
+
+def own_name(name):
+    """libQt6Core.so.6 -> libQt6Core-tiller.so.6"""
+    return name.replace(".so", "-tiller.so", 1)
+
+
+def bundle(folder, programs, libs):
+    """Copies into folder/libs what the programs load, and makes them look there."""
+    (folder / libs).mkdir()
+    found = libraries_of(programs)
+    for name, place in found.items():
+        shutil.copy(place, folder / libs / own_name(name))
+        os.chmod(folder / libs / own_name(name), 0o755)
+    copies = [folder / libs / own_name(name) for name in found]
+    for path in [*programs, *copies]:
+        # One at a time: done together, some releases of patchelf leave half of the names as they were.
+        names = needed(path)
+        if path in copies:
+            subprocess.run(["patchelf", "--set-soname", path.name, str(path)], check=True)
+        way = os.path.relpath(folder / libs, path.parent)
+        subprocess.run(["patchelf", "--set-rpath", "$ORIGIN" if way == "." else f"$ORIGIN/{way}", str(path)], check=True)
+        for name in names:
+            subprocess.run(["patchelf", "--replace-needed", name, own_name(name), str(path)], check=True)
+    return copies
+
+
+def platform_of(paths):
+    """The tag of the oldest glibc that has all the symbols these want: manylinux_2_36_x86_64."""
+    newest = (2, 17)
+    for path in paths:
+        for major, minor in re.findall(r"\bGLIBC_(\d+)\.(\d+)\b", said("objdump", "-T", str(path))):
+            newest = max(newest, (int(major), int(minor)))
+    return f"manylinux_{newest[0]}_{newest[1]}_{os.uname().machine}"
+
+
+def pack(folder, output, name, version, tag, pure, metadata, entry_points, top_level):
+    info = f"{name.replace('-', '_')}-{version}.dist-info"
+    (folder / info).mkdir()
+    (folder / info / "METADATA").write_text(
+        f"Metadata-Version: 2.1\nName: {name}\nVersion: {version}\nLicense: {LICENCES}\n{metadata}")
+    (folder / info / "WHEEL").write_text(f"Wheel-Version: 1.0\nGenerator: tiller\nRoot-Is-Purelib: {pure}\nTag: {tag}\n")
+    (folder / info / "entry_points.txt").write_text(entry_points)
+    (folder / info / "top_level.txt").write_text("".join(module + "\n" for module in top_level))
     record = ""
-    for name, content in files.items():
-        digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
-        record += f"{name},sha256={digest},{len(content)}\n"
-    files[f"{info}/RECORD"] = (record + f"{info}/RECORD,,\n").encode()
-    os.makedirs(output, exist_ok=True)
-    with zipfile.ZipFile(os.path.join(output, f"{NAME}-{version}-{tag}.whl"), "w", zipfile.ZIP_DEFLATED) as wheel:
-        for name, content in files.items():
-            wheel.writestr(name, content)
+    files = sorted(path for path in folder.rglob("*") if path.is_file())
+    for path in files:
+        digest = base64.urlsafe_b64encode(hashlib.sha256(path.read_bytes()).digest()).rstrip(b"=").decode()
+        record += f"{path.relative_to(folder)},sha256={digest},{path.stat().st_size}\n"
+    (folder / info / "RECORD").write_text(record + f"{info}/RECORD,,\n")
+    wheel = output / f"{name.replace('-', '_')}-{version}-{tag}.whl"
+    with zipfile.ZipFile(wheel, "w", zipfile.ZIP_DEFLATED) as archive:
+        for path in [*files, folder / info / "RECORD"]:
+            # The same bytes every time: no date, and of the mode only what matters.
+            entry = zipfile.ZipInfo(str(path.relative_to(folder)))
+            entry.external_attr = (0o100755 if os.access(path, os.X_OK) else 0o100644) << 16
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            archive.writestr(entry, path.read_bytes())
+
+
+def copy_program(source, target):
+    target.parent.mkdir(parents=True, exist_ok=True)
+    shutil.copy(source, target)
+    os.chmod(target, 0o755)
+    return target
+
+
+def tiller(options, folder):
+    suffix = sysconfig.get_config_var("EXT_SUFFIX")
+    programs = []
+    for module in MODULES:
+        programs.append(copy_program(options.modules / (module + suffix), folder / (module + suffix)))
+        shutil.copy(options.modules / (module + ".pyi"), folder)
+        # Where type checkers look for the stubs of a module that is not a package.
+        (folder / f"{module}-stubs").mkdir()
+        shutil.copy(options.modules / (module + ".pyi"), folder / f"{module}-stubs" / "__init__.pyi")
+    (folder / "tiller").mkdir()
+    for path in (options.modules / "tiller").iterdir():
+        if path.name.endswith((".py", ".pyi")) or path.name == "py.typed":
+            shutil.copy(path, folder / "tiller")
+    programs.append(copy_program(options.modules / "tiller" / ("_native" + suffix), folder / "tiller" / ("_native" + suffix)))
+    programs.append(copy_program(options.cli, folder / "tiller" / "bin" / "tiller-cli"))
+    copies = bundle(folder, programs, "tiller.libs")
+    python = "cp{0}{1}-cp{0}{1}".format(*sys.version_info[:2])
+    pack(folder, options.output, "tiller", options.version, f"{python}-{platform_of([*programs, *copies])}", "false",
+         "Summary: Control, monitor and simulate Universal Robots arms; with the Python interface of ur_rtde\n"
+         "Requires-Python: >=3.9\nRequires-Dist: numpy\n",
+         "[console_scripts]\ntiller-cli = tiller.__main__:main\n\n[pytest11]\ntiller = tiller.pytest_plugin\n",
+         (*MODULES, "tiller"))
+
+
+def simulator(options, folder):
+    shutil.copytree(pathlib.Path(__file__).parent / "tiller_simulator", folder / "tiller_simulator",
+                    ignore=shutil.ignore_patterns("__pycache__"))
+    program = copy_program(options.cli, folder / "tiller_simulator" / "bin" / "tiller-cli")
+    copies = bundle(folder, [program], "tiller_simulator.libs")
+    pack(folder, options.output, "tiller-simulator", options.version, f"py3-none-{platform_of([program, *copies])}", "false",
+         "Summary: A simulated Universal Robots controller for tests: real protocols, real URScript, no container\n"
+         "Requires-Python: >=3.8\n",
+         "[console_scripts]\ntiller-simulate = tiller_simulator.__main__:main\n\n"
+         "[pytest11]\ntiller_simulator = tiller_simulator.pytest_plugin\n",
+         ("tiller_simulator",))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--modules", type=pathlib.Path, required=True, help="folder of the Python modules")
+    parser.add_argument("--cli", type=pathlib.Path, required=True, help="the program tiller-cli")
+    parser.add_argument("--output", type=pathlib.Path, required=True)
+    parser.add_argument("--version", required=True)
+    options = parser.parse_args()
+    for program in ("patchelf", "ldd", "objdump"):
+        if not shutil.which(program):
+            sys.exit(f"make_wheel.py needs {program}: apt-get install patchelf binutils")
+    shutil.rmtree(options.output, ignore_errors=True)
+    options.output.mkdir(parents=True)
+    for make in (tiller, simulator):
+        with tempfile.TemporaryDirectory() as folder:
+            make(options, pathlib.Path(folder))
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    main()

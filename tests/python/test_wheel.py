@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""The wheel holds what it says, and works where it is unpacked."""
+"""The wheels hold what they say, and work where they are unpacked, with no library of the system's but the C++ runtime."""
 import base64
 import glob
 import hashlib
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -32,30 +33,93 @@ def test_it_stops(tiller_robot, tiller_simulator):
 """
 
 
+SIMULATED = """
+import socket
+
+
+def test_it_serves(simulated_controller):
+    with socket.create_connection((simulated_controller.address, simulated_controller.ports["dashboard"])) as peer:
+        assert peer.recv(100).startswith(b"Connected: Universal Robots Dashboard Server")
+    assert simulated_controller.fault("protective-stop")
+"""
+SYSTEM = re.compile(r"linux-vdso|ld-linux|statically linked|lib(c|m|dl|rt|util|pthread|resolv|gcc_s|stdc\+\+)\.so")
+
+
+def unpacked(wheel, folder):
+    """As pip does it: with the modes."""
+    for entry in wheel.infolist():
+        path = wheel.extract(entry, folder)
+        os.chmod(path, entry.external_attr >> 16 & 0o777)
+
+
+def run_pytest(folder, text):
+    tests = os.path.join(folder, "test_mine.py")
+    with open(tests, "w", encoding="utf-8") as file:
+        file.write(text)
+    return subprocess.run([sys.executable, "-B", "-m", "pytest", "-q", "-p", "no:cacheprovider", tests], text=True,
+                          env=dict(os.environ, PYTHONPATH=folder), capture_output=True, check=False)
+
+
 class TestWheel(unittest.TestCase):
     def setUp(self):
-        wheels = glob.glob(os.path.join(os.environ["TILLER_WHEELS"], "*.whl"))
-        self.assertEqual(len(wheels), 1)
-        self.wheel = zipfile.ZipFile(wheels[0])
+        self.wheels = {}
+        for path in glob.glob(os.path.join(os.environ["TILLER_WHEELS"], "*.whl")):
+            self.wheels[os.path.basename(path).split("-")[0]] = zipfile.ZipFile(path)
+        self.assertEqual(set(self.wheels), {"tiller", "tiller_simulator"})
+        self.wheel = self.wheels["tiller"]
 
     def tearDown(self):
-        self.wheel.close()
+        for wheel in self.wheels.values():
+            wheel.close()
 
     def test_the_record_is_right(self):
-        record = [name for name in self.wheel.namelist() if name.endswith("/RECORD")][0]
-        listed = {}
-        for line in self.wheel.read(record).decode().splitlines():
-            name, digest, _ = line.rsplit(",", 2)
-            listed[name] = digest
-        self.assertEqual(sorted(listed), sorted(self.wheel.namelist()))
-        for name, digest in listed.items():
-            if name != record:
-                actual = base64.urlsafe_b64encode(hashlib.sha256(self.wheel.read(name)).digest()).rstrip(b"=")
-                self.assertEqual(digest, "sha256=" + actual.decode())
+        for wheel in self.wheels.values():
+            record = [name for name in wheel.namelist() if name.endswith("/RECORD")][0]
+            listed = {}
+            for line in wheel.read(record).decode().splitlines():
+                name, digest, _ = line.rsplit(",", 2)
+                listed[name] = digest
+            self.assertEqual(sorted(listed), sorted(wheel.namelist()))
+            for name, digest in listed.items():
+                if name != record:
+                    actual = base64.urlsafe_b64encode(hashlib.sha256(wheel.read(name)).digest()).rstrip(b"=")
+                    self.assertEqual(digest, "sha256=" + actual.decode())
+
+    def test_everything_they_load_is_inside(self):
+        for wheel in self.wheels.values():
+            glibc = re.search(r"manylinux_2_(\d+)_", wheel.filename)
+            self.assertTrue(glibc, wheel.filename)
+            with tempfile.TemporaryDirectory() as folder:
+                unpacked(wheel, folder)
+                for path in glob.glob(folder + "/**/*", recursive=True):
+                    with open(path, "rb") if os.path.isfile(path) else open(os.devnull, "rb") as file:
+                        if file.read(4) != b"\x7fELF":
+                            continue
+                    loaded = subprocess.run(["ldd", path], capture_output=True, text=True, check=True).stdout
+                    for line in loaded.splitlines():
+                        self.assertTrue(SYSTEM.search(line) or f"=> {folder}/" in os.path.normpath(line), f"{path}: {line}")
+                    symbols = subprocess.run(["objdump", "-T", path], capture_output=True, text=True, check=True).stdout
+                    wanted = [int(minor) for minor in re.findall(r"\bGLIBC_2\.(\d+)\b", symbols)]
+                    self.assertLessEqual(max(wanted, default=0), int(glibc[1]), path)
+
+    def test_the_simulator_alone_serves_any_client(self):
+        with tempfile.TemporaryDirectory() as folder:
+            unpacked(self.wheels["tiller_simulator"], folder)
+            result = run_pytest(folder, SIMULATED)
+            self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+            self.assertIn("1 passed", result.stdout)
+
+    def test_the_package_runs_the_commands(self):
+        with tempfile.TemporaryDirectory() as folder:
+            unpacked(self.wheel, folder)
+            for words in (["--version"], ["simulate", "--help"], ["doctor", "--help"]):
+                result = subprocess.run([sys.executable, "-B", "-m", "tiller", *words], capture_output=True, text=True,
+                                        env=dict(os.environ, PYTHONPATH=folder, PATH="/nowhere"), check=True)
+                self.assertIn("tiller-cli", result.stdout)
 
     def test_modules_and_stubs_work_unpacked(self):
         with tempfile.TemporaryDirectory() as folder:
-            self.wheel.extractall(folder)
+            unpacked(self.wheel, folder)
             for module, name in MODULES.items():
                 code = f"import {module}; assert {module}.__file__.startswith({folder!r}); {module}.{name}"
                 environment = dict(os.environ, PYTHONPATH=folder)
@@ -74,12 +138,8 @@ class TestWheel(unittest.TestCase):
     def test_pytest_finds_the_fixtures(self):
         """By the entry point alone, as after an installation: a program of somebody else's that is tested with them."""
         with tempfile.TemporaryDirectory() as folder:
-            self.wheel.extractall(folder)
-            tests = os.path.join(folder, "test_mine.py")
-            with open(tests, "w", encoding="utf-8") as file:
-                file.write(MINE)
-            result = subprocess.run([sys.executable, "-B", "-m", "pytest", "-q", "-p", "no:cacheprovider", tests], text=True,
-                                    env=dict(os.environ, PYTHONPATH=folder), capture_output=True, check=False)
+            unpacked(self.wheel, folder)
+            result = run_pytest(folder, MINE)
             self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
             self.assertIn("2 passed", result.stdout)
 

@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: MIT
+"""python -m tiller COMMAND: the commands of tiller-cli ("simulate", "doctor" ...), which the wheel brings along."""
+from __future__ import annotations
+
+import os
+import pathlib
+import shutil
+import sys
+
+
+def main() -> None:
+    """Runs tiller-cli in the place of this process: signals and the exit status are its own."""
+    own = pathlib.Path(__file__).parent / "bin" / "tiller-cli"
+    program = str(own) if own.exists() else shutil.which("tiller-cli")
+    if program is None:
+        sys.exit("tiller: there is no tiller-cli. Install the wheel, or the package tiller-cli of the distribution.")
+    os.execv(program, ["tiller-cli", *sys.argv[1:]])
+
+
+if __name__ == "__main__":
+    main()
