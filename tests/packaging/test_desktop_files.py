@@ -98,6 +98,14 @@ class TestDesktopFiles(unittest.TestCase):
                   'printf "%s\\n" "${COMPREPLY[@]}"')
         return set(subprocess.run(["bash", "-c", script], capture_output=True, text=True, check=True).stdout.split())
 
+    def test_the_packages_are_built_with_what_the_build_needs(self):
+        with open(SOURCE / "packaging/dependencies", encoding="utf-8") as file:
+            wanted = file.read().partition("[run]\n")[2].partition("[test]")[0].split()
+        text = (SOURCE / "packaging/debian/control").read_text()
+        # What a build has anyway, what only makes it quicker, and what the programs load when they run.
+        for package in set(wanted) - {"build-essential", "ccache"}:
+            self.assertRegex(text, rf"(?m)^(Build-Depends: | +|Depends: ){re.escape(package)}[ ,\n]")
+
     def test_the_units_are_well_formed_and_start_what_there_is(self):
         for unit in (LINUX / "systemd").glob("*.service"):
             command = re.search(r"^ExecStart=.*/usr/bin/tiller-cli (\w+) (.*)$", unit.read_text(), re.MULTILINE)
