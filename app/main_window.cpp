@@ -287,6 +287,12 @@ void MainWindow::connectParts() {
     connectIo();
     followJog();
     connect(plots_, &PlotDock::recordingOptionsWanted, this, [this] { showSettings(true); });
+    plots_->arrange(settings_.plots());
+    if (const std::size_t budget = settings_.plotBudget(); budget > 0) {
+        plots_->setBudget(budget);
+    }
+    connect(plots_, &PlotDock::arrangementChanged, this,
+            [this] { settings_.setPlots(plots_->arrangement(), plots_->budget()); });
     connect(plots_, &PlotDock::recordingChosen, this, [this](const RecordingChoice& choice) {
         preferences_.recording = choice;
         settings_.setPreferences(preferences_);
@@ -897,6 +903,7 @@ void MainWindow::readSettingsAgain() {
     io_->setNames(settings_.ioNames());
     tellIoNames();
     gripper_->readAgain();
+    plots_->arrange(settings_.plots());
     lessons_->readAgain();
     listRobots();
     perspectives_->readAgain();

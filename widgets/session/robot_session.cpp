@@ -3,6 +3,7 @@
 
 #include "robot/control/compliance.h"
 #include "robot/control/motions.h"
+#include "robot/receive/field_info.h"
 #include "widgets/common/notation.h"
 #include "widgets/session/controller_codes.h"
 #include "widgets/session/session_backend.h"
@@ -131,6 +132,7 @@ void RobotSession::connectTo(const RobotAddress& address) {
 
     d_->link = std::move(link);
     d_->sample = receive::Sample(d_->link->receiver->layout());
+    d_->followFurther();
     Q_EMIT linkBegan();
     Q_EMIT message(Severity::Info, tr("Connecting to %1 (%2)").arg(address.name, address.host),
                    Origin::Operator);
@@ -154,6 +156,7 @@ void RobotSession::disconnectFromRobot() {
         link.reset();
     });
     d_->link.reset();
+    d_->followFurther();
     d_->takingControl = false;
     d_->refusal.clear();
     outputs_.forget();
@@ -171,6 +174,29 @@ void RobotSession::disconnectFromRobot() {
 void RobotSession::shutDown() {
     d_->frameClock.stop();
     disconnectFromRobot();
+}
+
+void RobotSession::followFurther(const QStringList& fields) {
+    if (fields != d_->furtherFields) {
+        d_->furtherFields = fields;
+        d_->followFurther();
+    }
+}
+
+QSet<QString> RobotSession::absentFields() const {
+    QSet<QString> fields = d_->further.absent();
+    if (!d_->link || d_->state.version.major == 0) {
+        return fields;
+    }
+    for (const std::string& field : d_->link->receiver->absentFields()) {
+        fields.insert(QString::fromStdString(field));
+    }
+    for (const receive::FieldInfo& field : receive::fieldInfos()) {
+        if (!field.isAvailableOn(d_->state.version)) {
+            fields.insert(QString::fromUtf8(field.name.data(), static_cast<qsizetype>(field.name.size())));
+        }
+    }
+    return fields;
 }
 
 // ---- control
@@ -324,6 +350,12 @@ void RobotSession::refresh() {
     if (!batch.samples.empty() || batch.lost > 0) {
         Q_EMIT samplesReceived(batch);
     }
+    std::vector<receive::Sample> furtherRoom = std::move(d_->furtherRoom);
+    if (const SampleBatch further = d_->further.drain(furtherRoom);
+        !further.samples.empty() || further.lost > 0) {
+        Q_EMIT furtherSamplesReceived(further);
+    }
+    d_->furtherRoom = std::move(furtherRoom);
     reportChanges();
     if (d_->link) {
         services_.followForeignStop(batch);

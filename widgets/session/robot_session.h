@@ -6,7 +6,9 @@
 // are parts of it. Widgets hold it by reference and never talk to the backend themselves.
 
 #include <QObject>
+#include <QSet>
 #include <QString>
+#include <QStringList>
 #include <functional>
 #include <memory>
 
@@ -68,6 +70,12 @@ public:
     void connectTo(const RobotAddress& address);
     void disconnectFromRobot();
 
+    /// Fields of the robot that somebody wants to see besides those that every part of the window needs, here and on
+    /// the robots to come; replaces those wanted before. They come with furtherSamplesReceived.
+    void followFurther(const QStringList& fields);
+    /// Fields that this robot does not send, of those it was asked for or by its software.
+    QSet<QString> absentFields() const;
+
     /// Outputs, registers and the speed slider.
     RobotOutputs& outputs() { return outputs_; }
     const RobotOutputs& outputs() const { return outputs_; }
@@ -120,6 +128,8 @@ Q_SIGNALS:
     void connected();
     /// In each frame with new samples, before the stateChanged that shows the last of them.
     void samplesReceived(const tiller::SampleBatch& batch);
+    /// The same for the fields of followFurther().
+    void furtherSamplesReceived(const tiller::SampleBatch& batch);
     void stateChanged(const tiller::SessionState& state);
     /// A motion ended and its stop was measured.
     void motionStopped(const tiller::control::StopMeasurement& measurement);

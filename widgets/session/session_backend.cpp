@@ -35,6 +35,15 @@ SampleBatch SessionBackend::drain(std::vector<receive::Sample>& into) {
     return {std::span(into).first(count), link->lost - lostBefore};
 }
 
+void SessionBackend::followFurther() {
+    if (link != nullptr) {
+        further.follow(address.host, static_cast<std::uint16_t>(rtde::kPort + address.portOffset),
+                       furtherFields);
+    } else {
+        further.end();
+    }
+}
+
 void SessionBackend::read() {
     if (link == nullptr) {
         const RecordingState recordingState = state.recording;

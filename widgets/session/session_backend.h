@@ -19,6 +19,7 @@
 #include "robot/script/primary_client.h"
 #include "robot/script/script_client.h"
 #include "widgets/session/foreign_stop.h"
+#include "widgets/session/further_stream.h"
 #include "widgets/session/link_history.h"
 #include "widgets/session/robot_session.h"
 #include "widgets/session/session_worker.h"
@@ -71,10 +72,17 @@ struct SessionBackend {
     LinkState linkSeen = LinkState::Disconnected;
     control::ControlLoss lossSeen = control::ControlLoss::NotTaken;
 
+    QStringList furtherFields;                 ///< asked for besides what comes anyway
+    std::vector<receive::Sample> furtherRoom;  ///< as `room`
+
     // Last: their jobs use what stands above.
     SessionWorker files;
     SessionWorker controlling;  ///< takes control and gives it back
     SessionWorker worker;
+    FurtherStream further{*clock, worker};
+
+    /// Asks the robot for furtherFields, where there is one.
+    void followFurther();
 
     /// Fetches what came since the last frame, and the last of it into `sample`.
     SampleBatch drain(std::vector<receive::Sample>& into);
