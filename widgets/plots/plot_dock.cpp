@@ -25,6 +25,7 @@
 #include <cmath>
 #include <utility>
 
+#include "robot/recording/formats/open_recording.h"
 #include "widgets/common/density.h"
 #include "widgets/common/elided_label.h"
 #include "widgets/common/format.h"
@@ -85,6 +86,13 @@ void keepWidth(QToolButton* key, const QStringList& texts) {
     }
     key->setText(now);
     key->setFixedWidth(width);
+}
+
+/// What a table's time is called in recordings of all kinds.
+bool isTime(const QString& column) {
+    static const QStringList kNames{QStringLiteral("timestamp"), QStringLiteral("time"),
+                                    QStringLiteral("seconds"), QStringLiteral("t")};
+    return kNames.contains(column, Qt::CaseInsensitive);
 }
 
 /// All that is shown on the page in front, plot by plot, then the lanes.
@@ -175,11 +183,8 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
         values_->follow(view());
         Q_EMIT arrangementChanged();
     });
-    connect(pages_, &PlotPages::tooManySignals, this, [this] {
-        Q_EMIT session_.message(
-            Severity::Warning,
-            tr("These signals are more than a robot sends at once: take others away first."));
-    });
+    connect(pages_, &PlotPages::tooManySignals, this,
+            [this] { Q_EMIT session_.message(Severity::Warning, store_->problem()); });
     connect(tree_, &SignalTree::chosen, this, [this](const QStringList& keys) { view().addSignals(keys); });
     connect(tree_, &SignalTree::derivationEntered, this, [this](const QString& text) {
         const Result<int> made = store_->derive(text);
@@ -312,6 +317,11 @@ void PlotDock::buildPagesMenu() {
     })->setEnabled(pages_->count() > 1);
     add(menu, "plots.layout.standard", tr("Standard plots"), [this] { pages_->arrange({}); });
     menu->addSeparator();
+    add(menu, "plots.layout.openRecording", tr("Open a recording…"), [this] { askForRecording(); });
+    add(menu, "plots.layout.closeRecordings", tr("Close the recordings"), [this] {
+        closeRecordings();
+    })->setEnabled(store_->hasRecordings());
+    menu->addSeparator();
     add(menu, "plots.layout.copy", tr("Copy the plots as a picture"), [this] { copyPicture(); });
     menu->addSeparator();
     add(menu, "plots.layout.save", tr("Save this arrangement…"), [this] { askToSaveArrangement(); });
@@ -352,6 +362,79 @@ Result<void> PlotDock::openArrangement(const QString& path) {
     }
     pages_->arrange(*layout);
     return {};
+}
+
+void PlotDock::openRecording(const QString& path) {
+    files_.post(this, [this, path](const CancelToken&) {
+        auto opened =
+            std::make_shared<Result<std::unique_ptr<recording::Recording>>>(recording::openRecording(path));
+        return std::function<void()>([this, opened] {
+            if (*opened) {
+                showRecording(std::move(**opened));
+            } else {
+                Q_EMIT session_.message(Severity::Error, texts::errorText(opened->error()));
+            }
+        });
+    });
+}
+
+void PlotDock::showRecording(std::unique_ptr<recording::Recording> file) {
+    const QStringList problems = file->problems();
+    const std::uint64_t rows = file->rows();
+    const Result<std::vector<double>> last =
+        rows == 0 ? Result<std::vector<double>>(std::vector<double>()) : file->times({rows - 1, 1});
+    const double length = last && !last->empty() ? last->front() : 0;
+    const double begin =
+        view().cursor(PlotView::Cursor::A).value_or(history().isEmpty() ? 0 : history().lastTime() - length);
+    const Result<QString> opened = store_->open(std::move(file), begin);
+    if (!opened) {
+        Q_EMIT session_.message(Severity::Error, texts::errorText(opened.error()));
+        return;
+    }
+    // The standard plots of it where it has them, or else what comes first.
+    PageLayout page;
+    page.name = *opened;
+    const QVector<PaneLayout> standard = PageLayout::standard().panes;
+    for (const PaneLayout& pane : standard) {
+        PaneLayout own{{}, {}, pane.column, pane.share};
+        for (const QString& key : pane.shown) {
+            const QString recorded = *opened + QLatin1Char('/') + key;
+            own.shown << (store_->find(recorded) >= 0 ? QStringList(recorded) : QStringList());
+        }
+        if (!own.shown.isEmpty()) {
+            page.panes.append(own);
+        }
+    }
+    if (page.panes.isEmpty()) {
+        constexpr qsizetype kFirst = 4;
+        page.panes.append(PaneLayout{});
+        for (const int signal : store_->signalsOf(*opened)) {
+            const SignalInfo& info = store_->info(signal);
+            if (!info.isState() && !isTime(info.field) && page.panes[0].shown.size() < kFirst) {
+                page.panes[0].shown.append(info.key);
+            }
+        }
+    }
+    pages_->addPage(page);
+    view().showRange(begin, begin + std::max(length, TimeWindow::kShortest));
+    Q_EMIT session_.message(problems.isEmpty() ? Severity::Info : Severity::Warning,
+                            tr("Opened the recording %1").arg(*opened), Origin::Operator,
+                            problems.join(QLatin1Char(' ')));
+}
+
+void PlotDock::closeRecordings() {
+    pages_->dropRecordings();
+    store_->closeRecordings();
+    sayWhatIsShown();
+}
+
+void PlotDock::askForRecording() {
+    const QString folder = choice_.folder.isEmpty() ? recordingFolder() : choice_.folder;
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Open a recording"), folder, tr("Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)"));
+    if (!path.isEmpty()) {
+        openRecording(path);
+    }
 }
 
 void PlotDock::askToSaveArrangement() {
@@ -405,7 +488,7 @@ void PlotDock::sayWhatIsShown() {
             parts << (unit.isEmpty() ? words : QStringLiteral("%1 [%2]").arg(words, unit));
         }
     }
-    setSubtitle(parts.size() > 2 ? tr("%1 and more").arg(parts.first()) : parts.join(QStringLiteral(" · ")));
+    setHint(parts.size() > 2 ? tr("%1 and more").arg(parts.first()) : parts.join(QStringLiteral(" · ")));
 }
 
 void PlotDock::buildHeader() {

@@ -11,9 +11,11 @@
 #include <optional>
 
 #include "robot/core/result.h"
+#include "robot/recording/recording.h"
 #include "widgets/common/panel.h"
 #include "widgets/session/recording_choice.h"
 #include "widgets/session/session_state.h"
+#include "widgets/session/session_worker.h"
 
 class QLabel;
 class QToolButton;
@@ -57,6 +59,10 @@ public:
     /// By the ending of the name; tells the operator how it went.
     bool exportTo(const QString& path);
 
+    /// Opens a recording of any format on a page of its own, beside what is live: it ends where the history does, or
+    /// begins at the cursor A where there is one. Reads the file elsewhere; tells the operator how it went.
+    void openRecording(const QString& path);
+    void closeRecordings();
     /// Into and from a file of its own; tells nobody.
     Result<void> saveArrangement(const QString& path) const;
     Result<void> openArrangement(const QString& path);
@@ -118,6 +124,8 @@ private:
     void sayWhatIsShown();
     QString picturesTitle() const;
     QString historyText() const;
+    void askForRecording();
+    void showRecording(std::unique_ptr<recording::Recording> file);
     void askToSaveArrangement();
     void askToOpenArrangement();
     void onState(const SessionState& state);
@@ -154,6 +162,7 @@ private:
     bool recording_ = false;
     double recordingSeconds_ = 0;
     int framesToHistoryText_ = 0;
+    SessionWorker files_;  // last: its jobs end before the rest
 };
 
 }  // namespace tiller

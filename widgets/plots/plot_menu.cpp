@@ -115,7 +115,7 @@ void PlotMenu::addDerived(QMenu& menu, const PlotPane& pane, int signal) {
         });
     };
     const SignalInfo& info = store_.info(signal);
-    if (!info.field.isEmpty()) {
+    if (store_.isRobots(signal)) {
         const QString perSecond =
             info.unit.isEmpty() ? QStringLiteral("1/s") : info.unit + QStringLiteral("/s");
         add("plots.menu.derivative", tr("Rate of change of %1").arg(info.longLabel),
@@ -129,7 +129,7 @@ void PlotMenu::addDerived(QMenu& menu, const PlotPane& pane, int signal) {
     }
     QStringList keys;
     for (const int one : pane.shown()) {
-        if (!pane.isHidden(one) && !store_.info(one).field.isEmpty()) {
+        if (!pane.isHidden(one) && store_.isRobots(one)) {
             keys << store_.info(one).key;
         }
     }

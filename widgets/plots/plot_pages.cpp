@@ -11,6 +11,7 @@
 #include "widgets/common/theme.h"
 #include "widgets/plots/plot_marks.h"
 #include "widgets/plots/plot_view.h"
+#include "widgets/signals/signal_store.h"
 
 namespace tiller {
 
@@ -95,11 +96,32 @@ void PlotPages::turnedTo(int page) {
 }
 
 void PlotPages::addPage() {
+    PageLayout page;
+    page.panes = {{}};
+    addPage(page);
+}
+
+void PlotPages::dropRecordings() {
+    const auto keep = [this](QStringList& keys) {
+        keys.removeIf([this](const QString& key) {
+            const int signal = store_.find(key);
+            return signal < 0 || store_.isRecorded(signal);
+        });
+    };
+    for (PlotView* view : views_) {
+        PageLayout page = view->page();
+        for (PaneLayout& pane : page.panes) {
+            keep(pane.shown);
+        }
+        keep(page.lanes);
+        view->setPage(page);
+    }
+}
+
+void PlotPages::addPage(const PageLayout& page) {
     if (count() >= PlotLayout::kMostPages) {
         return;
     }
-    PageLayout page;
-    page.panes = {{}};
     addView().setPage(page);
     nameTabs();
     setCurrent(count() - 1);

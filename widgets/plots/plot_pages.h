@@ -31,6 +31,9 @@ public:
     void setCurrent(int page);
     /// An empty page behind the others, and turns to it.
     void addPage();
+    void addPage(const PageLayout& page);
+    /// Takes everything away that the robot does not send: nobody shows a recording any more.
+    void dropRecordings();
     /// The last one stays, with the standard plots.
     void removePage(int page);
     void rename(int page, const QString& name);

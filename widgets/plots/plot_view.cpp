@@ -383,7 +383,17 @@ double PlotView::xAt(double time) const {
 void PlotView::measure() {
     // While no data come the lane goes on alone: the outage is as long as it lasts.
     const SeriesBuffer& history = store_.live();
-    window_.setHistory(history.firstTime(), std::max(history.lastTime(), lane_.endTime()));
+    double oldest = history.firstTime();
+    double newest = std::max(history.lastTime(), lane_.endTime());
+    bool any = !history.isEmpty();
+    for (const auto& [shown, grid] : grids_) {
+        if (shown != &history && !shown->isEmpty()) {
+            oldest = any ? std::min(oldest, shown->firstTime()) : shown->firstTime();
+            newest = any ? std::max(newest, shown->lastTime()) : shown->lastTime();
+            any = true;
+        }
+    }
+    window_.setHistory(oldest, newest);
 }
 
 void PlotView::refresh(double seconds) {
@@ -547,7 +557,7 @@ void PlotView::fit() {
     for (const auto& pane : panes_) {
         pane->releaseValues();
     }
-    if (!store_.live().isEmpty()) {
+    if (window_.newest() > window_.oldest()) {
         window_.setSpan(window_.newest() - window_.oldest());
     }
     follow();
@@ -679,7 +689,7 @@ void PlotView::drawForeground(QPainter* painter, const QRectF&) {
     for (const auto& pane : panes_) {
         if (pane->shown().empty()) {
             painter->drawText(pane->area(), Qt::AlignCenter, tr("Drop signals here"));
-        } else if (pane == panes_.front() && store_.live().isEmpty()) {
+        } else if (pane == panes_.front() && store_.live().isEmpty() && !store_.hasRecordings()) {
             painter->drawText(pane->area(), Qt::AlignCenter, tr("No samples yet: connect to a robot"));
         }
     }

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "robot/core/result.h"
+#include "robot/recording/recording.h"
 #include "widgets/signals/derivation.h"
 #include "widgets/signals/series_buffer.h"
 #include "widgets/signals/signal_info.h"
@@ -30,6 +31,14 @@ public:
 
     int count() const { return static_cast<int>(signals_.size()); }
     const SignalInfo& info(int signal) const { return signals_[static_cast<std::size_t>(signal)].info; }
+    /// False: it is computed here, or from a recording.
+    bool isRobots(int signal) const {
+        const Signal& one = signals_[static_cast<std::size_t>(signal)];
+        return one.table < kFirstRecording && !one.derivation;
+    }
+    bool isRecorded(int signal) const {
+        return signals_[static_cast<std::size_t>(signal)].table >= kFirstRecording;
+    }
     /// -1: there is none.
     int find(const QString& key) const { return byKey_.value(key, -1); }
 
@@ -50,6 +59,20 @@ public:
     std::optional<double> valueAt(int signal, double time) const;
     /// All samples at which it had another value than at the one before, within begin ... end - 1.
     std::vector<std::int64_t> changes(int signal, std::int64_t begin, std::int64_t end) const;
+
+    /// A recording beside what is live: its signals stand in a group of their own, their keys behind its name. Values
+    /// are read from the file when somebody wants them.
+    /// begin    where its first row stands on the plots' time axis [s]
+    /// Returns  its name, which is the file's
+    /// Errors   those of Recording; InvalidArgument when there is no row in it
+    Result<QString> open(std::unique_ptr<recording::Recording> file, double begin);
+    /// The signals of an opened recording.
+    std::vector<int> signalsOf(const QString& recording) const;
+    /// Lets go of all recordings. Nobody may show them any more.
+    void closeRecordings();
+    bool hasRecordings() const { return tables_.size() > kFirstRecording; }
+    /// Why the last want() failed: more signals than a robot sends, or more memory than the budget has.
+    const QString& problem() const { return problem_; }
 
     /// What comes with every packet, and what was asked for besides.
     const SeriesBuffer& live() const { return *tables_[kLive].buffer; }
@@ -84,11 +107,13 @@ Q_SIGNALS:
     void signalAdded(int signal);
 
 private:
-    enum : int { kNowhere = -1, kLive = 0, kFurther = 1 };
+    enum : int { kNowhere = -1, kLive = 0, kFurther = 1, kFirstRecording = 2 };
     struct Table {
         std::unique_ptr<SeriesBuffer> buffer;
         std::vector<std::string> columns;
         std::vector<int> derived;  ///< the signal whose column it is; -1: it is the robot's
+        QString name{};            ///< of a recording
+        std::unique_ptr<recording::Recording> file{};
     };
     struct Signal {
         SignalInfo info;
@@ -117,6 +142,7 @@ private:
         });
     }
     void share();
+    bool load(int signal);
     QStringList fieldsFor(const QHash<const void*, QSet<int>>& wanted) const;
 
     HistoryLimits limits_;
@@ -125,6 +151,7 @@ private:
     QHash<QString, int> byKey_;
     QHash<const void*, QSet<int>> wanted_;
     QStringList furtherFields_;
+    QString problem_;
 };
 
 }  // namespace tiller

@@ -148,7 +148,7 @@ void SignalTree::fill() {
     std::vector<int> order;
     for (const bool derived : {true, false}) {
         for (int i = 0; i < store_.count(); ++i) {
-            if (store_.info(i).field.isEmpty() == derived) {
+            if (!store_.info(i).key.isEmpty() && store_.isRobots(i) != derived) {
                 order.push_back(i);
             }
         }

@@ -993,6 +993,106 @@ private Q_SLOTS:
         QVERIFY(b.rowOf("Twice [N]").isValid());
     }
 
+    // ---- recordings
+    void aRecordingIsOpenedBesideWhatIsLive() {
+        Bench b;
+        QTemporaryDir folder;
+        const QString path = folder.filePath("yesterday.csv");
+        {
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write("timestamp,actual_TCP_force_2,actual_digital_input_bits,mine,packages_lost\n");
+            for (int i = 0; i < 5000; ++i) {
+                const double time = 700 + i * 0.002 + (i >= 4000 ? 2 : 0);
+                file.write(QByteArray::number(time, 'f', 4) + ',' + QByteArray::number(i * 0.01) + ',' +
+                           (i < 2500 ? "0" : "8") + ",7," + (i == 4000 ? "1000" : "0") + '\n');
+            }
+        }
+        QSignalSpy messages(&b.session, &RobotSession::message);
+        b.dock.openRecording(path);
+        QTRY_COMPARE(b.dock.pages().count(), 2);
+        QVERIFY2(messages.last().at(1).toString().contains("yesterday.csv"),
+                 qPrintable(messages.last().at(1).toString()));
+        SignalStore& store = b.dock.store();
+        const int force = store.find("yesterday.csv/actual_TCP_force_2");
+        QVERIFY(force >= 0 && b.view().panes()[0]->shows(force));
+        QCOMPARE(store.info(force).longLabel, QString("Fz"));
+        // It ends where the history does, and is shown whole.
+        const double end = b.dock.history().lastTime();
+        QVERIFY(near(b.view().window().end(), end, 0.01));
+        QVERIFY(near(b.view().window().span(), 11.998, 0.01));
+        QVERIFY(near(store.valueAt(force, end).value(), 49.99, 1e-3));
+        QVERIFY2(!store.valueAt(force, end - 3).has_value(), "a gap of two seconds");
+        QVERIFY(!b.curve(force).range().isEmpty());
+        // Beside it, on the same axes, what is live; and its bits as lanes.
+        b.drop(b.view().panes()[0]->area().center(),
+               {"actual_TCP_force_2", "yesterday.csv/actual_digital_input_bits.3", "yesterday.csv/mine"});
+        QVERIFY(b.view().panes()[0]->shows(b.id("actual_TCP_force_2")));
+        QVERIFY(b.view().panes()[0]->shows(store.find("yesterday.csv/mine")));
+        const LaneItem* lane = b.view().signalLane(store.find("yesterday.csv/actual_digital_input_bits.3"));
+        QVERIFY(lane != nullptr && lane->segments().size() >= 2);
+        QVERIFY(store.furtherFields().isEmpty());
+        b.dock.setSignalsShown(true);
+        b.list("yesterday");
+        QVERIFY(b.rowOf("yesterday.csv").isValid());
+        // Once more, beginning at the cursor A.
+        b.view().setCursor(PlotView::Cursor::A, 50.0);
+        b.dock.openRecording(path);
+        QTRY_COMPARE(b.dock.pages().count(), 3);
+        QVERIFY(near(store.valueAt(store.find("yesterday.csv (2)/actual_TCP_force_2"), 51).value(), 5, 0.02));
+        // And away with them; what is live stays, and data go on.
+        b.dock.closeRecordings();
+        QCOMPARE(store.find("yesterday.csv/actual_TCP_force_2"), -1);
+        b.dock.pages().setCurrent(1);
+        QVERIFY(b.view().panes()[0]->shows(b.id("actual_TCP_force_2")));
+        b.view().follow();
+        b.runTo(61);
+        QVERIFY(near(b.view().window().end(), 61, 0.003));
+    }
+
+    void aRecordingWithoutARobotIsShownByItself() {
+        RobotSession session;
+        session.shutDown();
+        PlotDock dock(session);
+        dock.resize(1200, 400);
+        dock.show();
+        QTemporaryDir folder;
+        QFile file(folder.filePath("other;tool.csv"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("time;pressure\n0;1\n1;4\n2;2\n");
+        file.close();
+        dock.openRecording(file.fileName());
+        QTRY_COMPARE(dock.pages().count(), 2);
+        const int pressure = dock.store().find("other;tool.csv/pressure");
+        QVERIFY(dock.view().panes()[0]->shows(pressure));
+        QCOMPARE(dock.store().valueAt(pressure, 1.5).value(), 4.0);
+        QCOMPARE(dock.view().window().start(), 0.0);
+        QVERIFY(dock.view().panes()[0]->curves()[0]->range() == (MinMax{1, 4}));
+        // Kept for the next start without it: it is gone by then.
+        PlotDock next(session);
+        next.arrange(dock.arrangement());
+        QCOMPARE(next.pages().count(), 2);
+        QVERIFY(!next.grab().isNull());
+    }
+
+    void whatIsNoRecordingIsSaidAndChangesNothing() {
+        Bench b;
+        QTemporaryDir folder;
+        QSignalSpy messages(&b.session, &RobotSession::message);
+        b.dock.openRecording(folder.filePath("none.mcap"));
+        QTRY_COMPARE(messages.count(), 1);
+        QFile file(folder.filePath("picture.mcap"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray(3000, '\x89'));
+        file.close();
+        b.dock.openRecording(file.fileName());
+        QTRY_COMPARE(messages.count(), 2);
+        for (const auto& message : messages) {
+            QVERIFY(message.at(0).value<Severity>() == Severity::Error);
+        }
+        QCOMPARE(b.dock.pages().count(), 1);
+    }
+
     void thePicturesGoToTheClipboard() {
         Bench b;
         QApplication::clipboard()->clear();
