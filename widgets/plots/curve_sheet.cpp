@@ -158,12 +158,6 @@ void CurveSheet::paintColumn(const Curve& curve, std::size_t at, double perUnit,
     // The stroke's middle is that of its extent, unless it only slants.
     const double middle = (rowOf(column.low) + rowOf(column.high)) / 2;
     const double ramp = std::max(slant, 1.0);
-    const auto cover = [&](int y) {
-        const double above = (y + 0.5 - middle + thickness) / ramp + 0.5;
-        const double below = (y + 0.5 - middle - thickness) / ramp + 0.5;
-        return static_cast<std::size_t>(
-            (std::clamp(above, 0.0, 1.0) - std::clamp(below, 0.0, 1.0)) * kOpaque + 0.5);
-    };
     const int rows = ring_.height();
     const auto row = [rows](double y) {
         return static_cast<int>(std::clamp(y, 0.0, static_cast<double>(rows)));
@@ -176,18 +170,29 @@ void CurveSheet::paintColumn(const Curve& curve, std::size_t at, double perUnit,
     const std::ptrdiff_t stride = ring_.bytesPerLine() / static_cast<std::ptrdiff_t>(sizeof(QRgb));
     QRgb* pixel = reinterpret_cast<QRgb*>(ring_.bits()) + from * stride +
                   static_cast<std::ptrdiff_t>(place(raster_ + static_cast<std::int64_t>(at)));
-    int y = from;
-    for (; y < fullFrom; ++y, pixel += stride) {
-        *pixel = over(shades[cover(y)], *pixel);
-    }
+    // How much of a row is covered is linear in its number: it is counted up, in parts of 65536.
+    constexpr int kWhole = 1 << 16;
+    constexpr double kFar = 20000;  // beyond any row, and counted up from there still a number
+    const auto step = static_cast<int>(kWhole / ramp);
+    const auto passed = [&](double edge, int y) {
+        return static_cast<int>(std::clamp((y + 0.5 - edge) / ramp + 0.5, -kFar, kFar) * kWhole);
+    };
+    const auto paintRows = [&](int begin, int end) {
+        int above = passed(middle - thickness, begin);
+        int below = passed(middle + thickness, begin);
+        for (int y = begin; y < end; ++y, above += step, below += step, pixel += stride) {
+            const int covered = std::clamp(above, 0, kWhole) - std::clamp(below, 0, kWhole);
+            const QRgb shade = shades[(covered * kOpaque + kWhole / 2) >> 16];
+            *pixel = *pixel == 0 ? shade : over(shade, *pixel);
+        }
+    };
+    paintRows(from, fullFrom);
     const QRgb full = shades[kOpaque];
     const bool opaque = qAlpha(full) == kOpaque;
-    for (; y < fullTo; ++y, pixel += stride) {
+    for (int y = fullFrom; y < fullTo; ++y, pixel += stride) {
         *pixel = opaque ? full : over(full, *pixel);
     }
-    for (; y < to; ++y, pixel += stride) {
-        *pixel = over(shades[cover(y)], *pixel);
-    }
+    paintRows(fullTo, to);
 }
 
 void CurveSheet::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
