@@ -17,6 +17,7 @@
 #include "app/start_project.h"
 #include "resources/resources.h"
 #include "tiller_version.h"
+#include "widgets/session/recording_choice.h"
 #include "widgets/session/texts.h"
 
 using namespace tiller;
@@ -153,6 +154,8 @@ int main(int argc, char* argv[]) {
     app::MainWindow window(settings);
     const QString theme = line->theme.isEmpty() ? settings.theme() : line->theme;
     window.setTheme(theme.isEmpty() ? QStringLiteral("light") : theme);
+    window.keepIncidentsIn((demonstration ? line->demoDirectory : recordingFolder()) +
+                           QStringLiteral("/Incidents"));
     if (!demonstration) {
         // Before the window is shown: the robot answers while the first frame is painted.
         connectAsAsked(window, *line);

@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDesktopServices>
 #include <QDialog>
 #include <QDockWidget>
 #include <QFileInfo>
@@ -13,6 +14,7 @@
 #include <QStatusBar>
 #include <QTabBar>
 #include <QToolButton>
+#include <QUrl>
 #include <QVBoxLayout>
 
 #include "app/action_table.h"
@@ -33,6 +35,7 @@
 #include "app/settings_page.h"
 #include "app/settings_transfer.h"
 #include "app/sleep_watch.h"
+#include "robot/project/project_file.h"
 #include "widgets/common/density.h"
 #include "widgets/common/hold_button.h"
 #include "widgets/common/hover_keeper.h"
@@ -59,6 +62,7 @@
 #include "widgets/project/project_files.h"
 #include "widgets/scene/scene_dock.h"
 #include "widgets/scene/scene_view.h"
+#include "widgets/session/incident_watch.h"
 #include "widgets/session/stop_record.h"
 #include "widgets/session/texts.h"
 #include "widgets/status/header_bar.h"
@@ -547,6 +551,24 @@ void MainWindow::listProjects() {
 
 void MainWindow::setTheme(const QString& theme) {
     applyTheme(*qApp, theme == QLatin1String("dark") ? Theme::dark() : Theme::light());
+}
+
+void MainWindow::keepIncidentsIn(const QString& folder) {
+    incidents_ = new IncidentWatch(*session_, folder, this);
+    connect(incidents_, &IncidentWatch::told, log_, &LogTab::appendRecording);
+    connect(log_, &LogTab::recordingWanted, this, [](const QString& path) {
+        QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(path).absolutePath()));
+    });
+    const auto keepProject = [this] {
+        if (const auto bytes = project::serializeProject(document_->project())) {
+            const QString path = files_->store().path();
+            incidents_->setProject(
+                path.isEmpty() ? QStringLiteral("project.tiller") : QFileInfo(path).fileName(),
+                bytes.value());
+        }
+    };
+    connect(document_.get(), &ProjectDocument::documentChanged, incidents_, keepProject);
+    keepProject();
 }
 
 void MainWindow::openProject(const QString& path) {

@@ -23,6 +23,7 @@ namespace tiller {
 
 class HeaderBar;
 class GripperPanel;
+class IncidentWatch;
 class IoPages;
 class IoTab;
 class DeviceJog;
@@ -88,6 +89,8 @@ public:
     /// "light" or "dark"; remembered when the operator chose it.
     void setTheme(const QString& theme);
     void openProject(const QString& path);
+    /// From now on every stop of the safety system becomes a file in this folder, and a line of the log that opens it.
+    void keepIncidentsIn(const QString& folder);
 
     /// What the settings page chose; holds at once.
     void applyPreferences(const Preferences& preferences);
@@ -162,6 +165,7 @@ private:
     KeyboardJog* keyboard_ = nullptr;
     DeviceJog* devices_ = nullptr;
     StopRecorder* stops_ = nullptr;
+    IncidentWatch* incidents_ = nullptr;  ///< null: nothing is kept
     ActionTable* actions_ = nullptr;
     SettingsTransfer* transfer_ = nullptr;
     QMap<QString, QMenu*> menus_;

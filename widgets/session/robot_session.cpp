@@ -73,6 +73,14 @@ receive::Receiver* RobotSession::receiver() const {
     return d_->link ? d_->link->receiver.get() : nullptr;
 }
 
+std::shared_ptr<const receive::Receiver> RobotSession::sharedReceiver() const {
+    return d_->link ? d_->link->receiver : nullptr;
+}
+
+const RobotAddress& RobotSession::address() const {
+    return d_->address;
+}
+
 const control::MotionLimits& RobotSession::limits() const {
     return d_->limits;
 }

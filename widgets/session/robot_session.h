@@ -65,6 +65,10 @@ public:
     /// For whoever follows the robot at a pace of his own; null while disconnected. What is shown comes with
     /// samplesReceived and stateChanged.
     receive::Receiver* receiver() const;
+    /// The same for a thread of its own, which may keep it a moment longer than the link.
+    std::shared_ptr<const receive::Receiver> sharedReceiver() const;
+    /// Connected to last.
+    const RobotAddress& address() const;
 
     // Connection. Never blocks; the outcome comes through stateChanged and message.
     void connectTo(const RobotAddress& address);
