@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/waypoints/waypoint_model.h"
 
+#include <QColor>
 #include <QDataStream>
 #include <QIODevice>
 #include <QMimeData>
@@ -12,6 +13,7 @@
 #include "widgets/common/format.h"
 #include "widgets/common/notation.h"
 #include "widgets/common/theme.h"
+#include "widgets/waypoints/waypoint_properties.h"
 
 namespace tiller {
 namespace {
@@ -20,6 +22,12 @@ constexpr char kRowsMime[] = "application/x-tiller-waypoint-rows";
 constexpr double kLeastToolSpeed = 0.001;  ///< [m/s]
 constexpr double kMostToolSpeed = 1.0;     ///< [m/s]
 constexpr double kMostBlend = 1.0;         ///< [m]
+
+/// The palette of the curves: it can be told apart with every kind of sight.
+QColor colourOf(project::WaypointColour colour) {
+    static constexpr QRgb kColours[] = {0x000000, 0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9};
+    return QColor(kColours[static_cast<int>(colour)]);
+}
 
 /// "250", "250,5", "250 mm/s" -> 250; nothing when there is no number in front.
 std::optional<double> leadingNumber(const QString& text) {
@@ -148,8 +156,20 @@ QString WaypointModel::display(const project::Waypoint& point, int row, int colu
 
 QString WaypointModel::toolTip(const project::Waypoint& point, int row, int column) const {
     switch (column) {
-        case Name:
-            return point.name;
+        case Name: {
+            QStringList lines{point.name};
+            if (!point.group.isEmpty()) {
+                lines << tr("Group: %1").arg(point.group);
+            }
+            if (point.colour != project::WaypointColour::None) {
+                lines << tr("Colour: %1")
+                             .arg(WaypointProperties::colourNames().value(static_cast<int>(point.colour)));
+            }
+            if (!point.note.isEmpty()) {
+                lines << point.note;
+            }
+            return lines.join(QLatin1Char('\n'));
+        }
         case Move:
             return point.move == project::MoveKind::Joint ? tr("MoveJ: all joints start and stop together")
                                                           : tr("MoveL: the TCP goes along a straight line");
@@ -193,6 +213,10 @@ QVariant WaypointModel::data(const QModelIndex& index, int role) const {
             font.setBold(unreachable);
             return font;
         }
+        case Qt::DecorationRole:
+            return index.column() == Name && point.colour != project::WaypointColour::None
+                       ? QVariant(colourOf(point.colour))
+                       : QVariant();
         case Qt::ForegroundRole:
             return unreachable ? QVariant(Theme::current().warning) : QVariant();
         default:

@@ -19,9 +19,11 @@
 #include "widgets/project/project_document.h"
 #include "widgets/waypoints/go_to_button.h"
 #include "widgets/waypoints/waypoint_details.h"
+#include "widgets/waypoints/waypoint_dialogs.h"
 #include "widgets/waypoints/waypoint_editing.h"
 #include "widgets/waypoints/waypoint_model.h"
 #include "widgets/waypoints/waypoint_motion.h"
+#include "widgets/waypoints/waypoint_search.h"
 #include "widgets/waypoints/waypoint_table.h"
 
 namespace tiller {
@@ -135,6 +137,13 @@ void WaypointsTab::buildLayout(MotionPort port) {
     editing_ = new WaypointEditing(document_, *table_, this);
     connect(editing_, &WaypointEditing::refused, this, &WaypointsTab::showProblem);
     connect(editing_, &WaypointEditing::rowWanted, this, &WaypointsTab::selectRow);
+    dialogs_ = new WaypointDialogs(document_, *table_, this);
+    connect(dialogs_, &WaypointDialogs::refused, this, &WaypointsTab::showProblem);
+    connect(dialogs_, &WaypointDialogs::done, this,
+            [this](const QString& text) { Q_EMIT message(Severity::Info, text); });
+    search_ = new WaypointSearch(document_, *table_);
+    new LowerEdge(*search_, *this, {pages_});
+    connect(search_, &WaypointSearch::rowWanted, this, &WaypointsTab::selectRow);
 }
 
 void WaypointsTab::onState(const SessionState& state) {
@@ -148,6 +157,7 @@ void WaypointsTab::onState(const SessionState& state) {
     }
     if (state.hasData()) {
         editing_->setLive(state.q, state.tcpOffset);
+        dialogs_->setLive(state.q, state.tcpOffset);
     }
     goTo_->setState(state);
     updateAvailability();
@@ -355,6 +365,25 @@ void WaypointsTab::buildActions() {
                               [this] { editing_->copy(); })));
     add(addCommand("waypoint.action.paste", tr("Paste"), QKeySequence(QKeySequence::Paste),
                    [this] { editing_->paste(); }));
+    add(addCommand("waypoint.action.import", tr("Import waypoints…"), {},
+                   [this] { dialogs_->importFile(); }));
+    add(addCommand("waypoint.action.export", tr("Export waypoints…"), {},
+                   [this] { dialogs_->exportFile(); }));
+    menu->addSeparator();
+    add(addCommand("waypoint.action.find", tr("Find waypoints"), QKeySequence(QKeySequence::Find),
+                   [this] { search_->open(); }));
+    add(onSelected(addCommand("waypoint.action.properties", tr("Group, colour, note, speeds…"),
+                              QKeySequence(Qt::ALT | Qt::Key_Return), [this] { dialogs_->properties(); })));
+    add(onSelected(addCommand("waypoint.action.shift", tr("Offset, turn or mirror…"), {},
+                              [this] { dialogs_->moveSelection(); })));
+    add(onSelected(addCommand("waypoint.action.history", tr("History…"), QKeySequence(Qt::ALT | Qt::Key_H),
+                              [this] { dialogs_->history(); })));
+    menu->addSeparator();
+    add(addCommand("waypoint.action.pattern", tr("Pattern…"), {}, [this] { dialogs_->pattern(); }));
+    add(onSelected(addCommand("waypoint.action.dissolve", tr("Make the pattern's places ordinary waypoints"),
+                              {}, [this] { dialogs_->dissolvePattern(); })));
+    add(onSelected(addCommand("waypoint.action.removePattern", tr("Delete the pattern and its waypoints"), {},
+                              [this] { dialogs_->removePattern(); })));
     menu->addSeparator();
     QUndoStack& undo = document_.undoStack();
     for (QAction* action :
@@ -392,6 +421,10 @@ void WaypointsTab::teach() {
         // A neighbour usually wants the same kind of move, frame and speed.
         point = document_.waypoints().at(row);
         point.extra = {};
+        point.note.clear();
+        point.actions.clear();
+        point.place = {};
+        point.history = {};
     }
     point.id = QUuid::createUuid();
     point.name = document_.waypoints().nextName(tr("waypoint"));

@@ -27,8 +27,10 @@ class GoToButton;
 class NoticeBar;
 class ProjectDocument;
 class WaypointDetails;
+class WaypointDialogs;
 class WaypointEditing;
 class WaypointModel;
+class WaypointSearch;
 class WaypointTable;
 
 class WaypointsTab : public QWidget {
@@ -43,6 +45,7 @@ public:
     ~WaypointsTab() override;
 
     WaypointModel& model() { return *model_; }
+    WaypointDialogs& dialogs() { return *dialogs_; }
 
     /// Every action with its shortcut, for menus, the command palette and the help.
     QList<QAction*> commandActions() const { return actions_; }
@@ -121,6 +124,8 @@ private:
     WaypointTable* table_ = nullptr;
     WaypointDetails* details_ = nullptr;
     WaypointEditing* editing_ = nullptr;
+    WaypointDialogs* dialogs_ = nullptr;
+    WaypointSearch* search_ = nullptr;
 };
 
 }  // namespace tiller
