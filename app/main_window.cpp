@@ -52,6 +52,7 @@
 #include "widgets/jog/device_sources.h"
 #include "widgets/jog/device_trainer.h"
 #include "widgets/jog/jog_column.h"
+#include "widgets/jog/jog_motion.h"
 #include "widgets/jog/jog_selectors.h"
 #include "widgets/jog/keyboard_jog.h"
 #include "widgets/jog/stop_keys.h"
@@ -70,6 +71,7 @@
 #include "widgets/status/recovery_page.h"
 #include "widgets/status/robot_popup.h"
 #include "widgets/status/status_line.h"
+#include "widgets/tools/tools_tab.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
 namespace tiller::app {
@@ -136,6 +138,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     plots_ = new PlotDock(*session_, this);
     waypoints_ = new WaypointsTab(*session_, *document_, this);
     frames_ = new FramesTab(*session_, *document_, this);
+    tools_ = new ToolsTab(*session_, *document_, this);
     io_ = new IoTab(*session_, this);
     gripper_ = new GripperPanel(*session_, this);
     ioPages_ = new IoPages(io_, gripper_, this);
@@ -216,7 +219,7 @@ void MainWindow::buildDocks() {
     // The bar of a docked panel is a part of the gap above it.
     setCentralWidget(withMargins(area, {0, kGap - PanelDock::kDockedBar, kGap, kGap}));
     stage_->add(*new PanelDock(*scene_, "viewDock", tr("View")));
-    tabsDock_ = new PanelDock(*buildTabs(), "tabsDock", tr("Waypoints, Frames, I/O, Log"));
+    tabsDock_ = new PanelDock(*buildTabs(), "tabsDock", tr("Waypoints, Frames, Tools, I/O, Log"));
     stage_->add(*tabsDock_);
     stage_->add(*new PanelDock(*plots_, "plotsDock", tr("Plots")));
     perspectives_ =
@@ -254,13 +257,14 @@ Panel* MainWindow::buildTabs() {
     auto* panel = new Panel(QString(), this);
     tabs_ = new QTabBar;
     tabs_->setObjectName("tabs");
-    tabs_->setAccessibleName(tr("Waypoints, Frames, I/O, Log"));
+    tabs_->setAccessibleName(tr("Waypoints, Frames, Tools, I/O, Log"));
     tabs_->setDrawBase(false);
     tabs_->setExpanding(false);
     pages_ = new QStackedWidget;
     for (const auto& [name, title, page] :
          {std::tuple<QString, QString, QWidget*>{"waypoints", tr("Waypoints"), waypoints_},
           {"frames", tr("Frames"), frames_},
+          {"tools", tr("Tools"), tools_},
           {"io", tr("I/O"), ioPages_},
           {"log", tr("Log"), log_}}) {
         tabs_->setTabData(tabs_->addTab(title), name);
@@ -286,6 +290,7 @@ void MainWindow::connectParts() {
     connect(waypoints_, &WaypointsTab::ghostChanged, this, &MainWindow::updateScene);
     connect(waypoints_, &WaypointsTab::marksChanged, this, &MainWindow::updateScene);
     connectFrames();
+    connectTools();
     connectProject();
     connectTransfer();
     connectIo();
@@ -377,6 +382,21 @@ void MainWindow::connectFrames() {
     };
     connect(document_.get(), &ProjectDocument::framesChanged, this, followFrames);
     followFrames();
+}
+
+void MainWindow::connectTools() {
+    connect(tools_, &ToolsTab::message, this,
+            [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
+    connect(tools_, &ToolsTab::frontWanted, this, [this] { showTab("tools"); });
+    connect(tools_, &ToolsTab::pageChanged, this,
+            [this] { stopMotion(control::StopCause::SelectionChanged); });
+    tools_->setHeldSpeed([this] { return jog_->heldSpeed(); });
+    const auto followHome = [this] {
+        const project::NamedPosition* home = document_->positions().homePosition();
+        jog_->setHome(home != nullptr ? home->joints : defaultHome());
+    };
+    connect(document_.get(), &ProjectDocument::positionsChanged, this, followHome);
+    followHome();
 }
 
 void MainWindow::connectDevices(const Clock& clock) {
@@ -667,6 +687,9 @@ void MainWindow::buildActions() {
     }
     for (QAction* action : frames_->commandActions()) {
         actions_->adopt("frame", action);
+    }
+    for (QAction* action : tools_->commandActions()) {
+        actions_->adopt("tool", action);
     }
     connect(session_.get(), &RobotSession::stateChanged, actions_, &ActionTable::applyState);
     connect(session_.get(), &RobotSession::stateChanged, this, &MainWindow::rememberRobot);

@@ -40,6 +40,7 @@ class SceneDock;
 class StatusLine;
 class StopKeys;
 class StopRecorder;
+class ToolsTab;
 class WaypointsTab;
 
 namespace app {
@@ -66,6 +67,7 @@ public:
     ProjectFiles& files() { return *files_; }
     WaypointsTab& waypoints() { return *waypoints_; }
     FramesTab& frames() { return *frames_; }
+    ToolsTab& tools() { return *tools_; }
     DeviceJog& devices() { return *devices_; }
     /// Who is asked whether a button or a key is still down. At first the one of this platform.
     void setHoldWitness(std::unique_ptr<HoldWitness> witness);
@@ -97,7 +99,7 @@ public:
 
     int waypointCount() const;
     void selectWaypoint(int row);
-    /// For the demonstration and tests: "waypoints", "frames", "io", "gripper" (a page of "io"), "log".
+    /// For the demonstration and tests: "waypoints", "frames", "tools", "io", "gripper" (a page of "io"), "log".
     void showTab(const QString& name);
     Perspectives& perspectives() { return *perspectives_; }
 
@@ -128,6 +130,7 @@ private:
     void connectProject();
     void followJog();
     void connectFrames();
+    void connectTools();
     void connectIo();
     void connectDevices(const Clock& clock);
     /// over  the window it stands in front of
@@ -155,6 +158,7 @@ private:
     PlotDock* plots_ = nullptr;
     WaypointsTab* waypoints_ = nullptr;
     FramesTab* frames_ = nullptr;
+    ToolsTab* tools_ = nullptr;
     IoTab* io_ = nullptr;
     GripperPanel* gripper_ = nullptr;
     IoPages* ioPages_ = nullptr;  ///< of these two
