@@ -6943,4 +6943,34 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
+<context>
+    <name>tiller::GoThroughBar</name>
+    <message numerus="yes">
+        <source>%n waypoints</source>
+        <translation>
+            <numerusform>%n waypoint</numerusform>
+            <numerusform>%n waypoints</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathControls</name>
+    <message numerus="yes">
+        <source>%n waypoints written as a path to %1</source>
+        <translation>
+            <numerusform>%n waypoint written as a path to %1</numerusform>
+            <numerusform>%n waypoints written as a path to %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathRecorder</name>
+    <message numerus="yes">
+        <source>%n packets did not arrive.</source>
+        <translation>
+            <numerusform>%n packet did not arrive.</numerusform>
+            <numerusform>%n packets did not arrive.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

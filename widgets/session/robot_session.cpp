@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/session/robot_session.h"
 
+#include <algorithm>
+
 #include "robot/control/compliance.h"
 #include "robot/control/motions.h"
 #include "robot/receive/field_info.h"
@@ -15,6 +17,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kTakeControlTime{5000};
+constexpr milliseconds kSendPathTime{5000};
 
 QString stopSentence(const control::StopMeasurement& stop) {
     return RobotSession::tr("Stopped: %1 (%2 ms, %3)")
@@ -293,7 +296,8 @@ Result<RobotSession::MotionId> RobotSession::beginMove(const MoveRequest& reques
         return notMovable(d_->state);
     }
     const control::MoveParameters parameters{request.speed, request.acceleration, control::Holding::Held};
-    control::Motions motions(*d_->link->controller);
+    control::Controller& controller = *d_->link->controller;
+    control::Motions motions(controller, request.stops.value_or(controller.stops()));
     const Result<control::Motion> move = request.kind == MoveRequest::Kind::MoveJ
                                              ? motions.moveJ(request.q, parameters)
                                              : motions.moveL(request.pose, parameters);
@@ -302,6 +306,95 @@ Result<RobotSession::MotionId> RobotSession::beginMove(const MoveRequest& reques
     }
     d_->link->move = *move;
     return move->id();
+}
+
+Result<RobotSession::MotionId> RobotSession::beginPath(control::MotionPath path, std::uint64_t stops) {
+    if (!d_->link || !d_->state.canMove()) {
+        return notMovable(d_->state);
+    }
+    PathStart& start = d_->link->path;
+    start.ticket = std::max(start.ticket + 1, PathStart::kFirstTicket);
+    start.phase = PathStart::Phase::Sending;
+    ++start.sending;
+    d_->controlling.post(
+        this, [this, ticket = start.ticket, generation = d_->generation, stops, path = std::move(path),
+               controller = d_->link->controller](const CancelToken& token) {
+            const Result<control::PreparedPath> prepared =
+                control::Motions(*controller, stops).preparePath(path, Deadline::after(kSendPathTime, token));
+            return std::function<void()>([this, ticket, generation, prepared] {
+                if (generation == d_->generation) {
+                    startPath(ticket, prepared);
+                }
+            });
+        });
+    refresh();
+    return start.ticket;
+}
+
+void RobotSession::startPath(MotionId ticket, const Result<control::PreparedPath>& prepared) {
+    PathStart& start = d_->link->path;
+    --start.sending;
+    if (ticket == start.ticket && start.phase == PathStart::Phase::Sending) {
+        start.phase = prepared ? PathStart::Phase::Ready : PathStart::Phase::Failed;
+        start.prepared = prepared ? *prepared : control::PreparedPath();
+        start.error = prepared ? Error{} : prepared.error();
+    }
+    refresh();
+}
+
+namespace {
+
+/// Begins it where it is held, once it is there, and keeps it alive from then on.
+bool holdPath(RobotLink& link) {
+    PathStart& path = link.path;
+    if (path.phase == PathStart::Phase::Ready) {
+        const Result<control::Motion> motion =
+            control::Motions(*link.controller).startPath(path.prepared, control::Holding::Held);
+        path.phase = motion ? PathStart::Phase::Begun : PathStart::Phase::Failed;
+        path.motion = motion ? *motion : control::Motion();
+        path.error = motion ? Error{} : motion.error();
+    }
+    return path.phase == PathStart::Phase::Sending ||
+           (path.phase == PathStart::Phase::Begun && path.motion.refresh());
+}
+
+}  // namespace
+
+std::uint64_t RobotSession::stops() const {
+    return d_->link ? d_->link->controller->stops() : 0;
+}
+
+Result<control::MotionProgress> RobotSession::motionProgress(MotionId motion) const {
+    control::MotionProgress progress;
+    if (!d_->link) {
+        progress.cause = control::StopCause::ControlLost;
+        return progress;
+    }
+    const RobotLink& link = *d_->link;
+    if (motion < PathStart::kFirstTicket) {
+        if (motion == link.move.id()) {
+            return link.move.progress();
+        }
+        const control::MotionState state = link.controller->motionState(motion);
+        progress.phase = state.phase;
+        progress.cause = state.cause;
+        return progress;
+    }
+    if (motion != link.path.ticket) {
+        progress.cause = control::StopCause::Superseded;
+        return progress;
+    }
+    switch (link.path.phase) {
+        case PathStart::Phase::Sending:
+        case PathStart::Phase::Ready:
+            progress.phase = control::MotionPhase::Active;
+            return progress;
+        case PathStart::Phase::Begun:
+            return link.path.motion.progress();
+        case PathStart::Phase::Failed:
+            break;
+    }
+    return link.path.error;
 }
 
 Result<RobotSession::MotionId> RobotSession::beginFreedrive(const control::Freedrive& freedrive) {
@@ -322,7 +415,10 @@ bool RobotSession::hold(MotionId motion) {
     if (!d_->link || motion == control::kNoMotion) {
         return false;
     }
-    const RobotLink& link = *d_->link;
+    RobotLink& link = *d_->link;
+    if (motion >= PathStart::kFirstTicket) {
+        return motion == link.path.ticket && holdPath(link);
+    }
     return motion == link.move.id() ? link.move.refresh() : motion == link.jog.id() && link.jog.refresh();
 }
 
@@ -332,8 +428,20 @@ bool RobotSession::hold(MotionId motion, const control::JogTarget& target) {
 }
 
 void RobotSession::endMotion(MotionId motion, control::StopCause cause) {
-    if (d_->link) {
-        d_->link->controller->end(motion, cause);
+    if (!d_->link) {
+        return;
+    }
+    RobotLink& link = *d_->link;
+    if (motion < PathStart::kFirstTicket) {
+        link.controller->end(motion, cause);
+    } else if (motion == link.path.ticket &&
+               (link.path.phase == PathStart::Phase::Sending || link.path.phase == PathStart::Phase::Ready)) {
+        // What has no number yet only a stop reaches: it does not begin any more.
+        link.controller->stop(cause);
+        link.path.phase = PathStart::Phase::Failed;
+        link.path.error = {ErrorCode::Stopped, QStringLiteral("start a path"), {}};
+    } else if (motion == link.path.ticket && link.path.phase == PathStart::Phase::Begun) {
+        link.controller->end(link.path.motion.id(), cause);
     }
 }
 

@@ -158,7 +158,8 @@ void SessionBackend::readControl() {
                    (status.inControl ? status.moving : state.qd.values.cwiseAbs().maxCoeff() > kStandstill);
     if (takingControl) {
         state.control = ControlState::Taking;
-    } else if (status.inControl) {
+    } else if (status.inControl || (link->path.sending > 0 && status.loss == control::ControlLoss::Taking)) {
+        // The control program is sent anew with a path in it: that is no loss.
         state.control = ControlState::InControl;
         refusal.clear();
     } else {

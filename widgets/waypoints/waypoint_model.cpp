@@ -7,6 +7,7 @@
 #include <QMimeData>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "robot/core/angles.h"
 #include "robot/kinematics/arm_kinematics.h"
@@ -85,6 +86,18 @@ void WaypointModel::followDocument() {
     });
 }
 
+void WaypointModel::setComing(const QUuid& id) {
+    const QUuid before = std::exchange(coming_, id);
+    if (before == id) {
+        return;
+    }
+    for (const QUuid& changed : {before, id}) {
+        if (const int row = document_.waypoints().indexOf(changed); row >= 0) {
+            Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
+        }
+    }
+}
+
 QString WaypointModel::reachText(const project::Reach& reach) {
     switch (reach.obstacle) {
         case project::Reach::Obstacle::None:
@@ -132,7 +145,7 @@ QString WaypointModel::display(const project::Waypoint& point, int row, int colu
         case Number:
             return QString::number(row + 1);
         case Name:
-            return point.name;
+            return point.id == coming_ ? QStringLiteral("▶ ") + point.name : point.name;
         case Move:
             return point.move == project::MoveKind::Joint ? QStringLiteral("J") : QStringLiteral("L");
         case Frame: {
@@ -201,16 +214,19 @@ QVariant WaypointModel::data(const QModelIndex& index, int role) const {
                                            : point.toolSpeed / format::metresPerUnit(),
                                        'g', 8);
             }
-            return display(point, index.row(), index.column());
+            return index.column() == Name ? point.name : display(point, index.row(), index.column());
         case Qt::ToolTipRole:
             return toolTip(point, index.row(), index.column());
         case Qt::AccessibleTextRole:
+            if (index.column() == Name && point.id == coming_) {
+                return tr("Name %1, the coming one").arg(point.name);
+            }
             return QStringLiteral("%1 %2").arg(
                 headerData(index.column(), Qt::Horizontal, Qt::DisplayRole).toString(),
                 display(point, index.row(), index.column()));
         case Qt::FontRole: {
             QFont font = index.column() == Speed ? figureFont(14) : textFont(15);
-            font.setBold(unreachable);
+            font.setBold(unreachable || (index.column() == Name && point.id == coming_));
             return font;
         }
         case Qt::DecorationRole:

@@ -17,7 +17,9 @@
 #include "widgets/common/notation.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/project/project_document.h"
+#include "widgets/waypoints/go_through_bar.h"
 #include "widgets/waypoints/go_to_button.h"
+#include "widgets/waypoints/path_controls.h"
 #include "widgets/waypoints/waypoint_details.h"
 #include "widgets/waypoints/waypoint_dialogs.h"
 #include "widgets/waypoints/waypoint_editing.h"
@@ -49,6 +51,7 @@ WaypointsTab::WaypointsTab(RobotSession& session, ProjectDocument& document, Mot
     connect(&detailsTimer_, &QTimer::timeout, this, [this] {
         details_->setLive(state_);
         showSpeed();
+        goThrough_->showSpeed();
     });
 
     connect(&session_, &RobotSession::stateChanged, this, &WaypointsTab::onState);
@@ -62,6 +65,7 @@ WaypointsTab::WaypointsTab(RobotSession& session, ProjectDocument& document, Mot
     connect(&document_, &ProjectDocument::documentChanged, this, [this] {
         pages_->setCurrentIndex(model_->rowCount() == 0 ? 0 : 1);
         goTo_->stop(control::StopCause::SelectionChanged);
+        goThrough_->followDocument(currentRow(), table_->selectedRows());
         onSelection();
         updateAvailability();
         Q_EMIT marksChanged();
@@ -73,6 +77,7 @@ WaypointsTab::WaypointsTab(RobotSession& session, ProjectDocument& document, Mot
 
 WaypointsTab::~WaypointsTab() {
     goTo_->stop(control::StopCause::WindowClosed);
+    goThrough_->stop(control::StopCause::WindowClosed);
 }
 
 void WaypointsTab::buildLayout(MotionPort port) {
@@ -83,6 +88,9 @@ void WaypointsTab::buildLayout(MotionPort port) {
     touchUp_ = new QPushButton(tr("Touch up  U"));
     touchUp_->setObjectName(QStringLiteral("waypoint.touchUp"));
     touchUp_->setAccessibleName(tr("Touch up"));
+    goThrough_ = new GoThroughBar(port, document_, heldSpeed_);
+    paths_ = new PathControls(session_, document_,
+                              {[this] { return currentRow(); }, [this] { return table_->selectedRows(); }});
     goTo_ = new GoToButton(std::move(port), [this] { return goToRequest(); });
     goTo_->setState(state_);
     more_ = new QPushButton;
@@ -115,6 +123,11 @@ void WaypointsTab::buildLayout(MotionPort port) {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addLayout(keys);
+    auto* routes = new QHBoxLayout;
+    routes->setSpacing(0);
+    routes->addWidget(goThrough_, 1);
+    routes->addWidget(paths_);
+    layout->addLayout(routes);
     layout->addWidget(pages_, 1);
     layout->addWidget(details_);
     notice_ = new NoticeBar;
@@ -122,10 +135,22 @@ void WaypointsTab::buildLayout(MotionPort port) {
 
     connect(teach_, &QPushButton::clicked, this, &WaypointsTab::teach);
     connect(touchUp_, &QPushButton::clicked, this, &WaypointsTab::touchUp);
-    connect(goTo_, &GoToButton::refused, this, [this](const QString& reason) {
+    const auto refuse = [this](const QString& reason) {
         showProblem(reason);
         Q_EMIT message(Severity::Warning, reason);
+    };
+    connect(goTo_, &GoToButton::refused, this, refuse);
+    connect(goThrough_, &GoThroughBar::refused, this, refuse);
+    connect(paths_, &PathControls::refused, this, &WaypointsTab::showProblem);
+    connect(paths_, &PathControls::kept, this, [this](const QString& summary) {
+        notice_->show(NoticeBar::Kind::Question, tr("Path recorded"), summary);
+        Q_EMIT message(Severity::Info, summary);
     });
+    connect(paths_, &PathControls::exported, this,
+            [this](const QString& summary) { Q_EMIT message(Severity::Info, summary); });
+    connect(goThrough_, &GoThroughBar::comingChanged, this, &WaypointsTab::onComing);
+    connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            [this] { goThrough_->setSelection(currentRow(), table_->selectedRows()); });
     connect(
         &goTo_->guard(), &HoldGuard::ended, this,
         [this] {
@@ -160,7 +185,19 @@ void WaypointsTab::onState(const SessionState& state) {
         dialogs_->setLive(state.q, state.tcpOffset);
     }
     goTo_->setState(state);
+    goThrough_->setState(state);
+    paths_->setState(state);
     updateAvailability();
+}
+
+void WaypointsTab::onComing() {
+    const int row = goThrough_->comingRow();
+    model_->setComing(row < 0 ? QUuid() : document_.waypoints().at(row).id);
+    if (row >= 0 && goThrough_->isHolding()) {
+        table_->scrollTo(model_->index(row, WaypointModel::Name));
+    }
+    Q_EMIT ghostChanged();
+    Q_EMIT marksChanged();
 }
 
 QSize WaypointsTab::minimumSizeHint() const {
@@ -182,6 +219,7 @@ void WaypointsTab::onSelection() {
     }
     lastSelected_ = id;
     goTo_->stop(control::StopCause::SelectionChanged);
+    goThrough_->setSelection(row, table_->selectedRows());
     notice_->dismiss();
     updateAvailability();
     showSpeed();
@@ -213,14 +251,16 @@ void WaypointsTab::selectRow(int row) {
 }
 
 std::optional<Ghost> WaypointsTab::ghost() const {
-    const int row = currentRow();
+    // While the arm goes through the waypoints, the one it goes to.
+    const int row =
+        goThrough_->isHolding() && goThrough_->comingRow() >= 0 ? goThrough_->comingRow() : currentRow();
     if (row < 0) {
         return std::nullopt;
     }
     const project::Waypoint& point = document_.waypoints().at(row);
     const project::Reach& reach = document_.reach(row);
     const Result<MoveRequest> move =
-        reach.ok() && state_.hasData() ? moveToSelected() : Error{ErrorCode::NoSolution, {}, {}};
+        reach.ok() && state_.hasData() ? moveTo(row) : Error{ErrorCode::NoSolution, {}, {}};
     return Ghost{point.name, reach.ok() ? reach.q : point.joints, point.move == project::MoveKind::Linear,
                  reach.ok(), move ? move->speed : point.speed(),  point.acceleration()};
 }
@@ -234,7 +274,9 @@ std::vector<WaypointMark> WaypointsTab::marks() const {
             pose = kinematics::forwardTcp(document_.robot().dh, point.joints, point.tcpOffset);
         }
         if (pose) {
-            result.push_back({point.name, pose->position, row == currentRow()});
+            const bool coming = row == goThrough_->comingRow();
+            result.push_back({coming ? QStringLiteral("▶ ") + point.name : point.name, pose->position,
+                              coming || row == currentRow()});
         }
     }
     return result;
@@ -288,11 +330,11 @@ Result<MoveRequest> WaypointsTab::goToRequest() {
         return Error{ErrorCode::NoSolution, obstacle, {}};
     }
     notice_->dismiss();
-    return moveToSelected();
+    return moveTo(currentRow());
 }
 
-Result<MoveRequest> WaypointsTab::moveToSelected() const {
-    Result<MoveRequest> move = moveRequestFor(document_.robot(), document_.waypoints().at(currentRow()),
+Result<MoveRequest> WaypointsTab::moveTo(int row) const {
+    Result<MoveRequest> move = moveRequestFor(document_.robot(), document_.waypoints().at(row),
                                               document_.frames(), state_.q, state_.tcpOffset, limits_());
     return move ? slowedTo(heldSpeed_(), *move, state_) : move;
 }
@@ -303,7 +345,9 @@ void WaypointsTab::setHeldSpeed(std::function<HeldSpeed()> speed) {
 }
 
 void WaypointsTab::followSpeed() {
+    goThrough_->stop(control::StopCause::SelectionChanged);  // under way it would take the new speed half way
     showSpeed();
+    goThrough_->showSpeed();
     Q_EMIT ghostChanged();
 }
 
@@ -314,7 +358,7 @@ void WaypointsTab::showSpeed() {
     }
     const Result<MoveRequest> move =
         currentRow() >= 0 && state_.hasData() && document_.reach(currentRow()).ok()
-            ? moveToSelected()
+            ? moveTo(currentRow())
             : Error{ErrorCode::NoSolution, {}, {}};
     goTo_->setDetail(move ? moveSpeedText(*move, state_) : QString());
 }
@@ -384,6 +428,12 @@ void WaypointsTab::buildActions() {
                               {}, [this] { dialogs_->dissolvePattern(); })));
     add(onSelected(addCommand("waypoint.action.removePattern", tr("Delete the pattern and its waypoints"), {},
                               [this] { dialogs_->removePattern(); })));
+    menu->addSeparator();
+    for (QAction* action : paths_->actions()) {
+        menu->addAction(action);
+        actions_.append(action);
+    }
+    menu->addMenu(paths_->toleranceMenu());
     menu->addSeparator();
     QUndoStack& undo = document_.undoStack();
     for (QAction* action :

@@ -23,8 +23,10 @@ class QStackedWidget;
 
 namespace tiller {
 
+class GoThroughBar;
 class GoToButton;
 class NoticeBar;
+class PathControls;
 class ProjectDocument;
 class WaypointDetails;
 class WaypointDialogs;
@@ -97,7 +99,8 @@ private:
     void updateAvailability();
     QString goToObstacle() const;
     Result<MoveRequest> goToRequest();
-    Result<MoveRequest> moveToSelected() const;
+    Result<MoveRequest> moveTo(int row) const;
+    void onComing();
     void replaceByTouchUp(const QUuid& id, const project::Waypoint& taught);
     QString teachObstacle() const;
     void showSpeed();
@@ -118,6 +121,8 @@ private:
     QPushButton* teach_ = nullptr;
     QPushButton* touchUp_ = nullptr;
     GoToButton* goTo_ = nullptr;
+    GoThroughBar* goThrough_ = nullptr;
+    PathControls* paths_ = nullptr;
     QPushButton* more_ = nullptr;
     NoticeBar* notice_ = nullptr;
     QStackedWidget* pages_ = nullptr;
