@@ -37,6 +37,7 @@ const QList<Room>& rooms() {
          {"robot/core", "robot/realtime", "robot/rtde", "robot/dashboard", "robot/script", "robot/receive"},
          kGui},
         {"robot/kinematics", {"robot/core"}, kGui},
+        {"robot/collision", {"robot/core", "robot/kinematics"}, kGui},
         {"robot/project", {"robot/core", "robot/kinematics"}, kGui},
         {"robot/recording", {"robot/core", "robot/realtime", "robot/receive", "robot/rtde/fields.h"}, kGui},
         {"robot/live",
@@ -65,7 +66,8 @@ const QList<Room>& rooms() {
         {"widgets/common", {"robot/core", "robot/control/motion_types.h"}, {}},
         {"widgets",
          {"robot/core", "robot/realtime", "robot/receive", "robot/control", "robot/io", "robot/script",
-          "robot/dashboard", "robot/kinematics", "robot/project", "robot/recording", "robot/doctor"},
+          "robot/dashboard", "robot/kinematics", "robot/collision", "robot/project", "robot/recording",
+          "robot/doctor"},
          {}},
         {"app", {"widgets", "robot"}, {}},
     };

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: MIT
+//
+// The collision check against another one, written for this test without FCL: it looks at every way in steps in which
+// no point of the arm moves by more than a millimetre.
+
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <tuple>
+
+#include "robot/collision/collision_check.h"
+#include "robot/kinematics/arm_kinematics.h"
+
+using namespace tiller;
+using namespace tiller::collision;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+const JointPositions kStance(-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310);
+
+double pointToSegment(const Eigen::Vector3d& p, const Capsule& rod) {
+    const Eigen::Vector3d way = rod.to - rod.from;
+    const double length2 = way.squaredNorm();
+    const double t = length2 > 0 ? std::clamp((p - rod.from).dot(way) / length2, 0.0, 1.0) : 0;
+    return (p - rod.from - t * way).norm();
+}
+
+/// The smallest value of a convex function on [0, 1].
+template <class F>
+double smallest(F f) {
+    double low = 0;
+    double high = 1;
+    for (int i = 0; i < 44; ++i) {
+        const double a = low + (high - low) * 0.382;
+        const double b = low + (high - low) * 0.618;
+        if (f(a) < f(b)) {
+            high = b;
+        } else {
+            low = a;
+        }
+    }
+    return f((low + high) / 2);
+}
+
+double between(const Capsule& a, const Capsule& b) {
+    return smallest([&](double t) { return pointToSegment(a.from + t * (a.to - a.from), b); }) - a.radius -
+           b.radius;
+}
+
+double between(const Capsule& rod, const Obstacle& box) {
+    const Eigen::Isometry3d T_box_base = box.pose.transform().inverse(Eigen::Isometry);
+    const Eigen::Vector3d from = T_box_base * rod.from;
+    const Eigen::Vector3d to = T_box_base * rod.to;
+    return smallest([&](double t) {
+               const Eigen::Vector3d p = from + t * (to - from);
+               return (p.cwiseAbs() - box.size / 2).cwiseMax(0).norm();
+           }) -
+           rod.radius;
+}
+
+double between(const Capsule& rod, const Border& border) {
+    const Eigen::Isometry3d T = border.pose.transform().inverse(Eigen::Isometry);
+    return std::min((T * rod.from).z(), (T * rod.to).z()) - rod.radius;
+}
+
+/// How near anything comes to anything in one stance; `enough` ends the search.
+double nearest(const CollisionCheck& check, const DhParameters& dh, const JointPositions& q, double enough) {
+    const auto rods = placedCapsules(check.capsules(), dh, q);
+    double least = 1e9;
+    const auto ball = [](const Capsule& c) {
+        return std::pair<Eigen::Vector3d, double>((c.from + c.to) / 2, (c.to - c.from).norm() / 2 + c.radius);
+    };
+    for (std::size_t i = 0; i < rods.size() && least > enough; ++i) {
+        const auto [middle, round] = ball(rods[i].shape);
+        for (std::size_t k = 0; k < i; ++k) {
+            const auto& [outer, inner] =
+                rods[i].link >= rods[k].link ? std::tie(rods[i], rods[k]) : std::tie(rods[k], rods[i]);
+            if (outer.link - inner.link <= outer.neighbours) {
+                continue;
+            }
+            const auto [otherMiddle, otherRound] = ball(rods[k].shape);
+            if ((middle - otherMiddle).norm() - round - otherRound < least) {
+                least = std::min(least, between(rods[i].shape, rods[k].shape));
+            }
+        }
+        if (rods[i].atFoot) {
+            continue;
+        }
+        for (const Obstacle& box : check.surroundings().obstacles) {
+            if ((middle - box.pose.position).norm() - round - box.size.norm() / 2 < least) {
+                least = std::min(least, between(rods[i].shape, box));
+            }
+        }
+        for (const Border& border : check.surroundings().borders) {
+            least = std::min(least, between(rods[i].shape, border));
+        }
+    }
+    return least;
+}
+
+struct Sampled {
+    double nearest = 1e9;
+    double hitAt = -1;  ///< as Contact::at; below 0: none
+};
+
+/// In steps of a millimetre at most, of whatever is farthest out.
+Sampled sampled(const CollisionCheck& check, const RobotModel& model,
+                const std::vector<JointPositions>& way) {
+    const double longest = std::abs(model.dh.a[1]) + std::abs(model.dh.a[2]) + model.dh.d[0] + model.dh.d[3] +
+                           model.dh.d[4] + model.dh.d[5] + 0.3;
+    Sampled result;
+    for (std::size_t k = 0; k + 1 < way.size(); ++k) {
+        const Vector6 turn = way[k + 1].values - way[k].values;
+        const int steps = std::max(1, static_cast<int>(std::ceil(turn.cwiseAbs().sum() * longest / 0.001)));
+        for (int i = 0; i <= steps; ++i) {
+            const double share = static_cast<double>(i) / steps;
+            const double d = nearest(check, model.dh, JointPositions(way[k].values + share * turn), 0);
+            result.nearest = std::min(result.nearest, d);
+            if (d <= 0) {
+                result.hitAt = static_cast<double>(k) + share;
+                return result;
+            }
+        }
+    }
+    return result;
+}
+
+class Dice {
+public:
+    explicit Dice(unsigned seed) : engine_(seed) {}
+    double between(double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(engine_);
+    }
+    JointPositions stance() {
+        return {between(-kPi, kPi), between(-2.6, -0.4), between(-2.4, 2.4),
+                between(-kPi, kPi), between(-kPi, kPi),  between(-kPi, kPi)};
+    }
+    Pose pose(double within) {
+        return {between(-within, within), between(-within, within), between(0, within),
+                between(-1.5, 1.5),       between(-1.5, 1.5),       between(-1.5, 1.5)};
+    }
+
+private:
+    std::mt19937 engine_;
+};
+
+Border floorAt(double height) {
+    return {{}, Pose(0, 0, height, 0, 0, 0)};
+}
+
+}  // namespace
+
+class TestCollisionCheck : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void ordinaryStancesAreFree() {
+        for (const RobotModel& model : robotModels()) {
+            const CollisionCheck check(model, {}, {{}, {floorAt(0)}});
+            for (const JointPositions& q : {kStance, JointPositions(0, -kPi / 2, 0, -kPi / 2, 0, 0),
+                                            JointPositions(0.6, -1.2, 1.4, -1.7, -1.5, 0.3),
+                                            JointPositions(0, -1.57, 1.57, -1.57, -1.57, 0),
+                                            JointPositions(2.45, -0.75, 0.85, -1.67, -1.5707, 0.4)}) {
+                const auto contact = check.at(q);
+                QVERIFY2(!contact, qPrintable(QStringLiteral("%1: link %2 with %3")
+                                                  .arg(QLatin1String(model.name))
+                                                  .arg(contact ? contact->link : 0)
+                                                  .arg(contact ? contact->other : 0)));
+            }
+        }
+    }
+
+    void theForearmMeetsTheBase() {
+        for (const RobotModel& model : robotModels()) {
+            const CollisionCheck check(model, {}, {});
+            const std::vector<JointPositions> way = {JointPositions(0, -kPi / 2, 1.2, -kPi / 2, 0, 0),
+                                                     JointPositions(0, -kPi / 2, kPi, -kPi / 2, 0, 0)};
+            const auto contact = check.along(way);
+            QVERIFY2(contact, model.name);
+            QVERIFY(contact->with == Contact::With::Arm);
+            QVERIFY(contact->at > 0.2 && contact->at < 1);
+            QVERIFY(contact->link >= 3 && contact->other <= 2);
+        }
+    }
+
+    void whatIsMetIsNamed() {
+        const RobotModel& model = robotModel(RobotModelId::UR5e);
+        Surroundings cell;
+        cell.obstacles.push_back({"crate", Pose(0.5, 0, 0.2, 0, 0, 0), Eigen::Vector3d(0.2, 0.2, 0.4)});
+        cell.borders.push_back(floorAt(-0.01));
+        const CollisionCheck check(model, {Pose(0, 0, 0.15, 0, 0, 0), 0.03}, cell);
+        // The arm stretched out turns about its base.
+        const JointPositions beside(1.2 + kPi, -0.6, 0.5, -1.47, -1.57, 0);
+        JointPositions across = beside;
+        across[0] -= 2.4;
+        const auto contact = check.along(std::vector{beside, across});
+        QVERIFY(contact);
+        QVERIFY(contact->with == Contact::With::Obstacle);
+        QCOMPARE(contact->other, 0);
+        QVERIFY(contact->link >= 3);
+        // Down to the floor with the tool first.
+        JointPositions low = beside;
+        low[1] += 0.6;
+        const auto down = check.along(std::vector{beside, low});
+        QVERIFY(down && down->with == Contact::With::Border);
+        QCOMPARE(down->link, kToolLink);
+    }
+
+    void alreadyInContactIsAtTheBeginning() {
+        const RobotModel& model = robotModel(RobotModelId::UR5e);
+        const CollisionCheck check(model, {}, {{}, {{"wall", Pose(0, 0, 5, 0, 0, 0)}}});
+        const auto contact = check.along(std::vector{kStance, JointPositions(0, -1, 1, 0, 1, 0)});
+        QVERIFY(contact);
+        QCOMPARE(contact->at, 0.0);
+        QVERIFY(!check.along({}).has_value());
+    }
+
+    // No collision is missed; a false alarm is one of less than a millimetre.
+    void agreesWithSamplingEveryMillimetre_data() {
+        QTest::addColumn<int>("model");
+        for (const RobotModel& model : robotModels()) {
+            QTest::newRow(model.name) << static_cast<int>(model.id);
+        }
+    }
+    void agreesWithSamplingEveryMillimetre() {
+        QFETCH(const int, model);
+        const RobotModel& robot = robotModel(static_cast<RobotModelId>(model));
+        Dice dice(77U + static_cast<unsigned>(model));
+        int hits = 0;
+        int misses = 0;
+        for (int round = 0; round < 6 || (round < 40 && (hits == 0 || misses == 0)); ++round) {
+            Surroundings cell;
+            cell.borders.push_back(floorAt(-0.05));
+            for (int i = 0; i < 6; ++i) {
+                Pose pose = dice.pose(robot.reach);
+                const double away = pose.position.head<2>().norm();
+                if (away < 0.5 * robot.reach) {
+                    pose.position.head<2>() *= 0.5 * robot.reach / std::max(away, 0.01);
+                }
+                cell.obstacles.push_back(
+                    {"box", pose,
+                     robot.reach * Eigen::Vector3d(dice.between(0.02, 0.3), dice.between(0.02, 0.3),
+                                                   dice.between(0.02, 0.3))});
+            }
+            const CollisionCheck check(robot, {Pose(0.02, 0, 0.14, 0, 0, 0), 0.03}, cell);
+            JointPositions from = dice.stance();
+            for (int tries = 0; tries < 50 && nearest(check, robot.dh, from, 0.002) < 0.002; ++tries) {
+                from = dice.stance();
+            }
+            if (nearest(check, robot.dh, from, 0.002) < 0.002) {
+                continue;
+            }
+            // A way with corners, as a path is.
+            std::vector<JointPositions> way = {from};
+            for (int i = 0; i < 2; ++i) {
+                Vector6 turn;
+                for (int j = 0; j < kJointCount; ++j) {
+                    turn[j] = dice.between(-0.45, 0.45);
+                }
+                way.emplace_back(way.back().values + turn);
+            }
+            const auto contact = check.along(way);
+            const Sampled truth = sampled(check, robot, way);
+            const QByteArray what = QStringLiteral("round %1: check %2, sampled %3, nearest %4 mm")
+                                        .arg(round)
+                                        .arg(contact ? contact->at : -1)
+                                        .arg(truth.hitAt)
+                                        .arg(truth.nearest * 1e3)
+                                        .toUtf8();
+            if (truth.hitAt >= 0) {
+                ++hits;
+                QVERIFY2(contact, what);
+                QVERIFY2(contact->at <= truth.hitAt + 1e-9, what);
+                // And not long before: there the two are nearly in contact.
+                QVERIFY2(nearest(check, robot.dh, contact->q, 0) < 0.001, what);
+            } else {
+                ++misses;
+                QVERIFY2(!contact || truth.nearest < 0.001, what);
+            }
+        }
+        QVERIFY2(hits > 0 && misses > 0, qPrintable(QStringLiteral("%1, %2").arg(hits).arg(misses)));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCollisionCheck)
+#include "tst_collision_check.moc"
