@@ -32,6 +32,7 @@
 #include "app/robot_actions.h"
 #include "app/sample_projects.h"
 #include "app/scene_actions.h"
+#include "app/scene_cell.h"
 #include "app/settings_page.h"
 #include "app/settings_transfer.h"
 #include "app/sleep_watch.h"
@@ -289,8 +290,16 @@ void MainWindow::connectParts() {
             [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
     connect(waypoints_, &WaypointsTab::ghostChanged, this, &MainWindow::updateScene);
     connect(waypoints_, &WaypointsTab::marksChanged, this, &MainWindow::updateScene);
+    connect(&scene_->view(), &SceneView::moveLimitChanged, this, [this](const QString& text) {
+        // The ghost may be another key's, as that of Home.
+        const std::optional<Ghost> own = waypoints_->ghost();
+        const std::optional<Ghost>& shown = scene_->view().ghost();
+        const bool same = own && shown && own->name == shown->name && own->q == shown->q;
+        waypoints_->setWayLimit(same ? text : QString());
+    });
     connectFrames();
     connectTools();
+    followCell(scene_->view(), *document_);
     connectProject();
     connectTransfer();
     connectIo();
@@ -448,7 +457,10 @@ void MainWindow::followJog() {
         plots_->setJogLabel(jog ? jog->label : QString());
         std::optional<SceneJog> arrow;
         if (jog && !jog->direction.isZero()) {
-            arrow = SceneJog{jog->direction, jog->label + QLatin1Char(' ') + jog->frameName, jog->axis};
+            arrow = SceneJog{jog->direction, jog->label + QLatin1Char(' ') + jog->frameName, jog->axis,
+                             jog->turns};
+        } else if (jog && jog->joint >= 0) {
+            arrow = SceneJog{Eigen::Vector3d::Zero(), jog->label, 0, false, jog->joint, jog->sign};
         }
         scene_->view().setJogDirection(arrow);
     });

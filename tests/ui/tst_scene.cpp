@@ -3,6 +3,7 @@
 // The 3D view in the real window: what must be seen is in the picture, the standard sides are commands with keys
 // of their own, and the jog frame "View" follows.
 
+#include <QLabel>
 #include <QLineEdit>
 #include <QTest>
 #include <QToolButton>
@@ -10,11 +11,13 @@
 #include "app/action_table.h"
 #include "app/command_palette.h"
 #include "resources/resources.h"
+#include "robot/collision/arm_body.h"
+#include "robot/kinematics/arm_kinematics.h"
 #include "tests/support/pictures.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/theme.h"
-#include "widgets/scene/arm_shape.h"
+#include "widgets/project/project_document.h"
 #include "widgets/scene/scene_view.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
@@ -30,10 +33,11 @@ private:
     app::MainWindow& window() { return bench_->window; }
     SceneView& view() { return *window().findChild<SceneView*>(); }
     bool isInThePicture(const JointPositions& q) {
-        for (const ArmPart& part : armParts(robotModel(window().session().state().model), q)) {
-            for (const Eigen::Vector3d& end : {part.from, part.to}) {
+        const RobotModel& model = robotModel(window().session().state().model);
+        for (const auto& part : collision::placedCapsules(collision::armCapsules(model), model.dh, q)) {
+            for (const Eigen::Vector3d& end : {part.shape.from, part.shape.to}) {
                 const auto at = view().camera().project(end);
-                const double radius = part.radius * at.pixelsPerMetre;
+                const double radius = part.shape.radius * at.pixelsPerMetre;
                 const QRectF ball(at.point.x() - radius, at.point.y() - radius, 2 * radius, 2 * radius);
                 if (!QRectF(view().rect()).contains(ball)) {
                     return false;
@@ -141,6 +145,46 @@ private Q_SLOTS:
         QVERIFY2(!isInThePicture(window().session().state().q), "the operator's choice stays");
         QTest::keyClick(&window(), Qt::Key_F9);
         QVERIFY(isInThePicture(window().session().state().q));
+    }
+
+    // What stands in the way is said where the key is, marked on the way, and gone when it is gone.
+    void aBoxInTheWayIsSaidBesideTheKey() {
+        const JointPositions here = window().session().state().q;
+        window().waypoints().teach();
+        project::Waypoint far = window().document().waypoints().at(0);
+        far.id = QUuid::createUuid();
+        far.name = "far";
+        far.joints = here;
+        far.joints[0] += 1.2;
+        window().document().insertWaypoints(1, {far}, "far");
+        window().waypoints().selectWaypoint(far.id);
+        QTRY_VERIFY(view().moveReport().has_value());
+        QVERIFY2(view().moveLimitText().isEmpty(), qPrintable(view().moveLimitText()));
+
+        JointPositions half = here;
+        half[0] += 0.6;
+        const Pose between = kinematics::forwardTcp(robotModel(window().session().state().model).dh, half);
+        project::CellBox box;
+        box.id = QUuid::createUuid();
+        box.name = "crate";
+        box.pose = Pose(between.position.x(), between.position.y(), between.position.z(), 0, 0, 0);
+        project::CellGeometry cell;
+        cell.floor = 0;
+        cell.boxes.insert(0, box);
+        window().document().changeCell(cell, "crate");
+        QVERIFY2(view().moveLimitText().contains("crate"), qPrintable(view().moveLimitText()));
+        QVERIFY(view().moveReport()->limit->share > 0.1 && view().moveReport()->limit->share < 0.6);
+        QVERIFY(view().ghostText().contains("crate"));
+        bool said = false;
+        for (const QLabel* label : window().findChildren<QLabel*>()) {
+            said = said || (label->isVisible() && label->text().contains("crate"));
+        }
+        QVERIFY(said);
+        bench_->cell.advanceMs(100);
+        view().grab();
+        keepPicture(window(), QStringLiteral("scene-crate"));
+        window().document().undoStack().undo();
+        QVERIFY(view().moveLimitText().isEmpty());
     }
 
     // Taught at one place, as happens: each name is readable or counted.

@@ -318,6 +318,7 @@ std::optional<ShownJog> JogColumn::shownJog() const {
         // A way along and a turn about an axis at once: the arrow says where the TCP goes.
         const Eigen::Vector3d along = wish.head<3>().isZero() ? wish.tail<3>() : wish.head<3>();
         along.cwiseAbs().maxCoeff(&shown.axis);
+        shown.turns = wish.head<3>().isZero();
         shown.direction = frameAxes(selection(), state_.tcpPose) * along;
         shown.frameName = frameName(selection());
     }
@@ -325,6 +326,8 @@ std::optional<ShownJog> JogColumn::shownJog() const {
         for (const auto& [key, direction] : {std::pair{row->minusKey(), -1}, {row->plusKey(), 1}}) {
             if (isDriven(row->joint(), direction) || key->isHolding()) {
                 names << row->accessibleName() + key->text();
+                shown.joint = row->joint();
+                shown.sign = direction;
             }
         }
     }

@@ -46,6 +46,9 @@ struct ShownJog {
     QString frameName;  ///< empty for joints
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< in the base frame; zero for joints
     int axis = 0;                                         ///< 0-2: the one that gives the colour
+    bool turns = false;                                   ///< about the direction, not along it
+    int joint = -1;                                       ///< the one that turns, 0 ... 5; -1: none
+    int sign = 1;                                         ///< of the joint's turn
     friend bool operator==(const ShownJog&, const ShownJog&) = default;
 };
 

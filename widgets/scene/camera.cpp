@@ -171,6 +171,11 @@ Eigen::Matrix3d Camera::viewRotation() const {
     return R_base_view;
 }
 
+Camera::Eye Camera::eye() const {
+    return {
+        viewRotation(), target_, distance_, focalLength(), {viewport_.width() / 2, viewport_.height() / 2}};
+}
+
 Camera::Projected Camera::project(const Eigen::Vector3d& p) const {
     const Eigen::Vector3d v = viewRotation().transpose() * (p - target_);
     Projected out;

@@ -55,6 +55,17 @@ public:
     /// Z towards the eye.
     Eigen::Matrix3d viewRotation() const;
 
+    /// What it takes to project many points at once.
+    struct Eye {
+        Eigen::Matrix3d R_base_view = Eigen::Matrix3d::Identity();
+        Eigen::Vector3d target = Eigen::Vector3d::Zero();  ///< looked at, base frame [m]
+        double distance = 1;                               ///< of the eye from it [m]
+        double focal = 1;                                  ///< [px]
+        QPointF middle;                                    ///< of the picture [px]
+        friend bool operator==(const Eye&, const Eye&) = default;
+    };
+    Eye eye() const;
+
     /// A point in the base frame, on the screen.
     struct Projected {
         QPointF point;              ///< [px]

@@ -2,12 +2,9 @@
 #include "widgets/scene/scene_painter.h"
 
 #include <QPainter>
-#include <QPainterPath>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
-#include <numbers>
 #include <utility>
 
 namespace tiller {
@@ -21,55 +18,14 @@ QColor mix(const QColor& a, const QColor& b, double share) {
     return {channel(a.red(), b.red()), channel(a.green(), b.green()), channel(a.blue(), b.blue())};
 }
 
-/// The outline of two discs and what lies between them.
-QPolygonF hull(const QPointF& a, double ra, const QPointF& b, double rb) {
-    const QPointF ab = b - a;
-    const double length = std::hypot(ab.x(), ab.y());
-    const double heading = std::atan2(ab.y(), ab.x());
-    // Where the common tangents touch, as an angle from the line between the centres.
-    const double touch = length > std::abs(ra - rb) ? std::acos((ra - rb) / length) : 0;
-    QPolygonF outline;
-    const auto arc = [&outline](const QPointF& centre, double radius, double from, double to) {
-        const int steps = std::max(4, static_cast<int>(std::abs(to - from) * std::sqrt(radius) * 1.6));
-        for (int i = 0; i <= steps; ++i) {
-            const double angle = from + (to - from) * i / steps;
-            outline.append(centre + QPointF(std::cos(angle), std::sin(angle)) * radius);
-        }
-    };
-    if (length <= std::abs(ra - rb)) {
-        // Seen end on: one disc hides the other.
-        arc(ra > rb ? a : b, std::max(ra, rb), 0, 2 * std::numbers::pi);
-        return outline;
-    }
-    arc(b, rb, heading - touch, heading + touch);
-    arc(a, ra, heading + touch, heading + 2 * std::numbers::pi - touch);
-    return outline;
-}
-
 }  // namespace
-
-ArmColors ArmColors::live(const Theme& theme) {
-    return theme.isDark()
-               ? ArmColors{QColor(0x5F, 0x68, 0x70), QColor(0x8F, 0x97, 0x9F), QColor(0x4C, 0x86, 0xB5)}
-               : ArmColors{QColor(0x6F, 0x79, 0x83), QColor(0xB7, 0xBD, 0xC4), QColor(0x3D, 0x6E, 0x94)};
-}
-
-ArmColors ArmColors::stale(const Theme& theme) {
-    return {mix(theme.panel, theme.secondary, 0.38), mix(theme.panel, theme.secondary, 0.22),
-            mix(theme.panel, theme.secondary, 0.5)};
-}
-
-ArmColors ArmColors::ghost(const Theme& theme) {
-    const QColor color = mix(theme.panel, theme.moving, 0.35);
-    return {color, color, color};
-}
 
 ScenePainter::ScenePainter(QPainter& painter, const Camera& camera, const Theme& theme)
     : painter_(painter), camera_(camera), theme_(theme) {
     painter_.setRenderHint(QPainter::Antialiasing);
 }
 
-void ScenePainter::ground(double reach) {
+void ScenePainter::ground(double reach, double height) {
     const int cells = 3;
     const double cell = reach * 0.24;
     QPen pen(mix(theme_.panel, theme_.border, 0.62), 1);
@@ -78,63 +34,12 @@ void ScenePainter::ground(double reach) {
         const double at = i * cell;
         const double end = cells * cell;
         for (const auto& [from, to] :
-             {std::pair(Eigen::Vector3d(at, -end, 0), Eigen::Vector3d(at, end, 0)),
-              std::pair(Eigen::Vector3d(-end, at, 0), Eigen::Vector3d(end, at, 0))}) {
+             {std::pair(Eigen::Vector3d(at, -end, height), Eigen::Vector3d(at, end, height)),
+              std::pair(Eigen::Vector3d(-end, at, height), Eigen::Vector3d(end, at, height))}) {
             const auto a = camera_.project(from);
             const auto b = camera_.project(to);
             if (a.visible() && b.visible()) {
                 painter_.drawLine(a.point, b.point);
-            }
-        }
-    }
-}
-
-void ScenePainter::capsule(const ArmPart& part, const QColor& color, bool outlined) {
-    const auto a = camera_.project(part.from);
-    const auto b = camera_.project(part.to);
-    if (!a.visible() || !b.visible()) {
-        return;
-    }
-    painter_.setPen(QPen(outlined ? color.darker(112) : color, 1));
-    painter_.setBrush(color);
-    painter_.drawPolygon(
-        hull(a.point, part.radius * a.pixelsPerMetre, b.point, part.radius * b.pixelsPerMetre));
-}
-
-void ScenePainter::arm(std::span<const ArmPart> parts, const ArmColors& colors) {
-    // Far parts first; so few that their middles are order enough.
-    std::array<std::pair<double, std::size_t>, kArmPartCount> order{};
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < parts.size() && i < order.size(); ++i) {
-        if (parts[i].meets == 0) {
-            order[count++] = {camera_.project((parts[i].from + parts[i].to) / 2).depth, i};
-        }
-    }
-    std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), std::greater<>());
-    const bool outlined = colors.link != colors.joint;
-    const auto draw = [&](const ArmPart& part) {
-        capsule(part,
-                part.kind == ArmPartKind::Joint  ? colors.joint
-                : part.kind == ArmPartKind::Link ? colors.link
-                                                 : colors.housing,
-                outlined);
-    };
-    const Eigen::Vector3d towardsEye = camera_.viewRotation().col(2);
-    unsigned drawn = 0;
-    for (std::size_t n = 0; n < count; ++n) {
-        const unsigned bit = 1U << order[n].second;
-        for (const ArmPart& cap : parts) {
-            // The first of the parts that meet here is about to be drawn: what lies under them all goes
-            // first.
-            if ((cap.meets & bit) != 0 && (cap.meets & drawn) == 0 && cap.outward.dot(towardsEye) < 0) {
-                draw(cap);
-            }
-        }
-        draw(parts[order[n].second]);
-        drawn |= bit;
-        for (const ArmPart& cap : parts) {
-            if ((cap.meets & bit) != 0 && (cap.meets & ~drawn) == 0 && cap.outward.dot(towardsEye) >= 0) {
-                draw(cap);
             }
         }
     }
@@ -152,23 +57,70 @@ QRectF ScenePainter::label(const QRectF& box, int flags, const QString& text, co
     return drawn;
 }
 
-void ScenePainter::path(std::span<const Eigen::Vector3d> points, const QColor& color, double width,
-                        bool dashed) {
-    QPolygonF line;
-    for (const Eigen::Vector3d& p : points) {
-        const auto at = camera_.project(p);
-        if (at.visible()) {
-            line.append(at.point);
+void ScenePainter::path(std::span<const Eigen::Vector3d> points, const Stroke& stroke, const Hides& hides) {
+    constexpr double kPiece = 6;      // of a line, between two looks at what hides it [px]
+    constexpr int kMostPieces = 400;  // of one stretch
+    constexpr double kFaint = 0.28;
+    const auto draw = [&](const QPolygonF& line, bool hidden) {
+        if (line.size() < 2) {
+            return;
         }
-    }
-    QPen pen(color, width);
-    pen.setJoinStyle(Qt::RoundJoin);
-    if (dashed) {
-        pen.setDashPattern({3, 2.2});
-    }
-    painter_.setPen(pen);
+        QColor color = stroke.color;
+        color.setAlphaF(static_cast<float>(hidden ? kFaint : 1.0) * color.alphaF());
+        QPen pen(color, stroke.width);
+        pen.setJoinStyle(Qt::RoundJoin);
+        pen.setCapStyle(Qt::FlatCap);
+        if (stroke.dashed) {
+            pen.setDashPattern({3, 2.2});
+        }
+        painter_.setPen(pen);
+        painter_.drawPolyline(line);
+    };
     painter_.setBrush(Qt::NoBrush);
-    painter_.drawPolyline(line);
+    QPolygonF line;
+    bool hidden = false;
+    const auto visit = [&](const Camera::Projected& at) {
+        if (!at.visible()) {
+            draw(line, hidden);
+            line.clear();
+            return;
+        }
+        const bool now = hides(at);
+        line.append(at.point);
+        if (now != hidden) {
+            draw(line, hidden);
+            line = QPolygonF{at.point};
+            hidden = now;
+        }
+    };
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (i > 0) {
+            const auto a = camera_.project(points[i - 1]);
+            const auto b = camera_.project(points[i]);
+            const QPointF way = b.point - a.point;
+            const int pieces =
+                a.visible() && b.visible()
+                    ? std::min(kMostPieces, static_cast<int>(std::hypot(way.x(), way.y()) / kPiece))
+                    : 0;
+            for (int k = 1; k < pieces; ++k) {
+                visit(camera_.project(points[i - 1] + (points[i] - points[i - 1]) * k / pieces));
+            }
+        }
+        visit(camera_.project(points[i]));
+    }
+    draw(line, hidden);
+}
+
+void ScenePainter::limit(const QPointF& at) {
+    constexpr double kHalf = 7;
+    painter_.setPen(QPen(theme_.panel, 2));
+    painter_.setBrush(theme_.warning);
+    const QPointF corners[] = {at + QPointF(0, -kHalf - 1), at + QPointF(kHalf + 1, kHalf - 1),
+                               at + QPointF(-kHalf - 1, kHalf - 1)};
+    painter_.drawPolygon(corners, 3);
+    painter_.setPen(QPen(theme_.panel, 1.6));
+    painter_.drawLine(at + QPointF(0, -2.5), at + QPointF(0, 1.5));
+    painter_.drawPoint(at + QPointF(0, 4));
 }
 
 void ScenePainter::axes(const Eigen::Isometry3d& T_base_frame, double length, bool greyed) {
@@ -284,6 +236,41 @@ QRectF ScenePainter::arrow(const Eigen::Vector3d& tcp, const Eigen::Vector3d& di
     const QRectF box = steep ? QRectF(middle.x() + 18, middle.y() - 12, 200, 24)
                              : QRectF(middle.x() - 100, middle.y() - 34, 200, 24);
     return label(box, (steep ? Qt::AlignLeft : Qt::AlignHCenter) | Qt::AlignVCenter, name, theme_.text);
+}
+
+QRectF ScenePainter::turn(const Eigen::Vector3d& centre, const Eigen::Vector3d& axis, double radius,
+                          const QColor& color, const QString& name) {
+    if (axis.norm() < 1e-9) {
+        return {};
+    }
+    constexpr int kPieces = 36;
+    constexpr double kArc = 4.9;  // [rad]: an opening is left, so that it has a beginning and an end
+    const Eigen::Vector3d u = axis.normalized().unitOrthogonal();
+    const Eigen::Vector3d v = axis.normalized().cross(u);
+    QPolygonF line;
+    for (int i = 0; i <= kPieces; ++i) {
+        const double angle = kArc * i / kPieces;
+        const auto at = camera_.project(centre + radius * (std::cos(angle) * u + std::sin(angle) * v));
+        if (!at.visible()) {
+            return {};
+        }
+        line.append(at.point);
+    }
+    painter_.setBrush(Qt::NoBrush);
+    painter_.setPen(QPen(color, 4, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+    painter_.drawPolyline(line);
+    const QPointF tip = line.last();
+    const QPointF way = tip - line[line.size() - 4];
+    const double length = std::max(1e-6, std::hypot(way.x(), way.y()));
+    const QPointF along = way / length;
+    const QPointF across(-along.y(), along.x());
+    painter_.setPen(QPen(color, 4, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+    const QPointF wings[] = {tip - along * 13 + across * 9, tip + along * 3, tip - along * 13 - across * 9};
+    painter_.drawPolyline(wings, 3);
+    painter_.setFont(textFont(16));
+    const QRectF round = line.boundingRect();
+    return label(QRectF(round.right() + 10, round.center().y() - 12, 200, 24),
+                 Qt::AlignLeft | Qt::AlignVCenter, name, theme_.text);
 }
 
 }  // namespace tiller

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The strokes the scene is made of: ground, arm, axes, paths, arrows and names, seen through a camera.
+// The strokes the scene is made of: ground, axes, paths, arrows and names, seen through a camera.
 
 #include <Eigen/Geometry>
 #include <QColor>
 #include <QString>
+#include <functional>
 #include <span>
 
 #include "widgets/common/theme.h"
-#include "widgets/scene/arm_shape.h"
 #include "widgets/scene/camera.h"
 #include "widgets/scene/label_placer.h"
 
@@ -17,26 +17,26 @@ class QPainter;
 
 namespace tiller {
 
-/// What an arm is painted with.
-struct ArmColors {
-    QColor housing;
-    QColor link;
-    QColor joint;
-
-    static ArmColors live(const Theme& theme);
-    static ArmColors stale(const Theme& theme);
-    static ArmColors ghost(const Theme& theme);
-};
-
 class ScenePainter {
 public:
+    /// Whether a body lies in front of a place.
+    using Hides = std::function<bool(const Camera::Projected&)>;
+
     ScenePainter(QPainter& painter, const Camera& camera, const Theme& theme);
 
-    /// A grid around the base, wide enough for an arm of this reach [m].
-    void ground(double reach);
-    void arm(std::span<const ArmPart> parts, const ArmColors& colors);
-    /// A line through points in the base frame.
-    void path(std::span<const Eigen::Vector3d> points, const QColor& color, double width, bool dashed);
+    /// A grid around the base, wide enough for an arm of this reach.
+    /// reach, height  [m]
+    void ground(double reach, double height);
+    /// How a line in space is drawn.
+    struct Stroke {
+        QColor color;
+        double width = 1;
+        bool dashed = false;
+    };
+    /// A line through points in the base frame; where something hides it, it is faint.
+    void path(std::span<const Eigen::Vector3d> points, const Stroke& stroke, const Hides& hides);
+    /// Where a way meets a limit: a sign that cannot be taken for a waypoint.
+    void limit(const QPointF& at);
     /// Three axes with their letters.
     void axes(const Eigen::Isometry3d& T_base_frame, double length, bool greyed);
     /// A point.
@@ -52,9 +52,13 @@ public:
     /// Returns  where its name is
     QRectF arrow(const Eigen::Vector3d& tcp, const Eigen::Vector3d& direction, double reach,
                  const QColor& color, const QString& name);
+    /// An arrow around an axis, the way a turn about it goes (right hand).
+    /// radius   of the turn [m]
+    /// Returns  where its name is
+    QRectF turn(const Eigen::Vector3d& centre, const Eigen::Vector3d& axis, double radius,
+                const QColor& color, const QString& name);
 
 private:
-    void capsule(const ArmPart& part, const QColor& color, bool outlined);
     QRectF label(const QRectF& box, int flags, const QString& text, const QColor& color);
 
     QPainter& painter_;

@@ -11,12 +11,14 @@
 #include <numbers>
 #include <utility>
 
+#include "robot/collision/arm_body.h"
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/kinematics/speed_bounds.h"
 #include "widgets/common/format.h"
 #include "widgets/common/joint_name.h"
 #include "widgets/common/theme.h"
-#include "widgets/scene/arm_shape.h"
+#include "widgets/scene/move_words.h"
+#include "widgets/scene/scene_bodies.h"
 #include "widgets/scene/scene_keys.h"
 #include "widgets/scene/scene_painter.h"
 
@@ -24,11 +26,9 @@ namespace tiller {
 
 namespace {
 
-constexpr int kFrameMs = 16;  // 60 a second at most
-constexpr double kTraceSeconds = 8;
-constexpr double kTraceStep = 5e-4;   // [m]
+constexpr int kFrameMs = 16;          // 60 a second at most
 constexpr double kStillAngle = 2e-5;  // [rad]: less cannot be seen
-constexpr int kGhostPathPoints = 32;
+constexpr int kExamineMs = 150;
 constexpr double kOrbitPerPixel = 0.008;  // [rad]
 constexpr double kKeysAt = 8;             // from the corner [px]
 constexpr double kFitShare = 0.07;        // of the picture, left free around everything when it is made anew
@@ -40,7 +40,11 @@ constexpr double kMark = 5;  // half the size of a mark [px]
 }  // namespace
 
 SceneView::SceneView(QWidget* parent)
-    : QWidget(parent), model_(&robotModel(RobotModelId::UR5e)), keys_(new SceneKeys(this)) {
+    : QWidget(parent)
+    , model_(&robotModel(RobotModelId::UR5e))
+    , bodies_(std::make_unique<SceneBodies>())
+    , keys_(new SceneKeys(this)) {
+    bodies_->setModel(*model_);
     setObjectName(QStringLiteral("scene"));
     setAccessibleName(tr("View of the arm"));
     setAccessibleDescription(
@@ -48,13 +52,19 @@ SceneView::SceneView(QWidget* parent)
            "picture, the wheel or plus and minus to come nearer, double click or Home for the first view. "
            "Nothing here moves the robot."));
     setFocusPolicy(Qt::StrongFocus);
-    camera_.reset(uprightHeight(*model_));
+    camera_.reset(collision::uprightHeight(*model_));
     connect(keys_, &SceneKeys::lookWanted, this, &SceneView::lookFrom);
     connect(keys_, &SceneKeys::fitWanted, this, &SceneView::fitAll);
     placeKeys();
     frameTimer_.setSingleShot(true);
     frameTimer_.setTimerType(Qt::PreciseTimer);
     connect(&frameTimer_, &QTimer::timeout, this, [this] { update(); });
+    examineTimer_.setSingleShot(true);
+    examineTimer_.setInterval(kExamineMs);
+    connect(&examineTimer_, &QTimer::timeout, this, [this] {
+        updateGhost();
+        changed();
+    });
 }
 
 SceneView::~SceneView() = default;
@@ -72,7 +82,9 @@ void SceneView::setModel(RobotModelId model) {
         return;
     }
     model_ = &robotModel(model);
-    camera_.reset(uprightHeight(*model_));
+    bodies_->setModel(*model_);
+    rebuildCheck();
+    camera_.reset(collision::uprightHeight(*model_));
     beforeGhost_.reset();
     keptInSight_ = fitWanted_ = true;
     trace_.clear();
@@ -88,8 +100,10 @@ void SceneView::setJoints(const JointPositions& q) {
     if (!haveJoints_) {
         haveJoints_ = fitWanted_ = true;
         frame(size());
+        updateGhost();
+    } else if (ghost_ && !examineTimer_.isActive()) {
+        examineTimer_.start();
     }
-    updateGhost();
     changed();
 }
 
@@ -97,6 +111,7 @@ void SceneView::setTcpOffset(const Pose& offset) {
     if (!(offset == tcpOffset_) && offset.allFinite()) {
         tcpOffset_ = offset;
         trace_.clear();
+        rebuildCheck();
         updateGhost();
         changed();
     }
@@ -122,6 +137,43 @@ void SceneView::setWaypoints(const std::vector<WaypointMark>& waypoints) {
 
 void SceneView::setFrames(const std::vector<FrameMark>& frames) {
     frames_ = frames;
+    changed();
+}
+
+void SceneView::setSurroundings(const collision::Surroundings& surroundings) {
+    surroundings_ = surroundings;
+    bodies_->setSurroundings(surroundings);
+    groundScheme_.reset();
+    rebuildCheck();
+    updateGhost();
+    changed();
+}
+
+void SceneView::setToolRadius(double radius) {
+    if (radius != toolRadius_) {
+        toolRadius_ = radius;
+        rebuildCheck();
+        updateGhost();
+        changed();
+    }
+}
+
+void SceneView::rebuildCheck() {
+    bodies_->setTool({tcpOffset_, toolRadius_});
+    check_.reset();
+}
+
+double SceneView::floorHeight() const {
+    for (const collision::Border& border : surroundings_.borders) {
+        if (border.name.isEmpty()) {
+            return border.pose.position.z();
+        }
+    }
+    return 0;
+}
+
+void SceneView::setPaths(const std::vector<PathMark>& paths) {
+    paths_ = paths;
     changed();
 }
 
@@ -156,59 +208,58 @@ void SceneView::setState(const SessionState& state) {
     setSpeedFraction(state.speedFraction);
     setJoints(state.q);
     setStale(state.link != LinkState::Live);
-    extendTrace(state.robotTime, kinematics::forwardTcp(model_->dh, q_, tcpOffset_).position);
-}
-
-void SceneView::extendTrace(double now, const Eigen::Vector3d& tcp) {
-    if (!trace_.empty() && now < trace_.back().time) {
-        trace_.clear();  // the controller began its time anew
-    }
-    if (trace_.empty() || (trace_.back().position - tcp).norm() > kTraceStep) {
-        trace_.push_back({now, tcp});
-    }
-    bool dropped = false;
-    while (trace_.size() > 1 && trace_.front().time < now - kTraceSeconds) {
-        trace_.pop_front();
-        dropped = true;
-    }
-    if (dropped) {
+    if (trace_.extend(state.robotTime, kinematics::forwardTcp(model_->dh, q_, tcpOffset_).position)) {
         changed();
     }
 }
 
 void SceneView::updateGhost() {
-    QString text;
-    ghostPath_.clear();
-    if (ghost_) {
-        const Vector6 turn = ghost_->q.values - q_.values;
-        const Pose from = kinematics::forwardTcp(model_->dh, q_, tcpOffset_);
-        const Pose to = kinematics::forwardTcp(model_->dh, ghost_->q, tcpOffset_);
-        if (!ghost_->reachable) {
-            text = tr("ghost “%1” · out of reach").arg(ghost_->name);
-        } else {
-            int joint = 0;
-            const double largest = turn.cwiseAbs().maxCoeff(&joint);
-            const double distance = ghost_->linear ? kinematics::lineLength(from, to) : largest;
-            const double seconds = kinematics::moveDuration(distance, ghost_->speed, ghost_->acceleration) /
-                                   std::max(0.02, speedFraction_);
-            text = tr("ghost “%1” · reachable · largest turn %2 %3 · %4 s at %5")
-                       .arg(ghost_->name, jointName(joint), format::degrees(largest, 0),
-                            format::number(seconds, 1), format::percent(speedFraction_));
+    examineTimer_.stop();
+    report_.reset();
+    if (ghost_ && ghost_->reachable && haveJoints_) {
+        if (!check_) {
+            check_.emplace(*model_, collision::ToolBody{tcpOffset_, toolRadius_}, surroundings_);
         }
-        const int last = ghost_->linear ? 1 : kGhostPathPoints;
-        for (int i = 0; i <= last && haveJoints_ && ghost_->reachable; ++i) {
-            const double share = static_cast<double>(i) / last;
-            ghostPath_.push_back(
-                ghost_->linear
-                    ? Eigen::Vector3d(from.position + share * (to.position - from.position))
-                    : kinematics::forwardTcp(model_->dh, JointPositions(q_.values + share * turn), tcpOffset_)
-                          .position);
-        }
+        report_ = collision::examineMove(*model_, *check_, tcpOffset_,
+                                         {q_, ghost_->q, ghost_->linear, ghost_->speed, ghost_->acceleration},
+                                         speedFraction_);
     }
+    const QString limit = report_ && report_->limit ? limitText(*report_->limit, surroundings_) : QString();
+    if (limit != limitText_) {
+        limitText_ = limit;
+        Q_EMIT moveLimitChanged(limit);
+    }
+    const QString text = ghostFigures();
     if (text != ghostText_) {
         ghostText_ = text;
         Q_EMIT ghostTextChanged(text);
     }
+}
+
+QString SceneView::ghostFigures() const {
+    if (!ghost_) {
+        return {};
+    }
+    if (!ghost_->reachable) {
+        return tr("ghost “%1” · out of reach").arg(ghost_->name);
+    }
+    if (!report_) {
+        return tr("ghost “%1” · reachable").arg(ghost_->name);
+    }
+    const QString turn = format::degrees(std::abs(report_->largestTurn), 0);
+    const QString seconds = format::number(report_->duration, 1);
+    if (!limitText_.isEmpty()) {
+        return tr("ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6")
+            .arg(ghost_->name, limitText_, jointName(report_->largestTurnJoint), turn, seconds,
+                 format::percent(speedFraction_));
+    }
+    return tr("ghost “%1” · reachable · largest turn %2 %3 · %4 s at %5")
+        .arg(ghost_->name, jointName(report_->largestTurnJoint), turn, seconds,
+             format::percent(speedFraction_));
+}
+
+QString SceneView::moveLimitText() const {
+    return limitText_;
 }
 
 QString SceneView::ghostText() const {
@@ -218,9 +269,10 @@ QString SceneView::ghostText() const {
 std::vector<Camera::Ball> SceneView::inSight() const {
     std::vector<Camera::Ball> balls;
     const auto add = [&](const JointPositions& q) {
-        for (const ArmPart& part : armParts(*model_, q)) {
-            balls.push_back({part.from, part.radius});
-            balls.push_back({part.to, part.radius});
+        for (const collision::LinkCapsule& part :
+             collision::placedCapsules(collision::armCapsules(*model_), model_->dh, q)) {
+            balls.push_back({part.shape.from, part.shape.radius});
+            balls.push_back({part.shape.to, part.shape.radius});
         }
     };
     const double reach = model_->reach;
@@ -233,8 +285,8 @@ std::vector<Camera::Ball> SceneView::inSight() const {
     }
     if (ghost_ && ghost_->reachable && haveJoints_) {
         add(ghost_->q);
-        for (const Eigen::Vector3d& place : ghostPath_) {
-            balls.push_back({place, 0});
+        for (std::size_t i = 0; report_ && i < report_->places.size(); ++i) {
+            balls.push_back({report_->places[i], 0});
         }
     }
     // What was taught for another robot may be far away: the arm must not become a dot for it.
@@ -325,6 +377,17 @@ void SceneView::drawNames(ScenePainter& scene, const QSizeF& size, const QRectF&
     for (const FrameMark& frame : frames_) {
         add(frame.T_base_frame.position, frame.name, frame.selected);
     }
+    const auto addLimit = [&](const Eigen::Vector3d& place, const QString& text) {
+        if (add(place, text, true)) {
+            const QPointF at = names.back().at;
+            placer.block({at.x() - 2 * kMark, at.y() - 2 * kMark, 4 * kMark, 4 * kMark});
+        }
+    };
+    for (const PathMark& path : paths_) {
+        if (path.limit) {
+            addLimit(path.limit->place, path.limit->text);
+        }
+    }
     // The line that tells how many are left out, wherever it is needed.
     const QRectF line(12, size.height() - 28, size.width() / 2, 22);
     placer.block(line);
@@ -346,32 +409,99 @@ void SceneView::drawNames(ScenePainter& scene, const QSizeF& size, const QRectF&
     scene.note(line, hiddenText());
 }
 
+void SceneView::drawGround(QPainter& painter, const QSize& size) {
+    const Theme& theme = Theme::current();
+    const double scale = painter.device()->devicePixelRatioF();
+    const QSize pixels = size * scale;
+    if (ground_.size() != pixels || !(camera_.eye() == groundSeenFrom_) || groundScheme_ != theme.scheme) {
+        groundSeenFrom_ = camera_.eye();
+        groundScheme_ = theme.scheme;
+        ground_ = QImage(pixels, QImage::Format_RGB32);
+        ground_.setDevicePixelRatio(scale);
+        ground_.fill(theme.panel);
+        QPainter onGround(&ground_);
+        ScenePainter(onGround, camera_, theme).ground(model_->reach, floorHeight());
+    }
+    painter.drawImage(QPointF(0, 0), ground_);
+}
+
+void SceneView::drawPaths(ScenePainter& scene) {
+    const Theme& theme = Theme::current();
+    const auto hides = [this](const Camera::Projected& at) { return bodies_->hides(at); };
+    if (trace_.points().size() > 1) {
+        std::vector<Eigen::Vector3d> places;
+        places.reserve(trace_.points().size());
+        for (const SceneTrace::Point& point : trace_.points()) {
+            places.push_back(point.place);
+        }
+        scene.path(places, {stale_ ? theme.border : theme.moving, 1.4, false}, hides);
+    }
+    for (const PathMark& path : paths_) {
+        const bool coming = path.kind == PathMark::Kind::Coming;
+        scene.path(path.places, {coming ? theme.moving : theme.secondary, coming ? 2.4 : 1.8, coming}, hides);
+    }
+    if (report_) {
+        scene.path(report_->places, {theme.moving, 2.4, true}, hides);
+    }
+    const auto mark = [&](const Eigen::Vector3d& place) {
+        if (const auto at = camera_.project(place); at.visible()) {
+            scene.limit(at.point);
+        }
+    };
+    for (const PathMark& path : paths_) {
+        if (path.limit) {
+            mark(path.limit->place);
+        }
+    }
+    if (report_ && report_->limit) {
+        mark(report_->limit->tcp.position);
+    }
+}
+
+QRectF SceneView::drawJog(ScenePainter& scene) {
+    if (!jog_ || stale_) {
+        return {};
+    }
+    const Theme& theme = Theme::current();
+    constexpr double kTurnRadius = 0.13;  // of the arm's reach
+    const double radius = kTurnRadius * model_->reach;
+    if (jog_->joint >= 0) {
+        const auto frames = kinematics::linkFrames(model_->dh, q_);
+        const auto joint = static_cast<std::size_t>(jog_->joint);
+        // Where the joint's housing is, not only its axis.
+        Eigen::Vector3d centre = frames[joint].translation();
+        for (const collision::LinkCapsule& part : collision::armCapsules(*model_)) {
+            if (part.link == jog_->joint + 1) {
+                centre = frames[joint + 1] * part.shape.from;
+                break;
+            }
+        }
+        return scene.turn(centre, frames[joint].linear().col(2) * jog_->sign, radius, theme.moving,
+                          jog_->label);
+    }
+    const Eigen::Vector3d tcp = kinematics::forwardTcp(model_->dh, q_, tcpOffset_).position;
+    return jog_->turns
+               ? scene.turn(tcp, jog_->direction, radius, theme.axis(jog_->axis), jog_->label)
+               : scene.arrow(tcp, jog_->direction, model_->reach, theme.axis(jog_->axis), jog_->label);
+}
+
 void SceneView::paintScene(QPainter& painter, const QSizeF& size) {
     const Theme& theme = Theme::current();
     frame(size);
     ScenePainter scene(painter, camera_, theme);
     const double reach = model_->reach;
-    scene.ground(reach);
-    if (ghost_ && ghost_->reachable && haveJoints_) {
-        scene.arm(armParts(*model_, ghost_->q), ArmColors::ghost(theme));
-    }
+    drawGround(painter, size.toSize());
+    const bool showsGhost = ghost_ && ghost_->reachable && haveJoints_;
+    bodies_->setArm(haveJoints_ ? std::optional(q_) : std::nullopt, stale_);
+    bodies_->setGhost(showsGhost ? std::optional(ghost_->q) : std::nullopt);
+    bodies_->update(camera_, size.toSize(), painter.device()->devicePixelRatioF(), theme);
+    bodies_->paint(painter);
+    drawPaths(scene);
     QRectF arrowName;
     if (haveJoints_) {
-        scene.arm(armParts(*model_, q_), stale_ ? ArmColors::stale(theme) : ArmColors::live(theme));
-        if (trace_.size() > 1) {
-            std::vector<Eigen::Vector3d> points;
-            points.reserve(trace_.size());
-            std::transform(trace_.begin(), trace_.end(), std::back_inserter(points),
-                           [](const TracePoint& p) { return p.position; });
-            scene.path(points, stale_ ? theme.border : theme.moving, 1.4, false);
-        }
-        scene.path(ghostPath_, theme.moving, 2.4, true);
         const Eigen::Isometry3d T_base_tcp = kinematics::forwardTcp(model_->dh, q_, tcpOffset_).transform();
         scene.axes(T_base_tcp, kToolAxes * reach / 0.85, stale_);
-        if (jog_ && !stale_) {
-            arrowName = scene.arrow(T_base_tcp.translation(), jog_->direction, reach, theme.axis(jog_->axis),
-                                    jog_->label);
-        }
+        arrowName = drawJog(scene);
     }
     for (const FrameMark& frame : frames_) {
         scene.axes(frame.T_base_frame.transform(), kFrameAxes * reach / 0.85, !frame.selected);

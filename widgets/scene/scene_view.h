@@ -6,23 +6,28 @@
 // As long as the operator does not choose what is in the picture, arm, ghost and waypoints are kept in it.
 
 #include <Eigen/Core>
+#include <QImage>
 #include <QString>
 #include <QTimer>
 #include <QWidget>
-#include <deque>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "robot/collision/move_check.h"
 #include "robot/core/clock.h"
 #include "robot/core/robot_model.h"
 #include "robot/core/spatial.h"
+#include "widgets/common/theme.h"
 #include "widgets/scene/camera.h"
 #include "widgets/scene/label_placer.h"
+#include "widgets/scene/scene_trace.h"
 #include "widgets/session/scene_marks.h"
 #include "widgets/session/session_state.h"
 
 namespace tiller {
 
+class SceneBodies;
 class SceneKeys;
 class ScenePainter;
 
@@ -31,6 +36,9 @@ struct SceneJog {
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< in the base frame, any length
     QString label;                                        ///< "X+ Base"
     int axis = 0;                                         ///< colour: 0 X, 1 Y, 2 Z
+    bool turns = false;                                   ///< about the direction, not along it
+    int joint = -1;  ///< a joint turns: 0 ... 5, the way `direction` says about its own axis; -1: none
+    int sign = 1;    ///< of the joint's turn
 };
 
 class SceneView : public QWidget {
@@ -47,6 +55,17 @@ public:
     void setWaypoints(const std::vector<WaypointMark>& waypoints);
     void setFrames(const std::vector<FrameMark>& frames);
     const std::vector<FrameMark>& frames() const { return frames_; }
+    /// Ways that are drawn besides the ghost's.
+    void setPaths(const std::vector<PathMark>& paths);
+    const std::vector<PathMark>& paths() const { return paths_; }
+    /// What stands around the arm. It is drawn, and looked at before a move.
+    void setSurroundings(const collision::Surroundings& surroundings);
+    /// Of a round body from the flange to the TCP [m]; 0: none is known.
+    void setToolRadius(double radius);
+    /// What the move to the ghost would be; nothing without a ghost that can be reached.
+    const std::optional<collision::MoveReport>& moveReport() const { return report_; }
+    /// What stands in the way to the ghost, as a sentence; empty when nothing does.
+    QString moveLimitText() const;
     void setJogDirection(const std::optional<SceneJog>& jog);
     const std::optional<SceneJog>& jog() const { return jog_; }
     /// Greyed; with a word in the middle unless it is empty.
@@ -84,6 +103,8 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void ghostTextChanged(const QString& text);
+    /// As moveLimitText().
+    void moveLimitChanged(const QString& text);
     /// The eye moved: a jog in the frame "View" must stop or follow.
     void viewChanged();
 
@@ -102,7 +123,12 @@ protected:
 private:
     /// Asks for a repaint, at most 60 a second.
     void changed();
+    /// Looks at the way to the ghost anew.
     void updateGhost();
+    QString ghostFigures() const;
+    void rebuildCheck();
+    QRectF drawJog(ScenePainter& scene);
+    double floorHeight() const;
     void orbitBy(const QPointF& pixels);
     void panBy(const QPointF& pixels);
     void zoomBy(double factor);
@@ -113,23 +139,29 @@ private:
     QMarginsF margins(const QSizeF& size, double share) const;
     void placeKeys();
     void drawNames(ScenePainter& scene, const QSizeF& size, const QRectF& arrowName);
-    void extendTrace(double now, const Eigen::Vector3d& tcp);
-
-    struct TracePoint {
-        double time;
-        Eigen::Vector3d position;
-    };
+    void drawGround(QPainter& painter, const QSize& size);
+    void drawPaths(ScenePainter& scene);
 
     const RobotModel* model_;
     JointPositions q_;
     Pose tcpOffset_;
     std::optional<Ghost> ghost_;
-    std::vector<Eigen::Vector3d> ghostPath_;
+    collision::Surroundings surroundings_;
+    double toolRadius_ = 0;
+    std::optional<collision::CollisionCheck> check_;  ///< nothing: to be made anew
+    std::optional<collision::MoveReport> report_;
+    QString limitText_;
+    QTimer examineTimer_;  ///< while the arm moves, the way is looked at a few times a second
     QString ghostText_;
     std::vector<WaypointMark> waypoints_;
     std::vector<FrameMark> frames_;
     std::optional<SceneJog> jog_;
-    std::deque<TracePoint> trace_;
+    std::vector<PathMark> paths_;
+    SceneTrace trace_;
+    std::unique_ptr<SceneBodies> bodies_;
+    QImage ground_;               ///< what lies under the bodies, as drawn last
+    Camera::Eye groundSeenFrom_;  ///< by this eye
+    std::optional<ColorScheme> groundScheme_;
     bool haveJoints_ = false;
     bool stale_ = true;
     QString staleWord_;

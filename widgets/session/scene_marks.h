@@ -4,6 +4,8 @@
 // What panels ask the 3D view to show besides the arm.
 
 #include <QString>
+#include <optional>
+#include <vector>
 
 #include "robot/core/joints.h"
 #include "robot/core/spatial.h"
@@ -32,6 +34,22 @@ struct FrameMark {
     QString name;
     Pose T_base_frame;
     bool selected = false;  ///< in colours; the others grey
+};
+
+/// A way of the TCP that is drawn as a line: where it has been, or where it will go.
+struct PathMark {
+    enum class Kind {
+        Breadcrumb,  ///< went: what Back would undo
+        Coming,      ///< will go, once it is held
+    };
+    Kind kind = Kind::Coming;
+    std::vector<Eigen::Vector3d> places;  ///< corners of the line, base frame [m]
+    /// Where something stands in the way, and what: "Elbow limit".
+    struct Limit {
+        Eigen::Vector3d place = Eigen::Vector3d::Zero();
+        QString text;
+    };
+    std::optional<Limit> limit;
 };
 
 }  // namespace tiller

@@ -105,6 +105,11 @@ void WaypointDetails::setLive(const SessionState& state) {
     refresh();
 }
 
+void WaypointDetails::setWayLimit(const QString& text) {
+    wayLimit_ = text;
+    refresh();
+}
+
 void WaypointDetails::setUsedIn(std::optional<int> steps) {
     usedIn_ = steps;
     refresh();
@@ -159,8 +164,10 @@ void WaypointDetails::refresh() {
     pose_->setPose(shownPose);
     poseLine_ = format::pose(shownPose);
     const project::Reach& reach = document_.reach(row_);
-    advice_->setText(reach.ok() ? QString() : QStringLiteral("✕ ") + WaypointModel::reachAdvice(reach));
-    headlines_->setCurrentIndex(reach.ok() ? 0 : 1);
+    advice_->setText(!reach.ok()           ? QStringLiteral("✕ ") + WaypointModel::reachAdvice(reach)
+                     : wayLimit_.isEmpty() ? QString()
+                                           : QStringLiteral("⚠ ") + wayLimit_);
+    headlines_->setCurrentIndex(reach.ok() && wayLimit_.isEmpty() ? 0 : 1);
     setAccessibleDescription(headline() + QStringLiteral(", ") + poseLine());
 }
 

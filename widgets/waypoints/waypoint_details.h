@@ -30,6 +30,8 @@ public:
     /// row  -1 for none
     void setWaypoint(int row);
     void setLive(const SessionState& state);
+    /// What stands in the way from here to the waypoint; empty when nothing does.
+    void setWayLimit(const QString& text);
     /// How many program steps use the waypoint; nothing is said before this has been told.
     void setUsedIn(std::optional<int> steps);
 
@@ -50,6 +52,7 @@ private:
     int row_ = -1;
     std::optional<int> usedIn_;
     SessionState live_;
+    QString wayLimit_;
     QStackedWidget* headlines_;  ///< name and facts, or what stands in the way
     QLabel* name_;
     ElidedLabel* facts_;

@@ -339,6 +339,10 @@ Result<MoveRequest> WaypointsTab::moveTo(int row) const {
     return move ? slowedTo(heldSpeed_(), *move, state_) : move;
 }
 
+void WaypointsTab::setWayLimit(const QString& text) {
+    details_->setWayLimit(text);
+}
+
 void WaypointsTab::setHeldSpeed(std::function<HeldSpeed()> speed) {
     heldSpeed_ = std::move(speed);
     showSpeed();

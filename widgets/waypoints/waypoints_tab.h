@@ -55,6 +55,8 @@ public:
     /// Adds what concerns the whole project to the end of the tab's own menu.
     void addToMenu(const QList<QAction*>& actions);
 
+    /// What stands in the way to the selected waypoint, said beside the key; empty when nothing does.
+    void setWayLimit(const QString& text);
     /// The speed that "Go to" keeps below, asked at each press; none unless told.
     void setHeldSpeed(std::function<HeldSpeed()> speed);
 

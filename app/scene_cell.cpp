@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene_cell.h"
+
+#include "widgets/project/project_document.h"
+#include "widgets/scene/scene_view.h"
+
+namespace tiller::app {
+
+namespace {
+
+/// In the base frame; what is given in a frame that is not in the project is nowhere.
+collision::Surroundings surroundingsOf(const project::CellGeometry& cell, const project::FrameList& frames) {
+    collision::Surroundings result;
+    const auto inBase = [&](const QUuid& frame, const Pose& pose) -> std::optional<Pose> {
+        const std::optional<Pose> T_base_frame = frames.pose(frame);
+        return T_base_frame ? std::optional(Pose(T_base_frame->transform() * pose.transform()))
+                            : std::nullopt;
+    };
+    if (cell.floor) {
+        result.borders.push_back({{}, Pose(0, 0, *cell.floor, 0, 0, 0)});
+    }
+    for (const project::CellPlane& plane : cell.planes) {
+        if (const auto pose = inBase(plane.frame, plane.pose)) {
+            result.borders.push_back({plane.name, *pose});
+        }
+    }
+    for (const project::CellBox& box : cell.boxes) {
+        if (const auto pose = inBase(box.frame, box.pose)) {
+            result.obstacles.push_back({box.name, *pose, box.size});
+        }
+    }
+    return result;
+}
+
+double toolRadius(const project::Tooling& tooling) {
+    for (const project::Tool& tool : tooling.tools) {
+        if (tool.id == tooling.activeTool) {
+            return tool.radius;
+        }
+    }
+    return 0;
+}
+
+}  // namespace
+
+void followCell(SceneView& view, const ProjectDocument& document) {
+    const auto showCell = [&view, &document] {
+        view.setSurroundings(surroundingsOf(document.cell(), document.frames()));
+    };
+    const auto showTool = [&view, &document] { view.setToolRadius(toolRadius(document.tooling())); };
+    QObject::connect(&document, &ProjectDocument::cellChanged, &view, showCell);
+    QObject::connect(&document, &ProjectDocument::framesChanged, &view, showCell);
+    QObject::connect(&document, &ProjectDocument::toolingChanged, &view, showTool);
+    QObject::connect(&document, &ProjectDocument::projectReplaced, &view, [showCell, showTool] {
+        showCell();
+        showTool();
+    });
+    showCell();
+    showTool();
+}
+
+}  // namespace tiller::app

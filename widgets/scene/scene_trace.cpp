@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scene/scene_trace.h"
+
+#include <algorithm>
+
+namespace tiller {
+
+namespace {
+
+constexpr double kLeastStep = 0.0003;         // [m]: less cannot be seen
+constexpr std::size_t kLongestStretch = 256;  // places in it, so that each new one costs no more than that
+
+}  // namespace
+
+void SceneTrace::clear() {
+    points_.clear();
+    passed_.clear();
+}
+
+bool SceneTrace::fits(const Eigen::Vector3d& end) const {
+    const Eigen::Vector3d from = points_[points_.size() - 2].place;
+    const Eigen::Vector3d way = end - from;
+    const double length = way.norm();
+    if (length < 1e-9) {
+        return false;
+    }
+    const Eigen::Vector3d along = way / length;
+    return std::all_of(passed_.begin(), passed_.end(), [&](const Eigen::Vector3d& place) {
+        const Eigen::Vector3d to = place - from;
+        const double at = to.dot(along);
+        // What lies beyond the end was passed before a turn back.
+        return at <= length + kTolerance && at >= -kTolerance && (to - at * along).norm() <= kTolerance;
+    });
+}
+
+bool SceneTrace::extend(double time, const Eigen::Vector3d& place) {
+    if (!points_.empty() && time < points_.back().time) {
+        clear();
+    }
+    bool changed = false;
+    while (points_.size() > 2 && points_[1].time < time - kSeconds) {
+        points_.pop_front();
+        changed = true;
+    }
+    if (points_.size() == 2 && points_.back().time < time - kSeconds) {
+        clear();  // it has stood still for as long
+        changed = true;
+    }
+    if (points_.empty()) {
+        points_.push_back({time, place});
+        return true;
+    }
+    if ((points_.back().place - place).norm() < kLeastStep) {
+        return changed;
+    }
+    if (points_.size() >= 2 && passed_.size() < kLongestStretch && fits(place)) {
+        passed_.push_back(place);
+        points_.back() = {time, place};
+        return true;
+    }
+    points_.push_back({time, place});
+    passed_.assign(1, place);
+    return true;
+}
+
+}  // namespace tiller
