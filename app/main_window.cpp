@@ -936,12 +936,25 @@ void MainWindow::showSettings(bool atRecording) {
     connect(page, &SettingsPage::trainerWanted, this, [this, page] { showTrainer(page); });
     connect(page, &SettingsPage::exportWanted, transfer_, [this, page] { transfer_->askToExport(page); });
     connect(page, &SettingsPage::importWanted, transfer_, [this, page] { transfer_->askToImport(page); });
+    connect(page, &SettingsPage::windowAnewWanted, this, [this, page] { openAnew(*page); });
     // It shows what was chosen before.
     connect(transfer_, &SettingsTransfer::imported, page, &QDialog::close);
     if (atRecording) {
         page->showRecording();
     }
     page->open();
+}
+
+void MainWindow::openAnew(SettingsPage& page) {
+    if (session_->state().recording.active) {
+        page.refuseAnew(tr("A recording is running. End it first: nothing of it shall be missing."));
+        return;
+    }
+    page.close();
+    const SessionState before = session_->state();
+    if (close()) {
+        Q_EMIT closedToOpenAnew(before);
+    }
 }
 
 void MainWindow::connectTransfer() {

@@ -50,6 +50,7 @@ class DockStage;
 class Lessons;
 class PanelDock;
 class Perspectives;
+class SettingsPage;
 class SettingsTransfer;
 
 class MainWindow : public QMainWindow {
@@ -103,6 +104,11 @@ public:
     void showTab(const QString& name);
     Perspectives& perspectives() { return *perspectives_; }
 
+Q_SIGNALS:
+    /// Another one is to take its place, in the language chosen now. It has let go of the robot and is closed.
+    /// before  how things stood until then
+    void closedToOpenAnew(const tiller::SessionState& before);
+
 protected:
     void changeEvent(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
@@ -121,6 +127,7 @@ private:
     void showSamples();
     void askForProgram();
     void showSettings(bool atRecording = false);
+    void openAnew(SettingsPage& page);
     void connectTransfer();
     /// Settings that came from elsewhere hold at once.
     void readSettingsAgain();

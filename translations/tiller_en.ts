@@ -2213,7 +2213,7 @@
     </message>
     <message numerus="yes">
         <source>Recorded %n rows to %1</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>Recorded %n row to %1</numerusform>
             <numerusform>Recorded %n rows to %1</numerusform>
         </translation>
@@ -2966,14 +2966,14 @@ Right click or F2 to rename and scale.</source>
     </message>
     <message numerus="yes">
         <source>%n waypoints moved with it.</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%n waypoint moved with it.</numerusform>
             <numerusform>%n waypoints moved with it.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n of them are out of reach there.</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%n of them is out of reach there.</numerusform>
             <numerusform>%n of them are out of reach there.</numerusform>
         </translation>
@@ -2996,7 +2996,7 @@ Right click or F2 to rename and scale.</source>
     </message>
     <message numerus="yes">
         <source>%n waypoints move with it.</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%n waypoint moves with it.</numerusform>
             <numerusform>%n waypoints move with it.</numerusform>
         </translation>
@@ -3035,7 +3035,7 @@ Right click or F2 to rename and scale.</source>
     </message>
     <message numerus="yes">
         <source>%n waypoints are given in it. They stay where they are, given in Base.</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%n waypoint is given in it. It stays where it is, given in Base.</numerusform>
             <numerusform>%n waypoints are given in it. They stay where they are, given in Base.</numerusform>
         </translation>
@@ -4481,9 +4481,9 @@ Clear the search to see everything.</source>
     </message>
     <message numerus="yes">
         <source>A row for every %n packet(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>A row for every packet</numerusform>
+            <numerusform>A row for every %n packets</numerusform>
         </translation>
     </message>
     <message>
@@ -4492,9 +4492,9 @@ Clear the search to see everything.</source>
     </message>
     <message numerus="yes">
         <source>%n signal(s)…</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n signal…</numerusform>
+            <numerusform>%n signals…</numerusform>
         </translation>
     </message>
     <message>
@@ -4997,9 +4997,9 @@ Let go of the key and the arm stops.</source>
     </message>
     <message numerus="yes">
         <source>%n more on the robot.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n more on the robot.</numerusform>
+            <numerusform>%n more on the robot.</numerusform>
         </translation>
     </message>
     <message>
@@ -5275,9 +5275,9 @@ Let go of the key and the arm stops.</source>
     </message>
     <message numerus="yes">
         <source>%n names hidden: come nearer</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n name hidden: come nearer</numerusform>
+            <numerusform>%n names hidden: come nearer</numerusform>
         </translation>
     </message>
 </context>
@@ -5476,7 +5476,7 @@ not an e-stop</source>
     </message>
     <message numerus="yes">
         <source>Duplicate %n waypoints</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>Duplicate %n waypoint</numerusform>
             <numerusform>Duplicate %n waypoints</numerusform>
         </translation>
@@ -5491,7 +5491,7 @@ not an e-stop</source>
     </message>
     <message numerus="yes">
         <source>Paste %n waypoints</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>Paste %n waypoint</numerusform>
             <numerusform>Paste %n waypoints</numerusform>
         </translation>
@@ -6708,9 +6708,9 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
     <message numerus="yes">
         <source>%n packet(s) a row: %1 rows a second from a robot that sends 500 packets a second.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n packet a row: %1 rows a second from a robot that sends 500 packets a second.</numerusform>
+            <numerusform>%n packets a row: %1 rows a second from a robot that sends 500 packets a second.</numerusform>
         </translation>
     </message>
 </context>
