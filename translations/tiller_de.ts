@@ -2132,6 +2132,25 @@
     </message>
 </context>
 <context>
+    <name>RobotTooling</name>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>Der Arm wird nicht gesteuert. Übernehmen Sie zuerst die Steuerung.</translation>
+    </message>
+    <message>
+        <source>TCP and payload are set while the arm stands still. Let it come to rest.</source>
+        <translation>TCP und Nutzlast werden im Stand gesetzt. Lassen Sie den Arm zur Ruhe kommen.</translation>
+    </message>
+    <message>
+        <source>TCP set on the robot: %1</source>
+        <translation>TCP am Roboter gesetzt: %1</translation>
+    </message>
+    <message>
+        <source>Payload set on the robot: %1</source>
+        <translation>Nutzlast am Roboter gesetzt: %1</translation>
+    </message>
+</context>
+<context>
     <name>SampleProjects</name>
     <message>
         <source>Pick and place</source>
@@ -2731,6 +2750,10 @@
     <message>
         <source>This is not a table of waypoints. Copy one from the list to see its columns, or paste the six figures of a pose.</source>
         <translation>Das ist keine Tabelle von Wegpunkten. Kopieren Sie einen aus der Liste, um die Spalten zu sehen, oder fügen Sie die sechs Zahlen einer Pose ein.</translation>
+    </message>
+    <message>
+        <source>“%1” is no colour of a waypoint</source>
+        <translation>„%1“ ist keine Farbe eines Wegpunkts</translation>
     </message>
 </context>
 <context>
@@ -4287,6 +4310,359 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::PartModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PartPage</name>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PayloadEstimator</name>
+    <message>
+        <source>Next pose (hold)</source>
+        <translation>Nächste Pose (halten)</translation>
+    </message>
+    <message>
+        <source>Keep payload</source>
+        <translation>Nutzlast behalten</translation>
+    </message>
+    <message>
+        <source>Find the payload</source>
+        <translation>Die Nutzlast finden</translation>
+    </message>
+    <message>
+        <source>Find the payload by weighing it in several poses</source>
+        <translation>Die Nutzlast durch Wiegen in mehreren Posen finden</translation>
+    </message>
+    <message>
+        <source>Next pose, hold</source>
+        <translation>Nächste Pose, halten</translation>
+    </message>
+    <message>
+        <source>Turns the wrist to the next pose while the key is held, no faster than the jog speed. Look that the tool has room to turn.</source>
+        <translation>Dreht das Handgelenk zur nächsten Pose, solange die Taste gehalten wird, nicht schneller als die Verfahrgeschwindigkeit. Achten Sie darauf, dass das Werkzeug Platz zum Drehen hat.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel finding the payload</source>
+        <translation>Das Finden der Nutzlast abbrechen</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>Der Arm wird nicht gesteuert. Übernehmen Sie zuerst die Steuerung.</translation>
+    </message>
+    <message>
+        <source>The arm moved. Let it come to rest, touch nothing, and take the pose again.</source>
+        <translation>Der Arm hat sich bewegt. Lassen Sie ihn zur Ruhe kommen, berühren Sie nichts und nehmen Sie die Pose erneut.</translation>
+    </message>
+    <message>
+        <source>The robot sends no forces. Enter mass and centre in figures instead.</source>
+        <translation>Der Roboter sendet keine Kräfte. Geben Sie Masse und Schwerpunkt stattdessen in Zahlen ein.</translation>
+    </message>
+    <message>
+        <source>Weighing… let nothing touch the tool.</source>
+        <translation>Wiege… nichts soll das Werkzeug berühren.</translation>
+    </message>
+    <message>
+        <source>%1 kg, centre at %2 from the flange. The poses agree within %3 and %4.</source>
+        <translation>%1 kg, Schwerpunkt bei %2 vom Flansch. Die Posen stimmen auf %3 und %4 überein.</translation>
+    </message>
+    <message>
+        <source>%1 That is poor: pose %2 fits least. Remove it and take another one.</source>
+        <translation>%1 Das ist schlecht: Pose %2 passt am wenigsten. Entfernen Sie sie und nehmen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>The tool is turned too little between the poses. Take one more, turned to another side.</source>
+        <translation>Das Werkzeug ist zwischen den Posen zu wenig gedreht. Nehmen Sie noch eine, auf eine andere Seite gedreht.</translation>
+    </message>
+    <message>
+        <source>%1 kg: too light for the sensor to tell where its centre is. Enter it in figures.</source>
+        <translation>%1 kg: zu leicht, als dass der Sensor den Schwerpunkt nennen könnte. Geben Sie ihn in Zahlen ein.</translation>
+    </message>
+    <message>
+        <source>Let the arm come to rest, touch nothing, and take the pose. Then turn the wrist, by jogging or with Next pose, and take three more.</source>
+        <translation>Lassen Sie den Arm zur Ruhe kommen, berühren Sie nichts und nehmen Sie die Pose. Drehen Sie dann das Handgelenk, durch Verfahren oder mit „Nächste Pose“, und nehmen Sie drei weitere.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Turn the wrist to another side and take the pose. Still needed: %n</source>
+        <translation>
+            <numerusform>Drehen Sie das Handgelenk auf eine andere Seite und nehmen Sie die Pose. Noch nötig: %n</numerusform>
+            <numerusform>Drehen Sie das Handgelenk auf eine andere Seite und nehmen Sie die Pose. Noch nötig: %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take pose %1</source>
+        <translation>Pose %1 nehmen</translation>
+    </message>
+    <message>
+        <source>Remove the worst</source>
+        <translation>Die schlechteste entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the last</source>
+        <translation>Die letzte entfernen</translation>
+    </message>
+    <message>
+        <source>Pose %1  %2</source>
+        <translation>Pose %1  %2</translation>
+    </message>
+    <message>
+        <source>  ◀ fits least</source>
+        <translation>  ◀ passt am wenigsten</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PayloadPage</name>
+    <message>
+        <source>Mass kg</source>
+        <translation>Masse kg</translation>
+    </message>
+    <message>
+        <source>CX %1</source>
+        <translation>CX %1</translation>
+    </message>
+    <message>
+        <source>CY %1</source>
+        <translation>CY %1</translation>
+    </message>
+    <message>
+        <source>CZ %1</source>
+        <translation>CZ %1</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>In Gebrauch</translation>
+    </message>
+    <message>
+        <source>A payload needs a name.</source>
+        <translation>Eine Nutzlast braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another payload. Choose another name.</source>
+        <translation>„%1“ heißt schon eine andere Nutzlast. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>„%1“ in „%2“ umbenennen</translation>
+    </message>
+    <message>
+        <source>Nothing mounted</source>
+        <translation>Nichts montiert</translation>
+    </message>
+    <message>
+        <source>Robotiq 2F-85, empty</source>
+        <translation>Robotiq 2F-85, leer</translation>
+    </message>
+    <message>
+        <source>Robotiq 2F-140, empty</source>
+        <translation>Robotiq 2F-140, leer</translation>
+    </message>
+    <message>
+        <source>Payloads</source>
+        <translation>Nutzlasten</translation>
+    </message>
+    <message>
+        <source>No payload yet.
+Press From robot to keep the one it has, or Weigh… to find it with the arm.</source>
+        <translation>Noch keine Nutzlast.
+Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um sie mit dem Arm zu finden.</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>CX</source>
+        <translation>CX</translation>
+    </message>
+    <message>
+        <source>CY</source>
+        <translation>CY</translation>
+    </message>
+    <message>
+        <source>CZ</source>
+        <translation>CZ</translation>
+    </message>
+    <message>
+        <source>Mass of the payload</source>
+        <translation>Masse der Nutzlast</translation>
+    </message>
+    <message>
+        <source>Centre of gravity X</source>
+        <translation>Schwerpunkt X</translation>
+    </message>
+    <message>
+        <source>Centre of gravity Y</source>
+        <translation>Schwerpunkt Y</translation>
+    </message>
+    <message>
+        <source>Centre of gravity Z</source>
+        <translation>Schwerpunkt Z</translation>
+    </message>
+    <message>
+        <source>Return applies it to the project; the robot keeps its own.</source>
+        <translation>Eingabetaste übernimmt es ins Projekt; der Roboter behält das Seine.</translation>
+    </message>
+    <message>
+        <source>Set on robot</source>
+        <translation>Am Roboter setzen</translation>
+    </message>
+    <message>
+        <source>Use this payload and set it on the robot</source>
+        <translation>Diese Nutzlast verwenden und am Roboter setzen</translation>
+    </message>
+    <message>
+        <source>Weigh…</source>
+        <translation>Wiegen…</translation>
+    </message>
+    <message>
+        <source>Find the payload with the arm</source>
+        <translation>Die Nutzlast mit dem Arm finden</translation>
+    </message>
+    <message>
+        <source>Is it true?</source>
+        <translation>Stimmt sie?</translation>
+    </message>
+    <message>
+        <source>Check whether the payload is true</source>
+        <translation>Prüfen, ob die Nutzlast stimmt</translation>
+    </message>
+    <message>
+        <source>Keep the payload the robot has</source>
+        <translation>Die Nutzlast behalten, die der Roboter hat</translation>
+    </message>
+    <message>
+        <source>New payload in figures</source>
+        <translation>Neue Nutzlast in Zahlen</translation>
+    </message>
+    <message>
+        <source>payload</source>
+        <translation>Nutzlast</translation>
+    </message>
+    <message>
+        <source>Add preset: %1</source>
+        <translation>Vorgabe hinzufügen: %1</translation>
+    </message>
+    <message>
+        <source>Rename payload</source>
+        <translation>Nutzlast umbenennen</translation>
+    </message>
+    <message>
+        <source>Duplicate payload</source>
+        <translation>Nutzlast duplizieren</translation>
+    </message>
+    <message>
+        <source>Delete payload</source>
+        <translation>Nutzlast löschen</translation>
+    </message>
+    <message>
+        <source>Add the payload “%1”</source>
+        <translation>Die Nutzlast „%1“ hinzufügen</translation>
+    </message>
+    <message>
+        <source>Change the payload “%1”</source>
+        <translation>Die Nutzlast „%1“ ändern</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Kein Roboter ist verbunden. Verbinden Sie einen oder probieren Sie den Simulator.</translation>
+    </message>
+    <message>
+        <source>Select a payload to set.</source>
+        <translation>Wählen Sie eine Nutzlast zum Setzen.</translation>
+    </message>
+    <message>
+        <source>Use the payload “%1”</source>
+        <translation>Die Nutzlast „%1“ verwenden</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>Der Arm wird nicht gesteuert. Übernehmen Sie zuerst die Steuerung.</translation>
+    </message>
+    <message>
+        <source>Delete the payload “%1”</source>
+        <translation>Die Nutzlast „%1“ löschen</translation>
+    </message>
+    <message>
+        <source>Weighing… let nothing touch the tool.</source>
+        <translation>Wiege… nichts soll das Werkzeug berühren.</translation>
+    </message>
+    <message>
+        <source>The arm moved. Let it come to rest, touch nothing, and check again.</source>
+        <translation>Der Arm hat sich bewegt. Lassen Sie ihn zur Ruhe kommen, berühren Sie nichts und prüfen Sie erneut.</translation>
+    </message>
+    <message>
+        <source>The robot sends no forces: its payload cannot be checked.</source>
+        <translation>Der Roboter sendet keine Kräfte: Seine Nutzlast kann nicht geprüft werden.</translation>
+    </message>
+    <message>
+        <source>With %1 kg the arm feels %2 and %3 at rest.</source>
+        <translation>Mit %1 kg spürt der Arm in Ruhe %2 und %3.</translation>
+    </message>
+    <message>
+        <source>The payload is true. %1</source>
+        <translation>Die Nutzlast stimmt. %1</translation>
+    </message>
+    <message>
+        <source>The payload is true</source>
+        <translation>Die Nutzlast stimmt</translation>
+    </message>
+    <message>
+        <source>About %1 kg more hang there than it was told of.</source>
+        <translation>Dort hängen etwa %1 kg mehr, als ihm gesagt wurde.</translation>
+    </message>
+    <message>
+        <source>About %1 kg less hang there than it was told of.</source>
+        <translation>Dort hängen etwa %1 kg weniger, als ihm gesagt wurde.</translation>
+    </message>
+    <message>
+        <source>Its centre is elsewhere, or something touches the tool.</source>
+        <translation>Ihr Schwerpunkt liegt anderswo, oder etwas berührt das Werkzeug.</translation>
+    </message>
+    <message>
+        <source>%1 %2 Weigh it, or choose another payload. Zeroing the force sensor hides a wrong payload until the tool turns.</source>
+        <translation>%1 %2 Wiegen Sie sie oder wählen Sie eine andere Nutzlast. Den Kraftsensor auf null zu setzen, verbirgt eine falsche Nutzlast, bis das Werkzeug sich dreht.</translation>
+    </message>
+    <message>
+        <source>The payload is not true. %1 %2</source>
+        <translation>Die Nutzlast stimmt nicht. %1 %2</translation>
+    </message>
+    <message>
+        <source>The payload is not true</source>
+        <translation>Die Nutzlast stimmt nicht</translation>
+    </message>
+    <message>
+        <source>%1, as the robot has it</source>
+        <translation>%1, wie der Roboter sie hat</translation>
+    </message>
+    <message>
+        <source>%1; the robot was told %2 kg, centre %3</source>
+        <translation>%1; dem Roboter wurden %2 kg, Schwerpunkt %3 gesagt</translation>
+    </message>
+    <message>
+        <source>The robot has another payload than “%1”</source>
+        <translation>Der Roboter hat eine andere Nutzlast als „%1“</translation>
+    </message>
+    <message>
+        <source>On the robot: %1 kg, centre %2. In the project: %3 kg, centre %4. Nothing was changed.</source>
+        <translation>Am Roboter: %1 kg, Schwerpunkt %2. Im Projekt: %3 kg, Schwerpunkt %4. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation>„%1“ am Roboter setzen</translation>
+    </message>
+</context>
+<context>
     <name>tiller::PlotDock</name>
     <message>
         <source>5 s</source>
@@ -4626,6 +5002,183 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     <message>
         <source>TCP in the frame of the flange: %1</source>
         <translation>TCP im System des Flansches: %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PositionsPage</name>
+    <message>
+        <source>Joints °</source>
+        <translation>Gelenke °</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>A position needs a name.</source>
+        <translation>Eine Stellung braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another position. Choose another name.</source>
+        <translation>„%1“ heißt schon eine andere Stellung. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>„%1“ in „%2“ umbenennen</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Stellungen</translation>
+    </message>
+    <message>
+        <source>No positions yet.
+Jog the arm to a place and press Set home here, or Add here.</source>
+        <translation>Noch keine Stellungen.
+Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hinzufügen“.</translation>
+    </message>
+    <message>
+        <source>Safe height</source>
+        <translation>Sichere Höhe</translation>
+    </message>
+    <message>
+        <source>%1. Return applies it; nothing moves but the position.</source>
+        <translation>%1. Eingabetaste übernimmt; nichts bewegt sich außer der Stellung.</translation>
+    </message>
+    <message>
+        <source>Above it, in the base frame, nothing stands: there the TCP may go sideways.</source>
+        <translation>Darüber steht im Basis-System nichts: Dort darf der TCP seitwärts fahren.</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Hier</translation>
+    </message>
+    <message>
+        <source>The safe height is where the TCP is now</source>
+        <translation>Die sichere Höhe ist dort, wo der TCP jetzt ist</translation>
+    </message>
+    <message>
+        <source>Set home here</source>
+        <translation>Home hier</translation>
+    </message>
+    <message>
+        <source>Add here</source>
+        <translation>Hier hinzufügen</translation>
+    </message>
+    <message>
+        <source>Keep the position the arm has</source>
+        <translation>Die Stellung behalten, die der Arm hat</translation>
+    </message>
+    <message>
+        <source>Use as home</source>
+        <translation>Als Home verwenden</translation>
+    </message>
+    <message>
+        <source>Use the selected position as home</source>
+        <translation>Die gewählte Stellung als Home verwenden</translation>
+    </message>
+    <message>
+        <source>Touch up the position</source>
+        <translation>Die Stellung nachteachen</translation>
+    </message>
+    <message>
+        <source>Use the usual home again</source>
+        <translation>Wieder das übliche Home verwenden</translation>
+    </message>
+    <message>
+        <source>Use the usual home</source>
+        <translation>Das übliche Home verwenden</translation>
+    </message>
+    <message>
+        <source>Rename position</source>
+        <translation>Stellung umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete position</source>
+        <translation>Stellung löschen</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation>Die Daten des Roboters sind alt. Warten Sie, bis sie wieder kommen.</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Kein Roboter ist verbunden. Verbinden Sie einen oder probieren Sie den Simulator.</translation>
+    </message>
+    <message>
+        <source>Set “%1” to where the arm stands?</source>
+        <translation>„%1“ dorthin setzen, wo der Arm steht?</translation>
+    </message>
+    <message>
+        <source>The key Home goes there from now on.</source>
+        <translation>Die Taste Home fährt von nun an dorthin.</translation>
+    </message>
+    <message>
+        <source>Set home</source>
+        <translation>Home setzen</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Stellung</translation>
+    </message>
+    <message>
+        <source>Add the position “%1”</source>
+        <translation>Die Stellung „%1“ hinzufügen</translation>
+    </message>
+    <message>
+        <source>Select a position to touch up.</source>
+        <translation>Wählen Sie eine Stellung zum Nachteachen.</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation>„%1“ nachteachen?</translation>
+    </message>
+    <message>
+        <source>Largest joint change: %1 %2.</source>
+        <translation>Größte Gelenkänderung: %1 %2.</translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation>Nachteachen</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation>„%1“ nachteachen</translation>
+    </message>
+    <message>
+        <source>Use “%1” as home</source>
+        <translation>„%1“ als Home verwenden</translation>
+    </message>
+    <message>
+        <source>Select a position to use as home.</source>
+        <translation>Wählen Sie eine Stellung als Home.</translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>„%1“ löschen</translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation>„%1“ ändern</translation>
+    </message>
+    <message>
+        <source>Set the safe height</source>
+        <translation>Die sichere Höhe setzen</translation>
+    </message>
+    <message>
+        <source>No safe height</source>
+        <translation>Keine sichere Höhe</translation>
+    </message>
+    <message>
+        <source>The key Home goes to the usual home: upright, clear of itself.</source>
+        <translation>Die Taste Home fährt zum üblichen Home: aufrecht, frei von sich selbst.</translation>
+    </message>
+    <message>
+        <source>%1: the key Home goes there</source>
+        <translation>%1: Die Taste Home fährt dorthin</translation>
+    </message>
+    <message>
+        <source>%1 · %2 %3 from here</source>
+        <translation>%1 · %2 %3 von hier</translation>
     </message>
 </context>
 <context>
@@ -5388,6 +5941,297 @@ kein Not-Halt</translation>
     </message>
 </context>
 <context>
+    <name>tiller::TcpPage</name>
+    <message>
+        <source>In use</source>
+        <translation>In Gebrauch</translation>
+    </message>
+    <message>
+        <source>A TCP needs a name.</source>
+        <translation>Ein TCP braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another TCP. Choose another name.</source>
+        <translation>„%1“ heißt schon ein anderer TCP. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>„%1“ in „%2“ umbenennen</translation>
+    </message>
+    <message>
+        <source>TCPs</source>
+        <translation>TCPs</translation>
+    </message>
+    <message>
+        <source>No TCP yet.
+Press From robot to keep the one it has, or Teach… to find it with the arm.</source>
+        <translation>Noch kein TCP.
+Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um ihn mit dem Arm zu finden.</translation>
+    </message>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>From the flange. Return applies it to the project; the robot keeps its own.</source>
+        <translation>Vom Flansch. Eingabetaste übernimmt es ins Projekt; der Roboter behält das Seine.</translation>
+    </message>
+    <message>
+        <source>Set on robot</source>
+        <translation>Am Roboter setzen</translation>
+    </message>
+    <message>
+        <source>Use this TCP and set it on the robot</source>
+        <translation>Diesen TCP verwenden und am Roboter setzen</translation>
+    </message>
+    <message>
+        <source>Teach…</source>
+        <translation>Teachen…</translation>
+    </message>
+    <message>
+        <source>Teach a TCP with the arm</source>
+        <translation>Einen TCP mit dem Arm teachen</translation>
+    </message>
+    <message>
+        <source>From robot</source>
+        <translation>Vom Roboter</translation>
+    </message>
+    <message>
+        <source>Keep the TCP the robot has</source>
+        <translation>Den TCP behalten, den der Roboter hat</translation>
+    </message>
+    <message>
+        <source>Teach the selected TCP again…</source>
+        <translation>Den gewählten TCP neu teachen…</translation>
+    </message>
+    <message>
+        <source>New TCP in figures</source>
+        <translation>Neuer TCP in Zahlen</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Rename TCP</source>
+        <translation>TCP umbenennen</translation>
+    </message>
+    <message>
+        <source>Duplicate TCP</source>
+        <translation>TCP duplizieren</translation>
+    </message>
+    <message>
+        <source>Delete TCP</source>
+        <translation>TCP löschen</translation>
+    </message>
+    <message>
+        <source>Change the TCP “%1”</source>
+        <translation>Den TCP „%1“ ändern</translation>
+    </message>
+    <message>
+        <source>Teach the TCP “%1” again</source>
+        <translation>Den TCP „%1“ neu teachen</translation>
+    </message>
+    <message>
+        <source>Add the TCP “%1”</source>
+        <translation>Den TCP „%1“ hinzufügen</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Kein Roboter ist verbunden. Verbinden Sie einen oder probieren Sie den Simulator.</translation>
+    </message>
+    <message>
+        <source>“%1” is the TCP the robot has.</source>
+        <translation>„%1“ ist der TCP, den der Roboter hat.</translation>
+    </message>
+    <message>
+        <source>Teach “%1” again</source>
+        <translation>„%1“ neu teachen</translation>
+    </message>
+    <message>
+        <source>Teach a new TCP</source>
+        <translation>Einen neuen TCP teachen</translation>
+    </message>
+    <message>
+        <source>Select a TCP to set.</source>
+        <translation>Wählen Sie einen TCP zum Setzen.</translation>
+    </message>
+    <message>
+        <source>Use the TCP “%1”</source>
+        <translation>Den TCP „%1“ verwenden</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>Der Arm wird nicht gesteuert. Übernehmen Sie zuerst die Steuerung.</translation>
+    </message>
+    <message>
+        <source>Delete the TCP “%1”</source>
+        <translation>Den TCP „%1“ löschen</translation>
+    </message>
+    <message>
+        <source>%1, from the flange</source>
+        <translation>%1, vom Flansch</translation>
+    </message>
+    <message>
+        <source>%1, as the robot has it</source>
+        <translation>%1, wie der Roboter ihn hat</translation>
+    </message>
+    <message>
+        <source>%1, %2 from the one the robot has</source>
+        <translation>%1, %2 von dem des Roboters</translation>
+    </message>
+    <message>
+        <source>The robot has another TCP than “%1”</source>
+        <translation>Der Roboter hat einen anderen TCP als „%1“</translation>
+    </message>
+    <message>
+        <source>On the robot: %1. In the project: %2. They are %3 apart. Nothing was changed.</source>
+        <translation>Am Roboter: %1. Im Projekt: %2. Sie liegen %3 auseinander. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation>„%1“ am Roboter setzen</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TcpTeacher</name>
+    <message>
+        <source>Take pose</source>
+        <translation>Pose nehmen</translation>
+    </message>
+    <message>
+        <source>Take the worst again</source>
+        <translation>Die schlechteste erneut nehmen</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Nehmen</translation>
+    </message>
+    <message>
+        <source>Keep TCP</source>
+        <translation>TCP behalten</translation>
+    </message>
+    <message>
+        <source>Teach the TCP</source>
+        <translation>Den TCP teachen</translation>
+    </message>
+    <message>
+        <source>Take a pose of the rotation</source>
+        <translation>Eine Pose der Drehung nehmen</translation>
+    </message>
+    <message>
+        <source>Rotation of the tool</source>
+        <translation>Drehung des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Rotation as it is</source>
+        <translation>Drehung wie sie ist</translation>
+    </message>
+    <message>
+        <source>Rotation from one pose: tool straight down</source>
+        <translation>Drehung aus einer Pose: Werkzeug senkrecht nach unten</translation>
+    </message>
+    <message>
+        <source>Rotation from three poses: along +Z, towards +X</source>
+        <translation>Drehung aus drei Posen: entlang +Z, Richtung +X</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Tip at %1. The poses agree within %2 (rms); pose %3 fits least, by %4.</source>
+        <translation>Spitze bei %1. Die Posen stimmen auf %2 (RMS) überein; Pose %3 passt am wenigsten, um %4.</translation>
+    </message>
+    <message>
+        <source>The tool is turned too little between the poses. Take one more, tilted by 30° or more to another side.</source>
+        <translation>Das Werkzeug ist zwischen den Posen zu wenig gedreht. Nehmen Sie noch eine, um 30° oder mehr auf eine andere Seite geneigt.</translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the poses again.</source>
+        <translation>Der Roboter hat keinen gültigen Ort gesendet. Nehmen Sie die Posen erneut.</translation>
+    </message>
+    <message>
+        <source>Jog the tip to a fixed, sharp point and take the pose. Then four times in all: the tip on the same point, the tool tilted each time to another side.</source>
+        <translation>Fahren Sie die Spitze an einen festen, spitzen Punkt und nehmen Sie die Pose. Insgesamt viermal: die Spitze am selben Punkt, das Werkzeug jedes Mal auf eine andere Seite geneigt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Tilt the tool to another side, bring the tip to the same point again, and take the pose. Still needed: %n</source>
+        <translation>
+            <numerusform>Neigen Sie das Werkzeug auf eine andere Seite, bringen Sie die Spitze wieder an denselben Punkt und nehmen Sie die Pose. Noch nötig: %n</numerusform>
+            <numerusform>Neigen Sie das Werkzeug auf eine andere Seite, bringen Sie die Spitze wieder an denselben Punkt und nehmen Sie die Pose. Noch nötig: %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The tool keeps the rotation it has now.</source>
+        <translation>Das Werkzeug behält die Drehung, die es jetzt hat.</translation>
+    </message>
+    <message>
+        <source>Turn the tool until it points straight down and its X lies along X of the base; take it.</source>
+        <translation>Drehen Sie das Werkzeug, bis es senkrecht nach unten zeigt und sein X entlang X der Basis liegt; nehmen Sie es.</translation>
+    </message>
+    <message>
+        <source>Rotation taken. Take it again to replace it.</source>
+        <translation>Drehung genommen. Nehmen Sie sie erneut, um sie zu ersetzen.</translation>
+    </message>
+    <message>
+        <source>Take the tool where it stands now. From here on it must not turn: jog X, Y and Z only.</source>
+        <translation>Nehmen Sie das Werkzeug, wie es jetzt steht. Von hier an darf es sich nicht drehen: Verfahren Sie nur X, Y und Z.</translation>
+    </message>
+    <message>
+        <source>Move the tool along its own +Z, away from the flange, at least %1, and take it.</source>
+        <translation>Bewegen Sie das Werkzeug entlang seines eigenen +Z, vom Flansch weg, mindestens %1, und nehmen Sie es.</translation>
+    </message>
+    <message>
+        <source>Now to the side of its +X, at least %1, and take it.</source>
+        <translation>Nun auf die Seite seines +X, mindestens %1, und nehmen Sie es.</translation>
+    </message>
+    <message>
+        <source>Rotation taken: %1 along +Z, %2 beside it; the flange turned by %3 meanwhile, most at pose %4.</source>
+        <translation>Drehung genommen: %1 entlang +Z, %2 daneben; der Flansch drehte sich dabei um %3, am meisten bei Pose %4.</translation>
+    </message>
+    <message>
+        <source>The flange turned by %1 on the way, most at pose %2. Take the three again without turning the tool.</source>
+        <translation>Der Flansch drehte sich unterwegs um %1, am meisten bei Pose %2. Nehmen Sie die drei erneut, ohne das Werkzeug zu drehen.</translation>
+    </message>
+    <message>
+        <source>The way along +Z is only %1. Take the three again, at least %2 apart.</source>
+        <translation>Der Weg entlang +Z ist nur %1. Nehmen Sie die drei erneut, mindestens %2 auseinander.</translation>
+    </message>
+    <message>
+        <source>The way towards +X is only %1. Take the three again, at least %2 apart.</source>
+        <translation>Der Weg Richtung +X ist nur %1. Nehmen Sie die drei erneut, mindestens %2 auseinander.</translation>
+    </message>
+    <message>
+        <source>The three poses lie in a line: the third is only %1 beside it. Take the three again.</source>
+        <translation>Die drei Posen liegen auf einer Linie: Die dritte ist nur %1 daneben. Nehmen Sie die drei erneut.</translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the three again.</source>
+        <translation>Der Roboter hat keinen gültigen Ort gesendet. Nehmen Sie die drei erneut.</translation>
+    </message>
+    <message>
+        <source>Take the last again</source>
+        <translation>Die letzte erneut nehmen</translation>
+    </message>
+    <message>
+        <source>Take pose %1</source>
+        <translation>Pose %1 nehmen</translation>
+    </message>
+    <message>
+        <source>Pose %1</source>
+        <translation>Pose %1</translation>
+    </message>
+    <message>
+        <source>  ◀ fits least</source>
+        <translation>  ◀ passt am wenigsten</translation>
+    </message>
+    <message>
+        <source>Poses can be taken while the robot sends data.</source>
+        <translation>Posen können genommen werden, solange der Roboter Daten sendet.</translation>
+    </message>
+</context>
+<context>
     <name>tiller::TickLine</name>
     <message>
         <source>done</source>
@@ -5396,6 +6240,29 @@ kein Not-Halt</translation>
     <message>
         <source>not done yet</source>
         <translation>noch nicht erledigt</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ToolsTab</name>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>Nutzlast</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Stellungen</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>TCP, payload or positions</source>
+        <translation>TCP, Nutzlast oder Stellungen</translation>
     </message>
 </context>
 <context>
@@ -6470,6 +7337,10 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <source>Speed cap %1</source>
         <translation>Geschwindigkeitsgrenze %1</translation>
     </message>
+    <message>
+        <source>A recording is running. End it first: nothing of it shall be missing.</source>
+        <translation>Eine Aufzeichnung läuft. Beenden Sie sie zuerst: Nichts von ihr soll fehlen.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
@@ -6926,6 +7797,30 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     <message>
         <source>%1 belongs to &quot;%2&quot;. Take it away there first.</source>
         <translation>%1 gehört zu &quot;%2&quot;. Nehmen Sie sie zuerst dort weg.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>As the system: %1</source>
+        <translation>Wie das System: %1</translation>
+    </message>
+    <message>
+        <source>Open the window anew</source>
+        <translation>Fenster neu öffnen</translation>
+    </message>
+    <message>
+        <source>Stops the arm, gives control back and connects again; what the plots show begins anew. The project is saved.</source>
+        <translation>Stoppt den Arm, gibt die Steuerung ab und verbindet sich neu; was die Diagramme zeigen, beginnt neu. Das Projekt wird gespeichert.</translation>
+    </message>
+    <message>
+        <source>Of the window and of the checks. Files and scripts are the same in all.</source>
+        <translation>Von Fenster und Prüfungen. Dateien und Skripte sind in allen gleich.</translation>
+    </message>
+    <message>
+        <source>Holds at the next start of Tiller, or once the window is opened anew.</source>
+        <translation>Gilt ab dem nächsten Start von Tiller oder sobald das Fenster neu geöffnet ist.</translation>
     </message>
 </context>
 <context>

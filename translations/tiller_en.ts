@@ -2132,6 +2132,25 @@
     </message>
 </context>
 <context>
+    <name>RobotTooling</name>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP and payload are set while the arm stands still. Let it come to rest.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP set on the robot: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Payload set on the robot: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>SampleProjects</name>
     <message>
         <source>Pick and place</source>
@@ -2730,6 +2749,10 @@
     </message>
     <message>
         <source>This is not a table of waypoints. Copy one from the list to see its columns, or paste the six figures of a pose.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is no colour of a waypoint</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4282,6 +4305,358 @@ Clear the search to see everything.</source>
     </message>
 </context>
 <context>
+    <name>tiller::PartModel</name>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PartPage</name>
+    <message>
+        <source>More</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PayloadEstimator</name>
+    <message>
+        <source>Next pose (hold)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep payload</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find the payload</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find the payload by weighing it in several poses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next pose, hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns the wrist to the next pose while the key is held, no faster than the jog speed. Look that the tool has room to turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel finding the payload</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm moved. Let it come to rest, touch nothing, and take the pose again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot sends no forces. Enter mass and centre in figures instead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weighing… let nothing touch the tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 kg, centre at %2 from the flange. The poses agree within %3 and %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 That is poor: pose %2 fits least. Remove it and take another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool is turned too little between the poses. Take one more, turned to another side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 kg: too light for the sensor to tell where its centre is. Enter it in figures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the arm come to rest, touch nothing, and take the pose. Then turn the wrist, by jogging or with Next pose, and take three more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Turn the wrist to another side and take the pose. Still needed: %n</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take pose %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the worst</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the last</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pose %1  %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>  ◀ fits least</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PayloadPage</name>
+    <message>
+        <source>Mass kg</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CX %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CY %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CZ %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A payload needs a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another payload. Choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing mounted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robotiq 2F-85, empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robotiq 2F-140, empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Payloads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No payload yet.
+Press From robot to keep the one it has, or Weigh… to find it with the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CX</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CY</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CZ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mass of the payload</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre of gravity X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre of gravity Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre of gravity Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Return applies it to the project; the robot keeps its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set on robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use this payload and set it on the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weigh…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find the payload with the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Is it true?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check whether the payload is true</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the payload the robot has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New payload in figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>payload</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add preset: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename payload</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate payload</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete payload</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add the payload “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the payload “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a payload to set.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use the payload “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the payload “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weighing… let nothing touch the tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm moved. Let it come to rest, touch nothing, and check again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot sends no forces: its payload cannot be checked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With %1 kg the arm feels %2 and %3 at rest.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The payload is true. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The payload is true</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About %1 kg more hang there than it was told of.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About %1 kg less hang there than it was told of.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its centre is elsewhere, or something touches the tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 Weigh it, or choose another payload. Zeroing the force sensor hides a wrong payload until the tool turns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The payload is not true. %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The payload is not true</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, as the robot has it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; the robot was told %2 kg, centre %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot has another payload than “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the robot: %1 kg, centre %2. In the project: %3 kg, centre %4. Nothing was changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::PlotDock</name>
     <message>
         <source>5 s</source>
@@ -4620,6 +4995,182 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>TCP in the frame of the flange: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PositionsPage</name>
+    <message>
+        <source>Joints °</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A position needs a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another position. Choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No positions yet.
+Jog the arm to a place and press Set home here, or Add here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safe height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. Return applies it; nothing moves but the position.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Above it, in the base frame, nothing stands: there the TCP may go sideways.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The safe height is where the TCP is now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set home here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the position the arm has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use as home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use the selected position as home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up the position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use the usual home again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use the usual home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set “%1” to where the arm stands?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The key Home goes there from now on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add the position “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a position to touch up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest joint change: %1 %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use “%1” as home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a position to use as home.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the safe height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No safe height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The key Home goes to the usual home: upright, clear of itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the key Home goes there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2 %3 from here</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5378,6 +5929,296 @@ not an e-stop</source>
     </message>
 </context>
 <context>
+    <name>tiller::TcpPage</name>
+    <message>
+        <source>In use</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A TCP needs a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another TCP. Choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCPs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No TCP yet.
+Press From robot to keep the one it has, or Teach… to find it with the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the flange. Return applies it to the project; the robot keeps its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set on robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use this TCP and set it on the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach a TCP with the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the TCP the robot has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach the selected TCP again…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New TCP in figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the TCP “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach the TCP “%1” again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add the TCP “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is the TCP the robot has.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach “%1” again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach a new TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a TCP to set.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use the TCP “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the TCP “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, from the flange</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, as the robot has it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 from the one the robot has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot has another TCP than “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the robot: %1. In the project: %2. They are %3 apart. Nothing was changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TcpTeacher</name>
+    <message>
+        <source>Take pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the worst again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take a pose of the rotation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation of the tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation from one pose: tool straight down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation from three poses: along +Z, towards +X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tip at %1. The poses agree within %2 (rms); pose %3 fits least, by %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool is turned too little between the poses. Take one more, tilted by 30° or more to another side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the poses again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog the tip to a fixed, sharp point and take the pose. Then four times in all: the tip on the same point, the tool tilted each time to another side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Tilt the tool to another side, bring the tip to the same point again, and take the pose. Still needed: %n</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The tool keeps the rotation it has now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the tool until it points straight down and its X lies along X of the base; take it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation taken. Take it again to replace it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the tool where it stands now. From here on it must not turn: jog X, Y and Z only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the tool along its own +Z, away from the flange, at least %1, and take it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now to the side of its +X, at least %1, and take it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation taken: %1 along +Z, %2 beside it; the flange turned by %3 meanwhile, most at pose %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The flange turned by %1 on the way, most at pose %2. Take the three again without turning the tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The way along +Z is only %1. Take the three again, at least %2 apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The way towards +X is only %1. Take the three again, at least %2 apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The three poses lie in a line: the third is only %1 beside it. Take the three again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the three again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the last again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take pose %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pose %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>  ◀ fits least</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Poses can be taken while the robot sends data.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::TickLine</name>
     <message>
         <source>done</source>
@@ -5385,6 +6226,29 @@ not an e-stop</source>
     </message>
     <message>
         <source>not done yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ToolsTab</name>
+    <message>
+        <source>TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP, payload or positions</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6458,6 +7322,10 @@ Jog the arm to a place and press Teach here (T).</source>
         <source>%1 to the bottom</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>A recording is running. End it first: nothing of it shall be missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
@@ -6913,6 +7781,30 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
     <message>
         <source>Holds at the next start of Tiller.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the system: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the window anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops the arm, gives control back and connects again; what the plots show begins anew. The project is saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the window and of the checks. Files and scripts are the same in all.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holds at the next start of Tiller, or once the window is opened anew.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -2132,6 +2132,25 @@
     </message>
 </context>
 <context>
+    <name>RobotTooling</name>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>El brazo no está bajo control. Tome primero el control.</translation>
+    </message>
+    <message>
+        <source>TCP and payload are set while the arm stands still. Let it come to rest.</source>
+        <translation>TCP y carga útil se fijan con el brazo parado. Deje que se detenga.</translation>
+    </message>
+    <message>
+        <source>TCP set on the robot: %1</source>
+        <translation>TCP fijado en el robot: %1</translation>
+    </message>
+    <message>
+        <source>Payload set on the robot: %1</source>
+        <translation>Carga útil fijada en el robot: %1</translation>
+    </message>
+</context>
+<context>
     <name>SampleProjects</name>
     <message>
         <source>Pick and place</source>
@@ -2731,6 +2750,10 @@
     <message>
         <source>This is not a table of waypoints. Copy one from the list to see its columns, or paste the six figures of a pose.</source>
         <translation>Esto no es una tabla de puntos de paso. Copie uno de la lista para ver sus columnas, o pegue los seis números de una pose.</translation>
+    </message>
+    <message>
+        <source>“%1” is no colour of a waypoint</source>
+        <translation>«%1» no es un color de punto de paso</translation>
     </message>
 </context>
 <context>
@@ -4287,6 +4310,359 @@ Vacíe la búsqueda para verlo todo.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::PartModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PartPage</name>
+    <message>
+        <source>More</source>
+        <translation>Más</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PayloadEstimator</name>
+    <message>
+        <source>Next pose (hold)</source>
+        <translation>Pose siguiente (mantener)</translation>
+    </message>
+    <message>
+        <source>Keep payload</source>
+        <translation>Conservar carga útil</translation>
+    </message>
+    <message>
+        <source>Find the payload</source>
+        <translation>Hallar la carga útil</translation>
+    </message>
+    <message>
+        <source>Find the payload by weighing it in several poses</source>
+        <translation>Hallar la carga útil pesándola en varias poses</translation>
+    </message>
+    <message>
+        <source>Next pose, hold</source>
+        <translation>Pose siguiente, mantener</translation>
+    </message>
+    <message>
+        <source>Turns the wrist to the next pose while the key is held, no faster than the jog speed. Look that the tool has room to turn.</source>
+        <translation>Gira la muñeca a la pose siguiente mientras se mantiene la tecla, no más rápido que la velocidad manual. Vea que la herramienta tenga sitio para girar.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Cancel finding the payload</source>
+        <translation>Cancelar la búsqueda de la carga útil</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>El brazo no está bajo control. Tome primero el control.</translation>
+    </message>
+    <message>
+        <source>The arm moved. Let it come to rest, touch nothing, and take the pose again.</source>
+        <translation>El brazo se movió. Deje que se detenga, no toque nada y tome la pose de nuevo.</translation>
+    </message>
+    <message>
+        <source>The robot sends no forces. Enter mass and centre in figures instead.</source>
+        <translation>El robot no envía fuerzas. Introduzca masa y centro en cifras.</translation>
+    </message>
+    <message>
+        <source>Weighing… let nothing touch the tool.</source>
+        <translation>Pesando… que nada toque la herramienta.</translation>
+    </message>
+    <message>
+        <source>%1 kg, centre at %2 from the flange. The poses agree within %3 and %4.</source>
+        <translation>%1 kg, centro a %2 de la brida. Las poses coinciden en %3 y %4.</translation>
+    </message>
+    <message>
+        <source>%1 That is poor: pose %2 fits least. Remove it and take another one.</source>
+        <translation>%1 Eso es pobre: la pose %2 es la que menos encaja. Quítela y tome otra.</translation>
+    </message>
+    <message>
+        <source>The tool is turned too little between the poses. Take one more, turned to another side.</source>
+        <translation>La herramienta gira demasiado poco entre las poses. Tome otra, girada a otro lado.</translation>
+    </message>
+    <message>
+        <source>%1 kg: too light for the sensor to tell where its centre is. Enter it in figures.</source>
+        <translation>%1 kg: demasiado ligera para que el sensor diga dónde está su centro. Introdúzcalo en cifras.</translation>
+    </message>
+    <message>
+        <source>Let the arm come to rest, touch nothing, and take the pose. Then turn the wrist, by jogging or with Next pose, and take three more.</source>
+        <translation>Deje que el brazo se detenga, no toque nada y tome la pose. Después gire la muñeca, a mano o con «Pose siguiente», y tome tres más.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Turn the wrist to another side and take the pose. Still needed: %n</source>
+        <translation>
+            <numerusform>Gire la muñeca a otro lado y tome la pose. Faltan: %n</numerusform>
+            <numerusform>Gire la muñeca a otro lado y tome la pose. Faltan: %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take pose %1</source>
+        <translation>Tomar pose %1</translation>
+    </message>
+    <message>
+        <source>Remove the worst</source>
+        <translation>Quitar la peor</translation>
+    </message>
+    <message>
+        <source>Remove the last</source>
+        <translation>Quitar la última</translation>
+    </message>
+    <message>
+        <source>Pose %1  %2</source>
+        <translation>Pose %1  %2</translation>
+    </message>
+    <message>
+        <source>  ◀ fits least</source>
+        <translation>  ◀ encaja menos</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PayloadPage</name>
+    <message>
+        <source>Mass kg</source>
+        <translation>Masa kg</translation>
+    </message>
+    <message>
+        <source>CX %1</source>
+        <translation>CX %1</translation>
+    </message>
+    <message>
+        <source>CY %1</source>
+        <translation>CY %1</translation>
+    </message>
+    <message>
+        <source>CZ %1</source>
+        <translation>CZ %1</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>En uso</translation>
+    </message>
+    <message>
+        <source>A payload needs a name.</source>
+        <translation>Una carga útil necesita un nombre.</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another payload. Choose another name.</source>
+        <translation>«%1» ya es el nombre de otra carga útil. Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>Renombrar «%1» a «%2»</translation>
+    </message>
+    <message>
+        <source>Nothing mounted</source>
+        <translation>Nada montado</translation>
+    </message>
+    <message>
+        <source>Robotiq 2F-85, empty</source>
+        <translation>Robotiq 2F-85, vacía</translation>
+    </message>
+    <message>
+        <source>Robotiq 2F-140, empty</source>
+        <translation>Robotiq 2F-140, vacía</translation>
+    </message>
+    <message>
+        <source>Payloads</source>
+        <translation>Cargas útiles</translation>
+    </message>
+    <message>
+        <source>No payload yet.
+Press From robot to keep the one it has, or Weigh… to find it with the arm.</source>
+        <translation>Aún no hay carga útil.
+Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el brazo.</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masa</translation>
+    </message>
+    <message>
+        <source>CX</source>
+        <translation>CX</translation>
+    </message>
+    <message>
+        <source>CY</source>
+        <translation>CY</translation>
+    </message>
+    <message>
+        <source>CZ</source>
+        <translation>CZ</translation>
+    </message>
+    <message>
+        <source>Mass of the payload</source>
+        <translation>Masa de la carga útil</translation>
+    </message>
+    <message>
+        <source>Centre of gravity X</source>
+        <translation>Centro de gravedad X</translation>
+    </message>
+    <message>
+        <source>Centre of gravity Y</source>
+        <translation>Centro de gravedad Y</translation>
+    </message>
+    <message>
+        <source>Centre of gravity Z</source>
+        <translation>Centro de gravedad Z</translation>
+    </message>
+    <message>
+        <source>Return applies it to the project; the robot keeps its own.</source>
+        <translation>Intro lo aplica al proyecto; el robot conserva lo suyo.</translation>
+    </message>
+    <message>
+        <source>Set on robot</source>
+        <translation>Fijar en el robot</translation>
+    </message>
+    <message>
+        <source>Use this payload and set it on the robot</source>
+        <translation>Usar esta carga útil y fijarla en el robot</translation>
+    </message>
+    <message>
+        <source>Weigh…</source>
+        <translation>Pesar…</translation>
+    </message>
+    <message>
+        <source>Find the payload with the arm</source>
+        <translation>Hallar la carga útil con el brazo</translation>
+    </message>
+    <message>
+        <source>Is it true?</source>
+        <translation>¿Es cierta?</translation>
+    </message>
+    <message>
+        <source>Check whether the payload is true</source>
+        <translation>Comprobar si la carga útil es cierta</translation>
+    </message>
+    <message>
+        <source>Keep the payload the robot has</source>
+        <translation>Conservar la carga útil que tiene el robot</translation>
+    </message>
+    <message>
+        <source>New payload in figures</source>
+        <translation>Nueva carga útil en cifras</translation>
+    </message>
+    <message>
+        <source>payload</source>
+        <translation>carga útil</translation>
+    </message>
+    <message>
+        <source>Add preset: %1</source>
+        <translation>Añadir predefinida: %1</translation>
+    </message>
+    <message>
+        <source>Rename payload</source>
+        <translation>Renombrar carga útil</translation>
+    </message>
+    <message>
+        <source>Duplicate payload</source>
+        <translation>Duplicar carga útil</translation>
+    </message>
+    <message>
+        <source>Delete payload</source>
+        <translation>Eliminar carga útil</translation>
+    </message>
+    <message>
+        <source>Add the payload “%1”</source>
+        <translation>Añadir la carga útil «%1»</translation>
+    </message>
+    <message>
+        <source>Change the payload “%1”</source>
+        <translation>Cambiar la carga útil «%1»</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Ningún robot conectado. Conecte uno o pruebe el simulador.</translation>
+    </message>
+    <message>
+        <source>Select a payload to set.</source>
+        <translation>Seleccione una carga útil para fijar.</translation>
+    </message>
+    <message>
+        <source>Use the payload “%1”</source>
+        <translation>Usar la carga útil «%1»</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>El brazo no está bajo control. Tome primero el control.</translation>
+    </message>
+    <message>
+        <source>Delete the payload “%1”</source>
+        <translation>Eliminar la carga útil «%1»</translation>
+    </message>
+    <message>
+        <source>Weighing… let nothing touch the tool.</source>
+        <translation>Pesando… que nada toque la herramienta.</translation>
+    </message>
+    <message>
+        <source>The arm moved. Let it come to rest, touch nothing, and check again.</source>
+        <translation>El brazo se movió. Deje que se detenga, no toque nada y compruebe de nuevo.</translation>
+    </message>
+    <message>
+        <source>The robot sends no forces: its payload cannot be checked.</source>
+        <translation>El robot no envía fuerzas: su carga útil no se puede comprobar.</translation>
+    </message>
+    <message>
+        <source>With %1 kg the arm feels %2 and %3 at rest.</source>
+        <translation>Con %1 kg el brazo siente en reposo %2 y %3.</translation>
+    </message>
+    <message>
+        <source>The payload is true. %1</source>
+        <translation>La carga útil es cierta. %1</translation>
+    </message>
+    <message>
+        <source>The payload is true</source>
+        <translation>La carga útil es cierta</translation>
+    </message>
+    <message>
+        <source>About %1 kg more hang there than it was told of.</source>
+        <translation>Cuelgan unos %1 kg más de lo que se le dijo.</translation>
+    </message>
+    <message>
+        <source>About %1 kg less hang there than it was told of.</source>
+        <translation>Cuelgan unos %1 kg menos de lo que se le dijo.</translation>
+    </message>
+    <message>
+        <source>Its centre is elsewhere, or something touches the tool.</source>
+        <translation>Su centro está en otro sitio, o algo toca la herramienta.</translation>
+    </message>
+    <message>
+        <source>%1 %2 Weigh it, or choose another payload. Zeroing the force sensor hides a wrong payload until the tool turns.</source>
+        <translation>%1 %2 Pésela o elija otra carga útil. Poner a cero el sensor de fuerza oculta una carga útil falsa hasta que la herramienta gire.</translation>
+    </message>
+    <message>
+        <source>The payload is not true. %1 %2</source>
+        <translation>La carga útil no es cierta. %1 %2</translation>
+    </message>
+    <message>
+        <source>The payload is not true</source>
+        <translation>La carga útil no es cierta</translation>
+    </message>
+    <message>
+        <source>%1, as the robot has it</source>
+        <translation>%1, como la tiene el robot</translation>
+    </message>
+    <message>
+        <source>%1; the robot was told %2 kg, centre %3</source>
+        <translation>%1; al robot se le dijo %2 kg, centro %3</translation>
+    </message>
+    <message>
+        <source>The robot has another payload than “%1”</source>
+        <translation>El robot tiene otra carga útil que «%1»</translation>
+    </message>
+    <message>
+        <source>On the robot: %1 kg, centre %2. In the project: %3 kg, centre %4. Nothing was changed.</source>
+        <translation>En el robot: %1 kg, centro %2. En el proyecto: %3 kg, centro %4. No se cambió nada.</translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation>Fijar «%1» en el robot</translation>
+    </message>
+</context>
+<context>
     <name>tiller::PlotDock</name>
     <message>
         <source>5 s</source>
@@ -4626,6 +5002,183 @@ Vacíe la búsqueda para verlo todo.</translation>
     <message>
         <source>TCP in the frame of the flange: %1</source>
         <translation>TCP en el sistema de la brida: %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PositionsPage</name>
+    <message>
+        <source>Joints °</source>
+        <translation>Articulaciones °</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>A position needs a name.</source>
+        <translation>Una posición necesita un nombre.</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another position. Choose another name.</source>
+        <translation>«%1» ya es el nombre de otra posición. Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>Renombrar «%1» a «%2»</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Posiciones</translation>
+    </message>
+    <message>
+        <source>No positions yet.
+Jog the arm to a place and press Set home here, or Add here.</source>
+        <translation>Aún no hay posiciones.
+Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translation>
+    </message>
+    <message>
+        <source>Safe height</source>
+        <translation>Altura segura</translation>
+    </message>
+    <message>
+        <source>%1. Return applies it; nothing moves but the position.</source>
+        <translation>%1. Intro lo aplica; no se mueve nada salvo la posición.</translation>
+    </message>
+    <message>
+        <source>Above it, in the base frame, nothing stands: there the TCP may go sideways.</source>
+        <translation>Por encima, en el sistema base, no hay nada: allí el TCP puede ir de lado.</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Aquí</translation>
+    </message>
+    <message>
+        <source>The safe height is where the TCP is now</source>
+        <translation>La altura segura es donde está ahora el TCP</translation>
+    </message>
+    <message>
+        <source>Set home here</source>
+        <translation>Fijar inicio aquí</translation>
+    </message>
+    <message>
+        <source>Add here</source>
+        <translation>Añadir aquí</translation>
+    </message>
+    <message>
+        <source>Keep the position the arm has</source>
+        <translation>Conservar la posición que tiene el brazo</translation>
+    </message>
+    <message>
+        <source>Use as home</source>
+        <translation>Usar como inicio</translation>
+    </message>
+    <message>
+        <source>Use the selected position as home</source>
+        <translation>Usar la posición seleccionada como inicio</translation>
+    </message>
+    <message>
+        <source>Touch up the position</source>
+        <translation>Retocar la posición</translation>
+    </message>
+    <message>
+        <source>Use the usual home again</source>
+        <translation>Usar de nuevo el inicio habitual</translation>
+    </message>
+    <message>
+        <source>Use the usual home</source>
+        <translation>Usar el inicio habitual</translation>
+    </message>
+    <message>
+        <source>Rename position</source>
+        <translation>Renombrar posición</translation>
+    </message>
+    <message>
+        <source>Delete position</source>
+        <translation>Eliminar posición</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation>Los datos del robot son viejos. Espere a que vuelvan.</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Ningún robot conectado. Conecte uno o pruebe el simulador.</translation>
+    </message>
+    <message>
+        <source>Set “%1” to where the arm stands?</source>
+        <translation>¿Fijar «%1» donde está el brazo?</translation>
+    </message>
+    <message>
+        <source>The key Home goes there from now on.</source>
+        <translation>La tecla Inicio va allí desde ahora.</translation>
+    </message>
+    <message>
+        <source>Set home</source>
+        <translation>Fijar inicio</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>posición</translation>
+    </message>
+    <message>
+        <source>Add the position “%1”</source>
+        <translation>Añadir la posición «%1»</translation>
+    </message>
+    <message>
+        <source>Select a position to touch up.</source>
+        <translation>Seleccione una posición para retocar.</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation>¿Retocar «%1»?</translation>
+    </message>
+    <message>
+        <source>Largest joint change: %1 %2.</source>
+        <translation>Mayor cambio articular: %1 %2.</translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation>Retocar</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation>Retocar «%1»</translation>
+    </message>
+    <message>
+        <source>Use “%1” as home</source>
+        <translation>Usar «%1» como inicio</translation>
+    </message>
+    <message>
+        <source>Select a position to use as home.</source>
+        <translation>Seleccione una posición como inicio.</translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>Eliminar «%1»</translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation>Cambiar «%1»</translation>
+    </message>
+    <message>
+        <source>Set the safe height</source>
+        <translation>Fijar la altura segura</translation>
+    </message>
+    <message>
+        <source>No safe height</source>
+        <translation>Sin altura segura</translation>
+    </message>
+    <message>
+        <source>The key Home goes to the usual home: upright, clear of itself.</source>
+        <translation>La tecla Inicio va al inicio habitual: erguido, libre de sí mismo.</translation>
+    </message>
+    <message>
+        <source>%1: the key Home goes there</source>
+        <translation>%1: la tecla Inicio va allí</translation>
+    </message>
+    <message>
+        <source>%1 · %2 %3 from here</source>
+        <translation>%1 · %2 %3 desde aquí</translation>
     </message>
 </context>
 <context>
@@ -5388,6 +5941,297 @@ no es emergencia</translation>
     </message>
 </context>
 <context>
+    <name>tiller::TcpPage</name>
+    <message>
+        <source>In use</source>
+        <translation>En uso</translation>
+    </message>
+    <message>
+        <source>A TCP needs a name.</source>
+        <translation>Un TCP necesita un nombre.</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another TCP. Choose another name.</source>
+        <translation>«%1» ya es el nombre de otro TCP. Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>Renombrar «%1» a «%2»</translation>
+    </message>
+    <message>
+        <source>TCPs</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>No TCP yet.
+Press From robot to keep the one it has, or Teach… to find it with the arm.</source>
+        <translation>Aún no hay TCP.
+Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el brazo.</translation>
+    </message>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>From the flange. Return applies it to the project; the robot keeps its own.</source>
+        <translation>Desde la brida. Intro lo aplica al proyecto; el robot conserva lo suyo.</translation>
+    </message>
+    <message>
+        <source>Set on robot</source>
+        <translation>Fijar en el robot</translation>
+    </message>
+    <message>
+        <source>Use this TCP and set it on the robot</source>
+        <translation>Usar este TCP y fijarlo en el robot</translation>
+    </message>
+    <message>
+        <source>Teach…</source>
+        <translation>Enseñar…</translation>
+    </message>
+    <message>
+        <source>Teach a TCP with the arm</source>
+        <translation>Enseñar un TCP con el brazo</translation>
+    </message>
+    <message>
+        <source>From robot</source>
+        <translation>Del robot</translation>
+    </message>
+    <message>
+        <source>Keep the TCP the robot has</source>
+        <translation>Conservar el TCP que tiene el robot</translation>
+    </message>
+    <message>
+        <source>Teach the selected TCP again…</source>
+        <translation>Enseñar de nuevo el TCP seleccionado…</translation>
+    </message>
+    <message>
+        <source>New TCP in figures</source>
+        <translation>Nuevo TCP en cifras</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>herramienta</translation>
+    </message>
+    <message>
+        <source>Rename TCP</source>
+        <translation>Renombrar TCP</translation>
+    </message>
+    <message>
+        <source>Duplicate TCP</source>
+        <translation>Duplicar TCP</translation>
+    </message>
+    <message>
+        <source>Delete TCP</source>
+        <translation>Eliminar TCP</translation>
+    </message>
+    <message>
+        <source>Change the TCP “%1”</source>
+        <translation>Cambiar el TCP «%1»</translation>
+    </message>
+    <message>
+        <source>Teach the TCP “%1” again</source>
+        <translation>Enseñar de nuevo el TCP «%1»</translation>
+    </message>
+    <message>
+        <source>Add the TCP “%1”</source>
+        <translation>Añadir el TCP «%1»</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Ningún robot conectado. Conecte uno o pruebe el simulador.</translation>
+    </message>
+    <message>
+        <source>“%1” is the TCP the robot has.</source>
+        <translation>«%1» es el TCP que tiene el robot.</translation>
+    </message>
+    <message>
+        <source>Teach “%1” again</source>
+        <translation>Enseñar de nuevo «%1»</translation>
+    </message>
+    <message>
+        <source>Teach a new TCP</source>
+        <translation>Enseñar un TCP nuevo</translation>
+    </message>
+    <message>
+        <source>Select a TCP to set.</source>
+        <translation>Seleccione un TCP para fijar.</translation>
+    </message>
+    <message>
+        <source>Use the TCP “%1”</source>
+        <translation>Usar el TCP «%1»</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>El brazo no está bajo control. Tome primero el control.</translation>
+    </message>
+    <message>
+        <source>Delete the TCP “%1”</source>
+        <translation>Eliminar el TCP «%1»</translation>
+    </message>
+    <message>
+        <source>%1, from the flange</source>
+        <translation>%1, desde la brida</translation>
+    </message>
+    <message>
+        <source>%1, as the robot has it</source>
+        <translation>%1, como lo tiene el robot</translation>
+    </message>
+    <message>
+        <source>%1, %2 from the one the robot has</source>
+        <translation>%1, a %2 del que tiene el robot</translation>
+    </message>
+    <message>
+        <source>The robot has another TCP than “%1”</source>
+        <translation>El robot tiene otro TCP que «%1»</translation>
+    </message>
+    <message>
+        <source>On the robot: %1. In the project: %2. They are %3 apart. Nothing was changed.</source>
+        <translation>En el robot: %1. En el proyecto: %2. Están a %3. No se cambió nada.</translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation>Fijar «%1» en el robot</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TcpTeacher</name>
+    <message>
+        <source>Take pose</source>
+        <translation>Tomar pose</translation>
+    </message>
+    <message>
+        <source>Take the worst again</source>
+        <translation>Tomar de nuevo la peor</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Tomar</translation>
+    </message>
+    <message>
+        <source>Keep TCP</source>
+        <translation>Conservar TCP</translation>
+    </message>
+    <message>
+        <source>Teach the TCP</source>
+        <translation>Enseñar el TCP</translation>
+    </message>
+    <message>
+        <source>Take a pose of the rotation</source>
+        <translation>Tomar una pose de la rotación</translation>
+    </message>
+    <message>
+        <source>Rotation of the tool</source>
+        <translation>Rotación de la herramienta</translation>
+    </message>
+    <message>
+        <source>Rotation as it is</source>
+        <translation>Rotación como está</translation>
+    </message>
+    <message>
+        <source>Rotation from one pose: tool straight down</source>
+        <translation>Rotación con una pose: herramienta recta hacia abajo</translation>
+    </message>
+    <message>
+        <source>Rotation from three poses: along +Z, towards +X</source>
+        <translation>Rotación con tres poses: por +Z, hacia +X</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Tip at %1. The poses agree within %2 (rms); pose %3 fits least, by %4.</source>
+        <translation>Punta en %1. Las poses coinciden en %2 (rms); la pose %3 es la que menos encaja, por %4.</translation>
+    </message>
+    <message>
+        <source>The tool is turned too little between the poses. Take one more, tilted by 30° or more to another side.</source>
+        <translation>La herramienta gira demasiado poco entre las poses. Tome otra, inclinada 30° o más a otro lado.</translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the poses again.</source>
+        <translation>El robot no envió un lugar válido. Tome las poses de nuevo.</translation>
+    </message>
+    <message>
+        <source>Jog the tip to a fixed, sharp point and take the pose. Then four times in all: the tip on the same point, the tool tilted each time to another side.</source>
+        <translation>Lleve la punta a un punto fijo y afilado y tome la pose. En total cuatro veces: la punta en el mismo punto, la herramienta inclinada cada vez a otro lado.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Tilt the tool to another side, bring the tip to the same point again, and take the pose. Still needed: %n</source>
+        <translation>
+            <numerusform>Incline la herramienta a otro lado, lleve la punta al mismo punto y tome la pose. Faltan: %n</numerusform>
+            <numerusform>Incline la herramienta a otro lado, lleve la punta al mismo punto y tome la pose. Faltan: %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The tool keeps the rotation it has now.</source>
+        <translation>La herramienta conserva la rotación que tiene ahora.</translation>
+    </message>
+    <message>
+        <source>Turn the tool until it points straight down and its X lies along X of the base; take it.</source>
+        <translation>Gire la herramienta hasta que apunte recta hacia abajo y su X vaya por la X de la base; tómela.</translation>
+    </message>
+    <message>
+        <source>Rotation taken. Take it again to replace it.</source>
+        <translation>Rotación tomada. Tómela de nuevo para sustituirla.</translation>
+    </message>
+    <message>
+        <source>Take the tool where it stands now. From here on it must not turn: jog X, Y and Z only.</source>
+        <translation>Tome la herramienta como está ahora. Desde aquí no debe girar: mueva solo X, Y y Z.</translation>
+    </message>
+    <message>
+        <source>Move the tool along its own +Z, away from the flange, at least %1, and take it.</source>
+        <translation>Mueva la herramienta por su propio +Z, alejándose de la brida, al menos %1, y tómela.</translation>
+    </message>
+    <message>
+        <source>Now to the side of its +X, at least %1, and take it.</source>
+        <translation>Ahora al lado de su +X, al menos %1, y tómela.</translation>
+    </message>
+    <message>
+        <source>Rotation taken: %1 along +Z, %2 beside it; the flange turned by %3 meanwhile, most at pose %4.</source>
+        <translation>Rotación tomada: %1 por +Z, %2 al lado; la brida giró %3 entretanto, sobre todo en la pose %4.</translation>
+    </message>
+    <message>
+        <source>The flange turned by %1 on the way, most at pose %2. Take the three again without turning the tool.</source>
+        <translation>La brida giró %1 por el camino, sobre todo en la pose %2. Tome las tres de nuevo sin girar la herramienta.</translation>
+    </message>
+    <message>
+        <source>The way along +Z is only %1. Take the three again, at least %2 apart.</source>
+        <translation>El recorrido por +Z es solo %1. Tome las tres de nuevo, separadas al menos %2.</translation>
+    </message>
+    <message>
+        <source>The way towards +X is only %1. Take the three again, at least %2 apart.</source>
+        <translation>El recorrido hacia +X es solo %1. Tome las tres de nuevo, separadas al menos %2.</translation>
+    </message>
+    <message>
+        <source>The three poses lie in a line: the third is only %1 beside it. Take the three again.</source>
+        <translation>Las tres poses están en línea: la tercera está a solo %1. Tome las tres de nuevo.</translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the three again.</source>
+        <translation>El robot no envió un lugar válido. Tome las tres de nuevo.</translation>
+    </message>
+    <message>
+        <source>Take the last again</source>
+        <translation>Tomar de nuevo la última</translation>
+    </message>
+    <message>
+        <source>Take pose %1</source>
+        <translation>Tomar pose %1</translation>
+    </message>
+    <message>
+        <source>Pose %1</source>
+        <translation>Pose %1</translation>
+    </message>
+    <message>
+        <source>  ◀ fits least</source>
+        <translation>  ◀ encaja menos</translation>
+    </message>
+    <message>
+        <source>Poses can be taken while the robot sends data.</source>
+        <translation>Las poses se pueden tomar mientras el robot envíe datos.</translation>
+    </message>
+</context>
+<context>
     <name>tiller::TickLine</name>
     <message>
         <source>done</source>
@@ -5396,6 +6240,29 @@ no es emergencia</translation>
     <message>
         <source>not done yet</source>
         <translation>aún no hecho</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ToolsTab</name>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>Carga útil</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Posiciones</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Herramientas</translation>
+    </message>
+    <message>
+        <source>TCP, payload or positions</source>
+        <translation>TCP, carga útil o posiciones</translation>
     </message>
 </context>
 <context>
@@ -6470,6 +7337,10 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <source>Speed cap %1</source>
         <translation>Límite de velocidad %1</translation>
     </message>
+    <message>
+        <source>A recording is running. End it first: nothing of it shall be missing.</source>
+        <translation>Hay una grabación en marcha. Termínela primero: no debe faltar nada de ella.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
@@ -6926,6 +7797,30 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     <message>
         <source>%1 belongs to &quot;%2&quot;. Take it away there first.</source>
         <translation>%1 pertenece a &quot;%2&quot;. Quítela allí primero.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Idioma</translation>
+    </message>
+    <message>
+        <source>As the system: %1</source>
+        <translation>Como el sistema: %1</translation>
+    </message>
+    <message>
+        <source>Open the window anew</source>
+        <translation>Abrir la ventana de nuevo</translation>
+    </message>
+    <message>
+        <source>Stops the arm, gives control back and connects again; what the plots show begins anew. The project is saved.</source>
+        <translation>Detiene el brazo, devuelve el control y conecta de nuevo; lo que muestran los gráficos empieza de nuevo. El proyecto se guarda.</translation>
+    </message>
+    <message>
+        <source>Of the window and of the checks. Files and scripts are the same in all.</source>
+        <translation>De la ventana y las comprobaciones. Archivos y scripts son iguales en todos.</translation>
+    </message>
+    <message>
+        <source>Holds at the next start of Tiller, or once the window is opened anew.</source>
+        <translation>Vale desde el próximo inicio de Tiller, o al abrir la ventana de nuevo.</translation>
     </message>
 </context>
 <context>

@@ -2132,6 +2132,25 @@
     </message>
 </context>
 <context>
+    <name>RobotTooling</name>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>Le bras n’est pas sous contrôle. Prenez d’abord le contrôle.</translation>
+    </message>
+    <message>
+        <source>TCP and payload are set while the arm stands still. Let it come to rest.</source>
+        <translation>TCP et charge utile se règlent bras immobile. Laissez-le s’immobiliser.</translation>
+    </message>
+    <message>
+        <source>TCP set on the robot: %1</source>
+        <translation>TCP réglé sur le robot : %1</translation>
+    </message>
+    <message>
+        <source>Payload set on the robot: %1</source>
+        <translation>Charge utile réglée sur le robot : %1</translation>
+    </message>
+</context>
+<context>
     <name>SampleProjects</name>
     <message>
         <source>Pick and place</source>
@@ -2731,6 +2750,10 @@
     <message>
         <source>This is not a table of waypoints. Copy one from the list to see its columns, or paste the six figures of a pose.</source>
         <translation>Ceci n’est pas un tableau de points de passage. Copiez-en un de la liste pour voir ses colonnes, ou collez les six nombres d’une pose.</translation>
+    </message>
+    <message>
+        <source>“%1” is no colour of a waypoint</source>
+        <translation>« %1 » n’est pas une couleur de point de passage</translation>
     </message>
 </context>
 <context>
@@ -4287,6 +4310,359 @@ Videz la recherche pour tout voir.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::PartModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PartPage</name>
+    <message>
+        <source>More</source>
+        <translation>Plus</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PayloadEstimator</name>
+    <message>
+        <source>Next pose (hold)</source>
+        <translation>Pose suivante (tenir)</translation>
+    </message>
+    <message>
+        <source>Keep payload</source>
+        <translation>Garder la charge utile</translation>
+    </message>
+    <message>
+        <source>Find the payload</source>
+        <translation>Trouver la charge utile</translation>
+    </message>
+    <message>
+        <source>Find the payload by weighing it in several poses</source>
+        <translation>Trouver la charge utile en la pesant dans plusieurs poses</translation>
+    </message>
+    <message>
+        <source>Next pose, hold</source>
+        <translation>Pose suivante, tenir</translation>
+    </message>
+    <message>
+        <source>Turns the wrist to the next pose while the key is held, no faster than the jog speed. Look that the tool has room to turn.</source>
+        <translation>Tourne le poignet vers la pose suivante tant que la touche est tenue, pas plus vite que la vitesse manuelle. Voyez que l’outil ait la place de tourner.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Cancel finding the payload</source>
+        <translation>Annuler la recherche de la charge utile</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>Le bras n’est pas sous contrôle. Prenez d’abord le contrôle.</translation>
+    </message>
+    <message>
+        <source>The arm moved. Let it come to rest, touch nothing, and take the pose again.</source>
+        <translation>Le bras a bougé. Laissez-le s’immobiliser, ne touchez à rien et reprenez la pose.</translation>
+    </message>
+    <message>
+        <source>The robot sends no forces. Enter mass and centre in figures instead.</source>
+        <translation>Le robot n’envoie pas de forces. Saisissez masse et centre en chiffres.</translation>
+    </message>
+    <message>
+        <source>Weighing… let nothing touch the tool.</source>
+        <translation>Pesée… que rien ne touche l’outil.</translation>
+    </message>
+    <message>
+        <source>%1 kg, centre at %2 from the flange. The poses agree within %3 and %4.</source>
+        <translation>%1 kg, centre à %2 de la bride. Les poses s’accordent à %3 et %4 près.</translation>
+    </message>
+    <message>
+        <source>%1 That is poor: pose %2 fits least. Remove it and take another one.</source>
+        <translation>%1 C’est faible : la pose %2 convient le moins. Ôtez-la et prenez-en une autre.</translation>
+    </message>
+    <message>
+        <source>The tool is turned too little between the poses. Take one more, turned to another side.</source>
+        <translation>L’outil tourne trop peu entre les poses. Prenez-en une de plus, tournée d’un autre côté.</translation>
+    </message>
+    <message>
+        <source>%1 kg: too light for the sensor to tell where its centre is. Enter it in figures.</source>
+        <translation>%1 kg : trop léger pour que le capteur dise où est le centre. Saisissez-le en chiffres.</translation>
+    </message>
+    <message>
+        <source>Let the arm come to rest, touch nothing, and take the pose. Then turn the wrist, by jogging or with Next pose, and take three more.</source>
+        <translation>Laissez le bras s’immobiliser, ne touchez à rien et prenez la pose. Tournez ensuite le poignet, à la main ou avec « Pose suivante », et prenez-en trois de plus.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Turn the wrist to another side and take the pose. Still needed: %n</source>
+        <translation>
+            <numerusform>Tournez le poignet d’un autre côté et prenez la pose. Encore : %n</numerusform>
+            <numerusform>Tournez le poignet d’un autre côté et prenez la pose. Encore : %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take pose %1</source>
+        <translation>Prendre la pose %1</translation>
+    </message>
+    <message>
+        <source>Remove the worst</source>
+        <translation>Ôter la pire</translation>
+    </message>
+    <message>
+        <source>Remove the last</source>
+        <translation>Ôter la dernière</translation>
+    </message>
+    <message>
+        <source>Pose %1  %2</source>
+        <translation>Pose %1  %2</translation>
+    </message>
+    <message>
+        <source>  ◀ fits least</source>
+        <translation>  ◀ convient le moins</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PayloadPage</name>
+    <message>
+        <source>Mass kg</source>
+        <translation>Masse kg</translation>
+    </message>
+    <message>
+        <source>CX %1</source>
+        <translation>CX %1</translation>
+    </message>
+    <message>
+        <source>CY %1</source>
+        <translation>CY %1</translation>
+    </message>
+    <message>
+        <source>CZ %1</source>
+        <translation>CZ %1</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>Utilisé</translation>
+    </message>
+    <message>
+        <source>A payload needs a name.</source>
+        <translation>Une charge utile demande un nom.</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another payload. Choose another name.</source>
+        <translation>« %1 » est déjà le nom d’une autre charge utile. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>Renommer « %1 » en « %2 »</translation>
+    </message>
+    <message>
+        <source>Nothing mounted</source>
+        <translation>Rien de monté</translation>
+    </message>
+    <message>
+        <source>Robotiq 2F-85, empty</source>
+        <translation>Robotiq 2F-85, à vide</translation>
+    </message>
+    <message>
+        <source>Robotiq 2F-140, empty</source>
+        <translation>Robotiq 2F-140, à vide</translation>
+    </message>
+    <message>
+        <source>Payloads</source>
+        <translation>Charges utiles</translation>
+    </message>
+    <message>
+        <source>No payload yet.
+Press From robot to keep the one it has, or Weigh… to find it with the arm.</source>
+        <translation>Pas encore de charge utile.
+Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras.</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>CX</source>
+        <translation>CX</translation>
+    </message>
+    <message>
+        <source>CY</source>
+        <translation>CY</translation>
+    </message>
+    <message>
+        <source>CZ</source>
+        <translation>CZ</translation>
+    </message>
+    <message>
+        <source>Mass of the payload</source>
+        <translation>Masse de la charge utile</translation>
+    </message>
+    <message>
+        <source>Centre of gravity X</source>
+        <translation>Centre de gravité X</translation>
+    </message>
+    <message>
+        <source>Centre of gravity Y</source>
+        <translation>Centre de gravité Y</translation>
+    </message>
+    <message>
+        <source>Centre of gravity Z</source>
+        <translation>Centre de gravité Z</translation>
+    </message>
+    <message>
+        <source>Return applies it to the project; the robot keeps its own.</source>
+        <translation>Entrée l’applique au projet ; le robot garde le sien.</translation>
+    </message>
+    <message>
+        <source>Set on robot</source>
+        <translation>Régler sur le robot</translation>
+    </message>
+    <message>
+        <source>Use this payload and set it on the robot</source>
+        <translation>Utiliser cette charge utile et la régler sur le robot</translation>
+    </message>
+    <message>
+        <source>Weigh…</source>
+        <translation>Peser…</translation>
+    </message>
+    <message>
+        <source>Find the payload with the arm</source>
+        <translation>Trouver la charge utile avec le bras</translation>
+    </message>
+    <message>
+        <source>Is it true?</source>
+        <translation>Est-elle juste ?</translation>
+    </message>
+    <message>
+        <source>Check whether the payload is true</source>
+        <translation>Vérifier si la charge utile est juste</translation>
+    </message>
+    <message>
+        <source>Keep the payload the robot has</source>
+        <translation>Garder la charge utile du robot</translation>
+    </message>
+    <message>
+        <source>New payload in figures</source>
+        <translation>Nouvelle charge utile en chiffres</translation>
+    </message>
+    <message>
+        <source>payload</source>
+        <translation>charge utile</translation>
+    </message>
+    <message>
+        <source>Add preset: %1</source>
+        <translation>Ajouter un modèle : %1</translation>
+    </message>
+    <message>
+        <source>Rename payload</source>
+        <translation>Renommer la charge utile</translation>
+    </message>
+    <message>
+        <source>Duplicate payload</source>
+        <translation>Dupliquer la charge utile</translation>
+    </message>
+    <message>
+        <source>Delete payload</source>
+        <translation>Supprimer la charge utile</translation>
+    </message>
+    <message>
+        <source>Add the payload “%1”</source>
+        <translation>Ajouter la charge utile « %1 »</translation>
+    </message>
+    <message>
+        <source>Change the payload “%1”</source>
+        <translation>Changer la charge utile « %1 »</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Aucun robot connecté. Connectez-en un, ou essayez le simulateur.</translation>
+    </message>
+    <message>
+        <source>Select a payload to set.</source>
+        <translation>Choisissez une charge utile à régler.</translation>
+    </message>
+    <message>
+        <source>Use the payload “%1”</source>
+        <translation>Utiliser la charge utile « %1 »</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>Le bras n’est pas sous contrôle. Prenez d’abord le contrôle.</translation>
+    </message>
+    <message>
+        <source>Delete the payload “%1”</source>
+        <translation>Supprimer la charge utile « %1 »</translation>
+    </message>
+    <message>
+        <source>Weighing… let nothing touch the tool.</source>
+        <translation>Pesée… que rien ne touche l’outil.</translation>
+    </message>
+    <message>
+        <source>The arm moved. Let it come to rest, touch nothing, and check again.</source>
+        <translation>Le bras a bougé. Laissez-le s’immobiliser, ne touchez à rien et vérifiez encore.</translation>
+    </message>
+    <message>
+        <source>The robot sends no forces: its payload cannot be checked.</source>
+        <translation>Le robot n’envoie pas de forces : sa charge utile ne peut être vérifiée.</translation>
+    </message>
+    <message>
+        <source>With %1 kg the arm feels %2 and %3 at rest.</source>
+        <translation>Avec %1 kg le bras sent au repos %2 et %3.</translation>
+    </message>
+    <message>
+        <source>The payload is true. %1</source>
+        <translation>La charge utile est juste. %1</translation>
+    </message>
+    <message>
+        <source>The payload is true</source>
+        <translation>La charge utile est juste</translation>
+    </message>
+    <message>
+        <source>About %1 kg more hang there than it was told of.</source>
+        <translation>Environ %1 kg de plus y pendent qu’il ne le sait.</translation>
+    </message>
+    <message>
+        <source>About %1 kg less hang there than it was told of.</source>
+        <translation>Environ %1 kg de moins y pendent qu’il ne le sait.</translation>
+    </message>
+    <message>
+        <source>Its centre is elsewhere, or something touches the tool.</source>
+        <translation>Son centre est ailleurs, ou quelque chose touche l’outil.</translation>
+    </message>
+    <message>
+        <source>%1 %2 Weigh it, or choose another payload. Zeroing the force sensor hides a wrong payload until the tool turns.</source>
+        <translation>%1 %2 Pesez-la, ou choisissez une autre charge utile. Mettre à zéro le capteur de force cache une charge fausse jusqu’à ce que l’outil tourne.</translation>
+    </message>
+    <message>
+        <source>The payload is not true. %1 %2</source>
+        <translation>La charge utile n’est pas juste. %1 %2</translation>
+    </message>
+    <message>
+        <source>The payload is not true</source>
+        <translation>La charge utile n’est pas juste</translation>
+    </message>
+    <message>
+        <source>%1, as the robot has it</source>
+        <translation>%1, comme sur le robot</translation>
+    </message>
+    <message>
+        <source>%1; the robot was told %2 kg, centre %3</source>
+        <translation>%1 ; le robot connaît %2 kg, centre %3</translation>
+    </message>
+    <message>
+        <source>The robot has another payload than “%1”</source>
+        <translation>Le robot a une autre charge utile que « %1 »</translation>
+    </message>
+    <message>
+        <source>On the robot: %1 kg, centre %2. In the project: %3 kg, centre %4. Nothing was changed.</source>
+        <translation>Sur le robot : %1 kg, centre %2. Dans le projet : %3 kg, centre %4. Rien n’a été changé.</translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation>Régler « %1 » sur le robot</translation>
+    </message>
+</context>
+<context>
     <name>tiller::PlotDock</name>
     <message>
         <source>5 s</source>
@@ -4626,6 +5002,183 @@ Videz la recherche pour tout voir.</translation>
     <message>
         <source>TCP in the frame of the flange: %1</source>
         <translation>TCP dans le repère de la bride : %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PositionsPage</name>
+    <message>
+        <source>Joints °</source>
+        <translation>Articulations °</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Origine</translation>
+    </message>
+    <message>
+        <source>A position needs a name.</source>
+        <translation>Une position demande un nom.</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another position. Choose another name.</source>
+        <translation>« %1 » est déjà le nom d’une autre position. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>Renommer « %1 » en « %2 »</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Positions</translation>
+    </message>
+    <message>
+        <source>No positions yet.
+Jog the arm to a place and press Set home here, or Add here.</source>
+        <translation>Pas encore de positions.
+Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation>
+    </message>
+    <message>
+        <source>Safe height</source>
+        <translation>Hauteur sûre</translation>
+    </message>
+    <message>
+        <source>%1. Return applies it; nothing moves but the position.</source>
+        <translation>%1. Entrée l’applique ; rien ne bouge que la position.</translation>
+    </message>
+    <message>
+        <source>Above it, in the base frame, nothing stands: there the TCP may go sideways.</source>
+        <translation>Au-dessus, dans le repère de base, il n’y a rien : là le TCP peut aller de côté.</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Ici</translation>
+    </message>
+    <message>
+        <source>The safe height is where the TCP is now</source>
+        <translation>La hauteur sûre est là où est le TCP maintenant</translation>
+    </message>
+    <message>
+        <source>Set home here</source>
+        <translation>Origine ici</translation>
+    </message>
+    <message>
+        <source>Add here</source>
+        <translation>Ajouter ici</translation>
+    </message>
+    <message>
+        <source>Keep the position the arm has</source>
+        <translation>Garder la position du bras</translation>
+    </message>
+    <message>
+        <source>Use as home</source>
+        <translation>Utiliser comme origine</translation>
+    </message>
+    <message>
+        <source>Use the selected position as home</source>
+        <translation>Utiliser la position choisie comme origine</translation>
+    </message>
+    <message>
+        <source>Touch up the position</source>
+        <translation>Retoucher la position</translation>
+    </message>
+    <message>
+        <source>Use the usual home again</source>
+        <translation>Reprendre l’origine habituelle</translation>
+    </message>
+    <message>
+        <source>Use the usual home</source>
+        <translation>Utiliser l’origine habituelle</translation>
+    </message>
+    <message>
+        <source>Rename position</source>
+        <translation>Renommer la position</translation>
+    </message>
+    <message>
+        <source>Delete position</source>
+        <translation>Supprimer la position</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation>Les données du robot sont vieilles. Attendez qu’elles reviennent.</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Aucun robot connecté. Connectez-en un, ou essayez le simulateur.</translation>
+    </message>
+    <message>
+        <source>Set “%1” to where the arm stands?</source>
+        <translation>Mettre « %1 » là où est le bras ?</translation>
+    </message>
+    <message>
+        <source>The key Home goes there from now on.</source>
+        <translation>La touche Origine y va désormais.</translation>
+    </message>
+    <message>
+        <source>Set home</source>
+        <translation>Régler l’origine</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>position</translation>
+    </message>
+    <message>
+        <source>Add the position “%1”</source>
+        <translation>Ajouter la position « %1 »</translation>
+    </message>
+    <message>
+        <source>Select a position to touch up.</source>
+        <translation>Choisissez une position à retoucher.</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation>Retoucher « %1 » ?</translation>
+    </message>
+    <message>
+        <source>Largest joint change: %1 %2.</source>
+        <translation>Plus grand changement articulaire : %1 %2.</translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation>Retoucher</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation>Retoucher « %1 »</translation>
+    </message>
+    <message>
+        <source>Use “%1” as home</source>
+        <translation>Utiliser « %1 » comme origine</translation>
+    </message>
+    <message>
+        <source>Select a position to use as home.</source>
+        <translation>Choisissez une position comme origine.</translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>Supprimer « %1 »</translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation>Changer « %1 »</translation>
+    </message>
+    <message>
+        <source>Set the safe height</source>
+        <translation>Régler la hauteur sûre</translation>
+    </message>
+    <message>
+        <source>No safe height</source>
+        <translation>Pas de hauteur sûre</translation>
+    </message>
+    <message>
+        <source>The key Home goes to the usual home: upright, clear of itself.</source>
+        <translation>La touche Origine va à l’origine habituelle : dressé, dégagé de lui-même.</translation>
+    </message>
+    <message>
+        <source>%1: the key Home goes there</source>
+        <translation>%1 : la touche Origine y va</translation>
+    </message>
+    <message>
+        <source>%1 · %2 %3 from here</source>
+        <translation>%1 · %2 %3 d’ici</translation>
     </message>
 </context>
 <context>
@@ -5388,6 +5941,297 @@ pas d’urgence</translation>
     </message>
 </context>
 <context>
+    <name>tiller::TcpPage</name>
+    <message>
+        <source>In use</source>
+        <translation>Utilisé</translation>
+    </message>
+    <message>
+        <source>A TCP needs a name.</source>
+        <translation>Un TCP demande un nom.</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another TCP. Choose another name.</source>
+        <translation>« %1 » est déjà le nom d’un autre TCP. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>Renommer « %1 » en « %2 »</translation>
+    </message>
+    <message>
+        <source>TCPs</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>No TCP yet.
+Press From robot to keep the one it has, or Teach… to find it with the arm.</source>
+        <translation>Pas encore de TCP.
+Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le bras.</translation>
+    </message>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>From the flange. Return applies it to the project; the robot keeps its own.</source>
+        <translation>Depuis la bride. Entrée l’applique au projet ; le robot garde le sien.</translation>
+    </message>
+    <message>
+        <source>Set on robot</source>
+        <translation>Régler sur le robot</translation>
+    </message>
+    <message>
+        <source>Use this TCP and set it on the robot</source>
+        <translation>Utiliser ce TCP et le régler sur le robot</translation>
+    </message>
+    <message>
+        <source>Teach…</source>
+        <translation>Apprendre…</translation>
+    </message>
+    <message>
+        <source>Teach a TCP with the arm</source>
+        <translation>Apprendre un TCP avec le bras</translation>
+    </message>
+    <message>
+        <source>From robot</source>
+        <translation>Du robot</translation>
+    </message>
+    <message>
+        <source>Keep the TCP the robot has</source>
+        <translation>Garder le TCP du robot</translation>
+    </message>
+    <message>
+        <source>Teach the selected TCP again…</source>
+        <translation>Réapprendre le TCP choisi…</translation>
+    </message>
+    <message>
+        <source>New TCP in figures</source>
+        <translation>Nouveau TCP en chiffres</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>outil</translation>
+    </message>
+    <message>
+        <source>Rename TCP</source>
+        <translation>Renommer le TCP</translation>
+    </message>
+    <message>
+        <source>Duplicate TCP</source>
+        <translation>Dupliquer le TCP</translation>
+    </message>
+    <message>
+        <source>Delete TCP</source>
+        <translation>Supprimer le TCP</translation>
+    </message>
+    <message>
+        <source>Change the TCP “%1”</source>
+        <translation>Changer le TCP « %1 »</translation>
+    </message>
+    <message>
+        <source>Teach the TCP “%1” again</source>
+        <translation>Réapprendre le TCP « %1 »</translation>
+    </message>
+    <message>
+        <source>Add the TCP “%1”</source>
+        <translation>Ajouter le TCP « %1 »</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Aucun robot connecté. Connectez-en un, ou essayez le simulateur.</translation>
+    </message>
+    <message>
+        <source>“%1” is the TCP the robot has.</source>
+        <translation>« %1 » est le TCP du robot.</translation>
+    </message>
+    <message>
+        <source>Teach “%1” again</source>
+        <translation>Réapprendre « %1 »</translation>
+    </message>
+    <message>
+        <source>Teach a new TCP</source>
+        <translation>Apprendre un nouveau TCP</translation>
+    </message>
+    <message>
+        <source>Select a TCP to set.</source>
+        <translation>Choisissez un TCP à régler.</translation>
+    </message>
+    <message>
+        <source>Use the TCP “%1”</source>
+        <translation>Utiliser le TCP « %1 »</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>Le bras n’est pas sous contrôle. Prenez d’abord le contrôle.</translation>
+    </message>
+    <message>
+        <source>Delete the TCP “%1”</source>
+        <translation>Supprimer le TCP « %1 »</translation>
+    </message>
+    <message>
+        <source>%1, from the flange</source>
+        <translation>%1, depuis la bride</translation>
+    </message>
+    <message>
+        <source>%1, as the robot has it</source>
+        <translation>%1, comme sur le robot</translation>
+    </message>
+    <message>
+        <source>%1, %2 from the one the robot has</source>
+        <translation>%1, à %2 de celui du robot</translation>
+    </message>
+    <message>
+        <source>The robot has another TCP than “%1”</source>
+        <translation>Le robot a un autre TCP que « %1 »</translation>
+    </message>
+    <message>
+        <source>On the robot: %1. In the project: %2. They are %3 apart. Nothing was changed.</source>
+        <translation>Sur le robot : %1. Dans le projet : %2. Ils sont à %3 l’un de l’autre. Rien n’a été changé.</translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation>Régler « %1 » sur le robot</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TcpTeacher</name>
+    <message>
+        <source>Take pose</source>
+        <translation>Prendre la pose</translation>
+    </message>
+    <message>
+        <source>Take the worst again</source>
+        <translation>Reprendre la pire</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Prendre</translation>
+    </message>
+    <message>
+        <source>Keep TCP</source>
+        <translation>Garder le TCP</translation>
+    </message>
+    <message>
+        <source>Teach the TCP</source>
+        <translation>Apprendre le TCP</translation>
+    </message>
+    <message>
+        <source>Take a pose of the rotation</source>
+        <translation>Prendre une pose de la rotation</translation>
+    </message>
+    <message>
+        <source>Rotation of the tool</source>
+        <translation>Rotation de l’outil</translation>
+    </message>
+    <message>
+        <source>Rotation as it is</source>
+        <translation>Rotation inchangée</translation>
+    </message>
+    <message>
+        <source>Rotation from one pose: tool straight down</source>
+        <translation>Rotation par une pose : outil droit vers le bas</translation>
+    </message>
+    <message>
+        <source>Rotation from three poses: along +Z, towards +X</source>
+        <translation>Rotation par trois poses : selon +Z, vers +X</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Tip at %1. The poses agree within %2 (rms); pose %3 fits least, by %4.</source>
+        <translation>Pointe à %1. Les poses s’accordent à %2 (rms) ; la pose %3 convient le moins, de %4.</translation>
+    </message>
+    <message>
+        <source>The tool is turned too little between the poses. Take one more, tilted by 30° or more to another side.</source>
+        <translation>L’outil tourne trop peu entre les poses. Prenez-en une de plus, inclinée de 30° ou plus d’un autre côté.</translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the poses again.</source>
+        <translation>Le robot n’a pas envoyé de place valable. Reprenez les poses.</translation>
+    </message>
+    <message>
+        <source>Jog the tip to a fixed, sharp point and take the pose. Then four times in all: the tip on the same point, the tool tilted each time to another side.</source>
+        <translation>Amenez la pointe à un point fixe et aigu et prenez la pose. Quatre fois en tout : la pointe au même point, l’outil incliné chaque fois d’un autre côté.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Tilt the tool to another side, bring the tip to the same point again, and take the pose. Still needed: %n</source>
+        <translation>
+            <numerusform>Inclinez l’outil d’un autre côté, ramenez la pointe au même point et prenez la pose. Encore : %n</numerusform>
+            <numerusform>Inclinez l’outil d’un autre côté, ramenez la pointe au même point et prenez la pose. Encore : %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The tool keeps the rotation it has now.</source>
+        <translation>L’outil garde la rotation qu’il a maintenant.</translation>
+    </message>
+    <message>
+        <source>Turn the tool until it points straight down and its X lies along X of the base; take it.</source>
+        <translation>Tournez l’outil jusqu’à ce qu’il pointe droit vers le bas et que son X suive le X de la base ; prenez-le.</translation>
+    </message>
+    <message>
+        <source>Rotation taken. Take it again to replace it.</source>
+        <translation>Rotation prise. Reprenez-la pour la remplacer.</translation>
+    </message>
+    <message>
+        <source>Take the tool where it stands now. From here on it must not turn: jog X, Y and Z only.</source>
+        <translation>Prenez l’outil tel qu’il est. À partir d’ici il ne doit pas tourner : déplacez seulement X, Y et Z.</translation>
+    </message>
+    <message>
+        <source>Move the tool along its own +Z, away from the flange, at least %1, and take it.</source>
+        <translation>Déplacez l’outil selon son propre +Z, loin de la bride, d’au moins %1, et prenez-le.</translation>
+    </message>
+    <message>
+        <source>Now to the side of its +X, at least %1, and take it.</source>
+        <translation>Maintenant du côté de son +X, d’au moins %1, et prenez-le.</translation>
+    </message>
+    <message>
+        <source>Rotation taken: %1 along +Z, %2 beside it; the flange turned by %3 meanwhile, most at pose %4.</source>
+        <translation>Rotation prise : %1 selon +Z, %2 à côté ; la bride a tourné de %3, surtout à la pose %4.</translation>
+    </message>
+    <message>
+        <source>The flange turned by %1 on the way, most at pose %2. Take the three again without turning the tool.</source>
+        <translation>La bride a tourné de %1 en chemin, surtout à la pose %2. Reprenez les trois sans tourner l’outil.</translation>
+    </message>
+    <message>
+        <source>The way along +Z is only %1. Take the three again, at least %2 apart.</source>
+        <translation>Le chemin selon +Z n’est que de %1. Reprenez les trois, distantes d’au moins %2.</translation>
+    </message>
+    <message>
+        <source>The way towards +X is only %1. Take the three again, at least %2 apart.</source>
+        <translation>Le chemin vers +X n’est que de %1. Reprenez les trois, distantes d’au moins %2.</translation>
+    </message>
+    <message>
+        <source>The three poses lie in a line: the third is only %1 beside it. Take the three again.</source>
+        <translation>Les trois poses sont alignées : la troisième n’est qu’à %1. Reprenez les trois.</translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the three again.</source>
+        <translation>Le robot n’a pas envoyé de place valable. Reprenez les trois.</translation>
+    </message>
+    <message>
+        <source>Take the last again</source>
+        <translation>Reprendre la dernière</translation>
+    </message>
+    <message>
+        <source>Take pose %1</source>
+        <translation>Prendre la pose %1</translation>
+    </message>
+    <message>
+        <source>Pose %1</source>
+        <translation>Pose %1</translation>
+    </message>
+    <message>
+        <source>  ◀ fits least</source>
+        <translation>  ◀ convient le moins</translation>
+    </message>
+    <message>
+        <source>Poses can be taken while the robot sends data.</source>
+        <translation>Les poses se prennent tant que le robot envoie des données.</translation>
+    </message>
+</context>
+<context>
     <name>tiller::TickLine</name>
     <message>
         <source>done</source>
@@ -5396,6 +6240,29 @@ pas d’urgence</translation>
     <message>
         <source>not done yet</source>
         <translation>pas encore fait</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ToolsTab</name>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>Charge utile</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Positions</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Outils</translation>
+    </message>
+    <message>
+        <source>TCP, payload or positions</source>
+        <translation>TCP, charge utile ou positions</translation>
     </message>
 </context>
 <context>
@@ -6470,6 +7337,10 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <source>Speed cap %1</source>
         <translation>Plafond de vitesse %1</translation>
     </message>
+    <message>
+        <source>A recording is running. End it first: nothing of it shall be missing.</source>
+        <translation>Un enregistrement est en cours. Terminez-le d’abord : rien ne doit y manquer.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
@@ -6926,6 +7797,30 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     <message>
         <source>%1 belongs to &quot;%2&quot;. Take it away there first.</source>
         <translation>%1 appartient à &quot;%2&quot;. Ôtez-la d’abord là.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Langue</translation>
+    </message>
+    <message>
+        <source>As the system: %1</source>
+        <translation>Comme le système : %1</translation>
+    </message>
+    <message>
+        <source>Open the window anew</source>
+        <translation>Rouvrir la fenêtre</translation>
+    </message>
+    <message>
+        <source>Stops the arm, gives control back and connects again; what the plots show begins anew. The project is saved.</source>
+        <translation>Arrête le bras, rend le contrôle et se reconnecte ; ce que montrent les tracés recommence. Le projet est enregistré.</translation>
+    </message>
+    <message>
+        <source>Of the window and of the checks. Files and scripts are the same in all.</source>
+        <translation>De la fenêtre et des vérifications. Fichiers et scripts sont les mêmes dans toutes.</translation>
+    </message>
+    <message>
+        <source>Holds at the next start of Tiller, or once the window is opened anew.</source>
+        <translation>Vaut dès le prochain démarrage de Tiller, ou dès que la fenêtre est rouverte.</translation>
     </message>
 </context>
 <context>

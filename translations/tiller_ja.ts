@@ -2132,6 +2132,25 @@
     </message>
 </context>
 <context>
+    <name>RobotTooling</name>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>アームは制御下にありません。先に制御を取得してください。</translation>
+    </message>
+    <message>
+        <source>TCP and payload are set while the arm stands still. Let it come to rest.</source>
+        <translation>TCP とペイロードはアームの静止中に設定します。静止させてください。</translation>
+    </message>
+    <message>
+        <source>TCP set on the robot: %1</source>
+        <translation>ロボットに TCP を設定：%1</translation>
+    </message>
+    <message>
+        <source>Payload set on the robot: %1</source>
+        <translation>ロボットにペイロードを設定：%1</translation>
+    </message>
+</context>
+<context>
     <name>SampleProjects</name>
     <message>
         <source>Pick and place</source>
@@ -2730,6 +2749,10 @@
     <message>
         <source>This is not a table of waypoints. Copy one from the list to see its columns, or paste the six figures of a pose.</source>
         <translation>これはウェイポイントの表ではありません。一覧から一つコピーして列を確かめるか、姿勢の六つの数を貼り付けてください。</translation>
+    </message>
+    <message>
+        <source>“%1” is no colour of a waypoint</source>
+        <translation>「%1」はウェイポイントの色ではありません</translation>
     </message>
 </context>
 <context>
@@ -4281,6 +4304,358 @@ Clear the search to see everything.</source>
     </message>
 </context>
 <context>
+    <name>tiller::PartModel</name>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PartPage</name>
+    <message>
+        <source>More</source>
+        <translation>その他</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PayloadEstimator</name>
+    <message>
+        <source>Next pose (hold)</source>
+        <translation>次の姿勢（押す）</translation>
+    </message>
+    <message>
+        <source>Keep payload</source>
+        <translation>ペイロードを採用</translation>
+    </message>
+    <message>
+        <source>Find the payload</source>
+        <translation>ペイロードを求める</translation>
+    </message>
+    <message>
+        <source>Find the payload by weighing it in several poses</source>
+        <translation>いくつかの姿勢で量ってペイロードを求める</translation>
+    </message>
+    <message>
+        <source>Next pose, hold</source>
+        <translation>次の姿勢、押し続ける</translation>
+    </message>
+    <message>
+        <source>Turns the wrist to the next pose while the key is held, no faster than the jog speed. Look that the tool has room to turn.</source>
+        <translation>押している間、手首を次の姿勢へ回します。ジョグ速度を超えません。ツールが回れる余地を確かめてください。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Cancel finding the payload</source>
+        <translation>ペイロードを求めるのを取り消す</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>アームは制御下にありません。先に制御を取得してください。</translation>
+    </message>
+    <message>
+        <source>The arm moved. Let it come to rest, touch nothing, and take the pose again.</source>
+        <translation>アームが動きました。静止させ、何にも触れず、姿勢を取り直してください。</translation>
+    </message>
+    <message>
+        <source>The robot sends no forces. Enter mass and centre in figures instead.</source>
+        <translation>ロボットが力を送りません。質量と重心を数値で入力してください。</translation>
+    </message>
+    <message>
+        <source>Weighing… let nothing touch the tool.</source>
+        <translation>計量中… ツールに何も触れないでください。</translation>
+    </message>
+    <message>
+        <source>%1 kg, centre at %2 from the flange. The poses agree within %3 and %4.</source>
+        <translation>%1 kg、重心はフランジから %2。姿勢は %3 と %4 以内で一致。</translation>
+    </message>
+    <message>
+        <source>%1 That is poor: pose %2 fits least. Remove it and take another one.</source>
+        <translation>%1 精度が低いです：姿勢 %2 が最も合いません。除いて別の姿勢を取ってください。</translation>
+    </message>
+    <message>
+        <source>The tool is turned too little between the poses. Take one more, turned to another side.</source>
+        <translation>姿勢間のツールの回転が足りません。別の側に回してもう一つ取ってください。</translation>
+    </message>
+    <message>
+        <source>%1 kg: too light for the sensor to tell where its centre is. Enter it in figures.</source>
+        <translation>%1 kg：軽すぎてセンサーが重心を示せません。数値で入力してください。</translation>
+    </message>
+    <message>
+        <source>Let the arm come to rest, touch nothing, and take the pose. Then turn the wrist, by jogging or with Next pose, and take three more.</source>
+        <translation>アームを静止させ、何にも触れず、姿勢を取ります。次にジョグか「次の姿勢」で手首を回し、さらに三つ取ります。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Turn the wrist to another side and take the pose. Still needed: %n</source>
+        <translation>
+            <numerusform>手首を別の側に回して姿勢を取ってください。残り：%n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take pose %1</source>
+        <translation>姿勢 %1 を取る</translation>
+    </message>
+    <message>
+        <source>Remove the worst</source>
+        <translation>最悪のものを除く</translation>
+    </message>
+    <message>
+        <source>Remove the last</source>
+        <translation>最後のものを除く</translation>
+    </message>
+    <message>
+        <source>Pose %1  %2</source>
+        <translation>姿勢 %1  %2</translation>
+    </message>
+    <message>
+        <source>  ◀ fits least</source>
+        <translation>  ◀ 最も合わない</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PayloadPage</name>
+    <message>
+        <source>Mass kg</source>
+        <translation>質量 kg</translation>
+    </message>
+    <message>
+        <source>CX %1</source>
+        <translation>CX %1</translation>
+    </message>
+    <message>
+        <source>CY %1</source>
+        <translation>CY %1</translation>
+    </message>
+    <message>
+        <source>CZ %1</source>
+        <translation>CZ %1</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>使用中</translation>
+    </message>
+    <message>
+        <source>A payload needs a name.</source>
+        <translation>ペイロードには名前が必要です。</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another payload. Choose another name.</source>
+        <translation>「%1」は別のペイロードの名前です。別の名前を選んでください。</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>「%1」を「%2」に名前変更</translation>
+    </message>
+    <message>
+        <source>Nothing mounted</source>
+        <translation>取り付けなし</translation>
+    </message>
+    <message>
+        <source>Robotiq 2F-85, empty</source>
+        <translation>Robotiq 2F-85、空</translation>
+    </message>
+    <message>
+        <source>Robotiq 2F-140, empty</source>
+        <translation>Robotiq 2F-140、空</translation>
+    </message>
+    <message>
+        <source>Payloads</source>
+        <translation>ペイロード</translation>
+    </message>
+    <message>
+        <source>No payload yet.
+Press From robot to keep the one it has, or Weigh… to find it with the arm.</source>
+        <translation>ペイロードはまだありません。
+「ロボットから」で現在のものを採用するか、「計量…」でアームで求めてください。</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>質量</translation>
+    </message>
+    <message>
+        <source>CX</source>
+        <translation>CX</translation>
+    </message>
+    <message>
+        <source>CY</source>
+        <translation>CY</translation>
+    </message>
+    <message>
+        <source>CZ</source>
+        <translation>CZ</translation>
+    </message>
+    <message>
+        <source>Mass of the payload</source>
+        <translation>ペイロードの質量</translation>
+    </message>
+    <message>
+        <source>Centre of gravity X</source>
+        <translation>重心 X</translation>
+    </message>
+    <message>
+        <source>Centre of gravity Y</source>
+        <translation>重心 Y</translation>
+    </message>
+    <message>
+        <source>Centre of gravity Z</source>
+        <translation>重心 Z</translation>
+    </message>
+    <message>
+        <source>Return applies it to the project; the robot keeps its own.</source>
+        <translation>Return でプロジェクトに適用します。ロボットの値は変わりません。</translation>
+    </message>
+    <message>
+        <source>Set on robot</source>
+        <translation>ロボットに設定</translation>
+    </message>
+    <message>
+        <source>Use this payload and set it on the robot</source>
+        <translation>このペイロードを使い、ロボットに設定する</translation>
+    </message>
+    <message>
+        <source>Weigh…</source>
+        <translation>計量…</translation>
+    </message>
+    <message>
+        <source>Find the payload with the arm</source>
+        <translation>アームでペイロードを求める</translation>
+    </message>
+    <message>
+        <source>Is it true?</source>
+        <translation>正しいか？</translation>
+    </message>
+    <message>
+        <source>Check whether the payload is true</source>
+        <translation>ペイロードが正しいか確認する</translation>
+    </message>
+    <message>
+        <source>Keep the payload the robot has</source>
+        <translation>ロボットのペイロードを採用</translation>
+    </message>
+    <message>
+        <source>New payload in figures</source>
+        <translation>数値で新しいペイロード</translation>
+    </message>
+    <message>
+        <source>payload</source>
+        <translation>ペイロード</translation>
+    </message>
+    <message>
+        <source>Add preset: %1</source>
+        <translation>既定値を追加：%1</translation>
+    </message>
+    <message>
+        <source>Rename payload</source>
+        <translation>ペイロードの名前を変更</translation>
+    </message>
+    <message>
+        <source>Duplicate payload</source>
+        <translation>ペイロードを複製</translation>
+    </message>
+    <message>
+        <source>Delete payload</source>
+        <translation>ペイロードを削除</translation>
+    </message>
+    <message>
+        <source>Add the payload “%1”</source>
+        <translation>ペイロード「%1」を追加</translation>
+    </message>
+    <message>
+        <source>Change the payload “%1”</source>
+        <translation>ペイロード「%1」を変更</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>ロボット未接続。接続するか、シミュレーターを試してください。</translation>
+    </message>
+    <message>
+        <source>Select a payload to set.</source>
+        <translation>設定するペイロードを選んでください。</translation>
+    </message>
+    <message>
+        <source>Use the payload “%1”</source>
+        <translation>ペイロード「%1」を使う</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>アームは制御下にありません。先に制御を取得してください。</translation>
+    </message>
+    <message>
+        <source>Delete the payload “%1”</source>
+        <translation>ペイロード「%1」を削除</translation>
+    </message>
+    <message>
+        <source>Weighing… let nothing touch the tool.</source>
+        <translation>計量中… ツールに何も触れないでください。</translation>
+    </message>
+    <message>
+        <source>The arm moved. Let it come to rest, touch nothing, and check again.</source>
+        <translation>アームが動きました。静止させ、何にも触れず、もう一度確認してください。</translation>
+    </message>
+    <message>
+        <source>The robot sends no forces: its payload cannot be checked.</source>
+        <translation>ロボットが力を送りません：ペイロードを確認できません。</translation>
+    </message>
+    <message>
+        <source>With %1 kg the arm feels %2 and %3 at rest.</source>
+        <translation>%1 kg でアームは静止時に %2 と %3 を受けています。</translation>
+    </message>
+    <message>
+        <source>The payload is true. %1</source>
+        <translation>ペイロードは正しいです。%1</translation>
+    </message>
+    <message>
+        <source>The payload is true</source>
+        <translation>ペイロードは正しい</translation>
+    </message>
+    <message>
+        <source>About %1 kg more hang there than it was told of.</source>
+        <translation>伝えられた値より約 %1 kg 重いです。</translation>
+    </message>
+    <message>
+        <source>About %1 kg less hang there than it was told of.</source>
+        <translation>伝えられた値より約 %1 kg 軽いです。</translation>
+    </message>
+    <message>
+        <source>Its centre is elsewhere, or something touches the tool.</source>
+        <translation>重心が別の所にあるか、何かがツールに触れています。</translation>
+    </message>
+    <message>
+        <source>%1 %2 Weigh it, or choose another payload. Zeroing the force sensor hides a wrong payload until the tool turns.</source>
+        <translation>%1 %2 計量するか、別のペイロードを選んでください。力センサーをゼロにしても、ツールが回るまで誤りが隠れるだけです。</translation>
+    </message>
+    <message>
+        <source>The payload is not true. %1 %2</source>
+        <translation>ペイロードが正しくありません。%1 %2</translation>
+    </message>
+    <message>
+        <source>The payload is not true</source>
+        <translation>ペイロードが正しくない</translation>
+    </message>
+    <message>
+        <source>%1, as the robot has it</source>
+        <translation>%1、ロボットと同じ</translation>
+    </message>
+    <message>
+        <source>%1; the robot was told %2 kg, centre %3</source>
+        <translation>%1。ロボットには %2 kg、重心 %3</translation>
+    </message>
+    <message>
+        <source>The robot has another payload than “%1”</source>
+        <translation>ロボットのペイロードは「%1」と異なります</translation>
+    </message>
+    <message>
+        <source>On the robot: %1 kg, centre %2. In the project: %3 kg, centre %4. Nothing was changed.</source>
+        <translation>ロボット：%1 kg、重心 %2。プロジェクト：%3 kg、重心 %4。何も変わっていません。</translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation>「%1」をロボットに設定</translation>
+    </message>
+</context>
+<context>
     <name>tiller::PlotDock</name>
     <message>
         <source>5 s</source>
@@ -4618,6 +4993,183 @@ Clear the search to see everything.</source>
     <message>
         <source>TCP in the frame of the flange: %1</source>
         <translation>フランジ座標系での TCP：%1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PositionsPage</name>
+    <message>
+        <source>Joints °</source>
+        <translation>関節 °</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>ホーム</translation>
+    </message>
+    <message>
+        <source>A position needs a name.</source>
+        <translation>位置には名前が必要です。</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another position. Choose another name.</source>
+        <translation>「%1」は別の位置の名前です。別の名前を選んでください。</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>「%1」を「%2」に名前変更</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>No positions yet.
+Jog the arm to a place and press Set home here, or Add here.</source>
+        <translation>位置はまだありません。
+アームをジョグし、「ここをホームに」か「ここを追加」を押してください。</translation>
+    </message>
+    <message>
+        <source>Safe height</source>
+        <translation>安全高さ</translation>
+    </message>
+    <message>
+        <source>%1. Return applies it; nothing moves but the position.</source>
+        <translation>%1。Return で適用します。動くのは位置だけです。</translation>
+    </message>
+    <message>
+        <source>Above it, in the base frame, nothing stands: there the TCP may go sideways.</source>
+        <translation>ベース座標系でこれより上には何もありません：TCP は横に動けます。</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>ここ</translation>
+    </message>
+    <message>
+        <source>The safe height is where the TCP is now</source>
+        <translation>安全高さを今の TCP の高さにする</translation>
+    </message>
+    <message>
+        <source>Set home here</source>
+        <translation>ここをホームに</translation>
+    </message>
+    <message>
+        <source>Add here</source>
+        <translation>ここを追加</translation>
+    </message>
+    <message>
+        <source>Keep the position the arm has</source>
+        <translation>アームの位置を採用</translation>
+    </message>
+    <message>
+        <source>Use as home</source>
+        <translation>ホームに使う</translation>
+    </message>
+    <message>
+        <source>Use the selected position as home</source>
+        <translation>選んだ位置をホームに使う</translation>
+    </message>
+    <message>
+        <source>Touch up the position</source>
+        <translation>位置を修正教示</translation>
+    </message>
+    <message>
+        <source>Use the usual home again</source>
+        <translation>通常のホームに戻す</translation>
+    </message>
+    <message>
+        <source>Use the usual home</source>
+        <translation>通常のホームを使う</translation>
+    </message>
+    <message>
+        <source>Rename position</source>
+        <translation>位置の名前を変更</translation>
+    </message>
+    <message>
+        <source>Delete position</source>
+        <translation>位置を削除</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation>ロボットのデータが古いです。届くまで待ってください。</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>ロボット未接続。接続するか、シミュレーターを試してください。</translation>
+    </message>
+    <message>
+        <source>Set “%1” to where the arm stands?</source>
+        <translation>「%1」をアームの位置に設定しますか？</translation>
+    </message>
+    <message>
+        <source>The key Home goes there from now on.</source>
+        <translation>今後ホームキーはそこへ動きます。</translation>
+    </message>
+    <message>
+        <source>Set home</source>
+        <translation>ホームを設定</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Add the position “%1”</source>
+        <translation>位置「%1」を追加</translation>
+    </message>
+    <message>
+        <source>Select a position to touch up.</source>
+        <translation>修正教示する位置を選んでください。</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation>「%1」を修正教示しますか？</translation>
+    </message>
+    <message>
+        <source>Largest joint change: %1 %2.</source>
+        <translation>最大の関節変化：%1 %2。</translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation>修正教示</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation>「%1」を修正教示</translation>
+    </message>
+    <message>
+        <source>Use “%1” as home</source>
+        <translation>「%1」をホームに使う</translation>
+    </message>
+    <message>
+        <source>Select a position to use as home.</source>
+        <translation>ホームに使う位置を選んでください。</translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>「%1」を削除</translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation>「%1」を変更</translation>
+    </message>
+    <message>
+        <source>Set the safe height</source>
+        <translation>安全高さを設定</translation>
+    </message>
+    <message>
+        <source>No safe height</source>
+        <translation>安全高さなし</translation>
+    </message>
+    <message>
+        <source>The key Home goes to the usual home: upright, clear of itself.</source>
+        <translation>ホームキーは通常のホームへ動きます：直立し、自身に触れません。</translation>
+    </message>
+    <message>
+        <source>%1: the key Home goes there</source>
+        <translation>%1：ホームキーはそこへ動きます</translation>
+    </message>
+    <message>
+        <source>%1 · %2 %3 from here</source>
+        <translation>%1 · ここから %2 %3</translation>
     </message>
 </context>
 <context>
@@ -5376,6 +5928,296 @@ not an e-stop</source>
     </message>
 </context>
 <context>
+    <name>tiller::TcpPage</name>
+    <message>
+        <source>In use</source>
+        <translation>使用中</translation>
+    </message>
+    <message>
+        <source>A TCP needs a name.</source>
+        <translation>TCP には名前が必要です。</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another TCP. Choose another name.</source>
+        <translation>「%1」は別の TCP の名前です。別の名前を選んでください。</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>「%1」を「%2」に名前変更</translation>
+    </message>
+    <message>
+        <source>TCPs</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>No TCP yet.
+Press From robot to keep the one it has, or Teach… to find it with the arm.</source>
+        <translation>TCP はまだありません。
+「ロボットから」で現在のものを採用するか、「教示…」でアームで求めてください。</translation>
+    </message>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>From the flange. Return applies it to the project; the robot keeps its own.</source>
+        <translation>フランジから。Return でプロジェクトに適用します。ロボットの値は変わりません。</translation>
+    </message>
+    <message>
+        <source>Set on robot</source>
+        <translation>ロボットに設定</translation>
+    </message>
+    <message>
+        <source>Use this TCP and set it on the robot</source>
+        <translation>この TCP を使い、ロボットに設定する</translation>
+    </message>
+    <message>
+        <source>Teach…</source>
+        <translation>教示…</translation>
+    </message>
+    <message>
+        <source>Teach a TCP with the arm</source>
+        <translation>アームで TCP を教示</translation>
+    </message>
+    <message>
+        <source>From robot</source>
+        <translation>ロボットから</translation>
+    </message>
+    <message>
+        <source>Keep the TCP the robot has</source>
+        <translation>ロボットの TCP を採用</translation>
+    </message>
+    <message>
+        <source>Teach the selected TCP again…</source>
+        <translation>選んだ TCP を教示し直す…</translation>
+    </message>
+    <message>
+        <source>New TCP in figures</source>
+        <translation>数値で新しい TCP</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>ツール</translation>
+    </message>
+    <message>
+        <source>Rename TCP</source>
+        <translation>TCP の名前を変更</translation>
+    </message>
+    <message>
+        <source>Duplicate TCP</source>
+        <translation>TCP を複製</translation>
+    </message>
+    <message>
+        <source>Delete TCP</source>
+        <translation>TCP を削除</translation>
+    </message>
+    <message>
+        <source>Change the TCP “%1”</source>
+        <translation>TCP「%1」を変更</translation>
+    </message>
+    <message>
+        <source>Teach the TCP “%1” again</source>
+        <translation>TCP「%1」を教示し直す</translation>
+    </message>
+    <message>
+        <source>Add the TCP “%1”</source>
+        <translation>TCP「%1」を追加</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>ロボット未接続。接続するか、シミュレーターを試してください。</translation>
+    </message>
+    <message>
+        <source>“%1” is the TCP the robot has.</source>
+        <translation>「%1」はロボットの TCP です。</translation>
+    </message>
+    <message>
+        <source>Teach “%1” again</source>
+        <translation>「%1」を教示し直す</translation>
+    </message>
+    <message>
+        <source>Teach a new TCP</source>
+        <translation>新しい TCP を教示</translation>
+    </message>
+    <message>
+        <source>Select a TCP to set.</source>
+        <translation>設定する TCP を選んでください。</translation>
+    </message>
+    <message>
+        <source>Use the TCP “%1”</source>
+        <translation>TCP「%1」を使う</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>アームは制御下にありません。先に制御を取得してください。</translation>
+    </message>
+    <message>
+        <source>Delete the TCP “%1”</source>
+        <translation>TCP「%1」を削除</translation>
+    </message>
+    <message>
+        <source>%1, from the flange</source>
+        <translation>%1、フランジから</translation>
+    </message>
+    <message>
+        <source>%1, as the robot has it</source>
+        <translation>%1、ロボットと同じ</translation>
+    </message>
+    <message>
+        <source>%1, %2 from the one the robot has</source>
+        <translation>%1、ロボットのものから %2</translation>
+    </message>
+    <message>
+        <source>The robot has another TCP than “%1”</source>
+        <translation>ロボットの TCP は「%1」と異なります</translation>
+    </message>
+    <message>
+        <source>On the robot: %1. In the project: %2. They are %3 apart. Nothing was changed.</source>
+        <translation>ロボット：%1。プロジェクト：%2。差は %3。何も変わっていません。</translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation>「%1」をロボットに設定</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TcpTeacher</name>
+    <message>
+        <source>Take pose</source>
+        <translation>姿勢を取る</translation>
+    </message>
+    <message>
+        <source>Take the worst again</source>
+        <translation>最悪のものを取り直す</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>取る</translation>
+    </message>
+    <message>
+        <source>Keep TCP</source>
+        <translation>TCP を採用</translation>
+    </message>
+    <message>
+        <source>Teach the TCP</source>
+        <translation>TCP を教示</translation>
+    </message>
+    <message>
+        <source>Take a pose of the rotation</source>
+        <translation>回転の姿勢を取る</translation>
+    </message>
+    <message>
+        <source>Rotation of the tool</source>
+        <translation>ツールの回転</translation>
+    </message>
+    <message>
+        <source>Rotation as it is</source>
+        <translation>回転はそのまま</translation>
+    </message>
+    <message>
+        <source>Rotation from one pose: tool straight down</source>
+        <translation>一姿勢から回転：ツール真下</translation>
+    </message>
+    <message>
+        <source>Rotation from three poses: along +Z, towards +X</source>
+        <translation>三姿勢から回転：+Z に沿い、+X 側へ</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Tip at %1. The poses agree within %2 (rms); pose %3 fits least, by %4.</source>
+        <translation>先端は %1。姿勢は %2 (rms) で一致。姿勢 %3 が最も合わず、%4。</translation>
+    </message>
+    <message>
+        <source>The tool is turned too little between the poses. Take one more, tilted by 30° or more to another side.</source>
+        <translation>姿勢間のツールの回転が足りません。別の側に 30° 以上傾けてもう一つ取ってください。</translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the poses again.</source>
+        <translation>ロボットが有効な位置を送りませんでした。姿勢を取り直してください。</translation>
+    </message>
+    <message>
+        <source>Jog the tip to a fixed, sharp point and take the pose. Then four times in all: the tip on the same point, the tool tilted each time to another side.</source>
+        <translation>先端を固定された尖った点へジョグし、姿勢を取ります。全部で四回：先端は同じ点、ツールは毎回別の側に傾けます。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Tilt the tool to another side, bring the tip to the same point again, and take the pose. Still needed: %n</source>
+        <translation>
+            <numerusform>ツールを別の側に傾け、先端を同じ点に合わせて姿勢を取ってください。残り：%n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The tool keeps the rotation it has now.</source>
+        <translation>ツールは今の回転を保ちます。</translation>
+    </message>
+    <message>
+        <source>Turn the tool until it points straight down and its X lies along X of the base; take it.</source>
+        <translation>ツールを真下に向け、その X がベースの X に沿うまで回し、取ってください。</translation>
+    </message>
+    <message>
+        <source>Rotation taken. Take it again to replace it.</source>
+        <translation>回転を取りました。取り直すと置き換わります。</translation>
+    </message>
+    <message>
+        <source>Take the tool where it stands now. From here on it must not turn: jog X, Y and Z only.</source>
+        <translation>今の位置でツールを取ります。以後回してはいけません：X、Y、Z だけジョグしてください。</translation>
+    </message>
+    <message>
+        <source>Move the tool along its own +Z, away from the flange, at least %1, and take it.</source>
+        <translation>ツールを自身の +Z に沿ってフランジから %1 以上離し、取ってください。</translation>
+    </message>
+    <message>
+        <source>Now to the side of its +X, at least %1, and take it.</source>
+        <translation>次に +X 側へ %1 以上動かし、取ってください。</translation>
+    </message>
+    <message>
+        <source>Rotation taken: %1 along +Z, %2 beside it; the flange turned by %3 meanwhile, most at pose %4.</source>
+        <translation>回転を取りました：+Z に %1、横に %2。その間フランジは %3 回り、姿勢 %4 で最大。</translation>
+    </message>
+    <message>
+        <source>The flange turned by %1 on the way, most at pose %2. Take the three again without turning the tool.</source>
+        <translation>フランジが途中で %1 回り、姿勢 %2 で最大でした。ツールを回さずに三つを取り直してください。</translation>
+    </message>
+    <message>
+        <source>The way along +Z is only %1. Take the three again, at least %2 apart.</source>
+        <translation>+Z に沿った距離が %1 だけです。%2 以上離して三つを取り直してください。</translation>
+    </message>
+    <message>
+        <source>The way towards +X is only %1. Take the three again, at least %2 apart.</source>
+        <translation>+X 側への距離が %1 だけです。%2 以上離して三つを取り直してください。</translation>
+    </message>
+    <message>
+        <source>The three poses lie in a line: the third is only %1 beside it. Take the three again.</source>
+        <translation>三つの姿勢が一直線上にあります：三つ目は %1 だけです。三つを取り直してください。</translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the three again.</source>
+        <translation>ロボットが有効な位置を送りませんでした。三つを取り直してください。</translation>
+    </message>
+    <message>
+        <source>Take the last again</source>
+        <translation>最後のものを取り直す</translation>
+    </message>
+    <message>
+        <source>Take pose %1</source>
+        <translation>姿勢 %1 を取る</translation>
+    </message>
+    <message>
+        <source>Pose %1</source>
+        <translation>姿勢 %1</translation>
+    </message>
+    <message>
+        <source>  ◀ fits least</source>
+        <translation>  ◀ 最も合わない</translation>
+    </message>
+    <message>
+        <source>Poses can be taken while the robot sends data.</source>
+        <translation>ロボットがデータを送っている間に姿勢を取れます。</translation>
+    </message>
+</context>
+<context>
     <name>tiller::TickLine</name>
     <message>
         <source>done</source>
@@ -5384,6 +6226,29 @@ not an e-stop</source>
     <message>
         <source>not done yet</source>
         <translation>まだ</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ToolsTab</name>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>ペイロード</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>ツール</translation>
+    </message>
+    <message>
+        <source>TCP, payload or positions</source>
+        <translation>TCP、ペイロード、位置</translation>
     </message>
 </context>
 <context>
@@ -6455,6 +7320,10 @@ Jog the arm to a place and press Teach here (T).</source>
         <source>Speed cap %1</source>
         <translation>速度上限 %1</translation>
     </message>
+    <message>
+        <source>A recording is running. End it first: nothing of it shall be missing.</source>
+        <translation>記録中です。先に終えてください：欠けが出ないように。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
@@ -6910,6 +7779,30 @@ Jog the arm to a place and press Teach here (T).</source>
     <message>
         <source>%1 belongs to &quot;%2&quot;. Take it away there first.</source>
         <translation>%1 は &quot;%2&quot; のキーです。先にそちらから外してください。</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>言語</translation>
+    </message>
+    <message>
+        <source>As the system: %1</source>
+        <translation>システムに合わせる：%1</translation>
+    </message>
+    <message>
+        <source>Open the window anew</source>
+        <translation>ウィンドウを開き直す</translation>
+    </message>
+    <message>
+        <source>Stops the arm, gives control back and connects again; what the plots show begins anew. The project is saved.</source>
+        <translation>アームを止め、制御を返却して接続し直します。グラフの表示は新しく始まります。プロジェクトは保存されます。</translation>
+    </message>
+    <message>
+        <source>Of the window and of the checks. Files and scripts are the same in all.</source>
+        <translation>ウィンドウと確認の言語です。ファイルとスクリプトはどの言語でも同じです。</translation>
+    </message>
+    <message>
+        <source>Holds at the next start of Tiller, or once the window is opened anew.</source>
+        <translation>Tiller の次の起動から、またはウィンドウを開き直すと有効です。</translation>
     </message>
 </context>
 <context>

@@ -2132,6 +2132,25 @@
     </message>
 </context>
 <context>
+    <name>RobotTooling</name>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>机械臂未受控制。请先获取控制。</translation>
+    </message>
+    <message>
+        <source>TCP and payload are set while the arm stands still. Let it come to rest.</source>
+        <translation>TCP 和有效负载在机械臂静止时设定。请让其静止。</translation>
+    </message>
+    <message>
+        <source>TCP set on the robot: %1</source>
+        <translation>已在机器人上设定 TCP：%1</translation>
+    </message>
+    <message>
+        <source>Payload set on the robot: %1</source>
+        <translation>已在机器人上设定有效负载：%1</translation>
+    </message>
+</context>
+<context>
     <name>SampleProjects</name>
     <message>
         <source>Pick and place</source>
@@ -2730,6 +2749,10 @@
     <message>
         <source>This is not a table of waypoints. Copy one from the list to see its columns, or paste the six figures of a pose.</source>
         <translation>这不是路点表。从列表复制一个以查看其列，或粘贴一个位姿的六个数字。</translation>
+    </message>
+    <message>
+        <source>“%1” is no colour of a waypoint</source>
+        <translation>“%1”不是路点的颜色</translation>
     </message>
 </context>
 <context>
@@ -4281,6 +4304,358 @@ Clear the search to see everything.</source>
     </message>
 </context>
 <context>
+    <name>tiller::PartModel</name>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PartPage</name>
+    <message>
+        <source>More</source>
+        <translation>更多</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PayloadEstimator</name>
+    <message>
+        <source>Next pose (hold)</source>
+        <translation>下一位姿（按住）</translation>
+    </message>
+    <message>
+        <source>Keep payload</source>
+        <translation>保留有效负载</translation>
+    </message>
+    <message>
+        <source>Find the payload</source>
+        <translation>求有效负载</translation>
+    </message>
+    <message>
+        <source>Find the payload by weighing it in several poses</source>
+        <translation>在多个位姿称重以求有效负载</translation>
+    </message>
+    <message>
+        <source>Next pose, hold</source>
+        <translation>下一位姿，按住</translation>
+    </message>
+    <message>
+        <source>Turns the wrist to the next pose while the key is held, no faster than the jog speed. Look that the tool has room to turn.</source>
+        <translation>按住时把手腕转到下一位姿，不快于点动速度。请确认工具有转动空间。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Cancel finding the payload</source>
+        <translation>取消求有效负载</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>机械臂未受控制。请先获取控制。</translation>
+    </message>
+    <message>
+        <source>The arm moved. Let it come to rest, touch nothing, and take the pose again.</source>
+        <translation>机械臂移动了。请让其静止，不要触碰任何东西，再重新取位姿。</translation>
+    </message>
+    <message>
+        <source>The robot sends no forces. Enter mass and centre in figures instead.</source>
+        <translation>机器人不发送力。请改用数值输入质量和重心。</translation>
+    </message>
+    <message>
+        <source>Weighing… let nothing touch the tool.</source>
+        <translation>正在称重… 请勿触碰工具。</translation>
+    </message>
+    <message>
+        <source>%1 kg, centre at %2 from the flange. The poses agree within %3 and %4.</source>
+        <translation>%1 kg，重心距法兰 %2。各位姿在 %3 和 %4 之内一致。</translation>
+    </message>
+    <message>
+        <source>%1 That is poor: pose %2 fits least. Remove it and take another one.</source>
+        <translation>%1 这不够好：位姿 %2 最不吻合。请移除并另取一个。</translation>
+    </message>
+    <message>
+        <source>The tool is turned too little between the poses. Take one more, turned to another side.</source>
+        <translation>各位姿之间工具转动太少。请转到另一侧再取一个。</translation>
+    </message>
+    <message>
+        <source>%1 kg: too light for the sensor to tell where its centre is. Enter it in figures.</source>
+        <translation>%1 kg：太轻，传感器无法得出重心。请用数值输入。</translation>
+    </message>
+    <message>
+        <source>Let the arm come to rest, touch nothing, and take the pose. Then turn the wrist, by jogging or with Next pose, and take three more.</source>
+        <translation>让机械臂静止，不触碰任何东西，取位姿。然后用点动或“下一位姿”转动手腕，再取三个。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Turn the wrist to another side and take the pose. Still needed: %n</source>
+        <translation>
+            <numerusform>把手腕转到另一侧并取位姿。还需：%n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take pose %1</source>
+        <translation>取位姿 %1</translation>
+    </message>
+    <message>
+        <source>Remove the worst</source>
+        <translation>移除最差的</translation>
+    </message>
+    <message>
+        <source>Remove the last</source>
+        <translation>移除最后一个</translation>
+    </message>
+    <message>
+        <source>Pose %1  %2</source>
+        <translation>位姿 %1  %2</translation>
+    </message>
+    <message>
+        <source>  ◀ fits least</source>
+        <translation>  ◀ 最不吻合</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PayloadPage</name>
+    <message>
+        <source>Mass kg</source>
+        <translation>质量 kg</translation>
+    </message>
+    <message>
+        <source>CX %1</source>
+        <translation>CX %1</translation>
+    </message>
+    <message>
+        <source>CY %1</source>
+        <translation>CY %1</translation>
+    </message>
+    <message>
+        <source>CZ %1</source>
+        <translation>CZ %1</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>使用中</translation>
+    </message>
+    <message>
+        <source>A payload needs a name.</source>
+        <translation>有效负载需要名称。</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another payload. Choose another name.</source>
+        <translation>“%1”已是另一个有效负载的名称。请选择其他名称。</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>将“%1”重命名为“%2”</translation>
+    </message>
+    <message>
+        <source>Nothing mounted</source>
+        <translation>未安装任何东西</translation>
+    </message>
+    <message>
+        <source>Robotiq 2F-85, empty</source>
+        <translation>Robotiq 2F-85，空</translation>
+    </message>
+    <message>
+        <source>Robotiq 2F-140, empty</source>
+        <translation>Robotiq 2F-140，空</translation>
+    </message>
+    <message>
+        <source>Payloads</source>
+        <translation>有效负载</translation>
+    </message>
+    <message>
+        <source>No payload yet.
+Press From robot to keep the one it has, or Weigh… to find it with the arm.</source>
+        <translation>还没有有效负载。
+按“取自机器人”保留其现有的，或按“称重…”用机械臂求得。</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>质量</translation>
+    </message>
+    <message>
+        <source>CX</source>
+        <translation>CX</translation>
+    </message>
+    <message>
+        <source>CY</source>
+        <translation>CY</translation>
+    </message>
+    <message>
+        <source>CZ</source>
+        <translation>CZ</translation>
+    </message>
+    <message>
+        <source>Mass of the payload</source>
+        <translation>有效负载的质量</translation>
+    </message>
+    <message>
+        <source>Centre of gravity X</source>
+        <translation>重心 X</translation>
+    </message>
+    <message>
+        <source>Centre of gravity Y</source>
+        <translation>重心 Y</translation>
+    </message>
+    <message>
+        <source>Centre of gravity Z</source>
+        <translation>重心 Z</translation>
+    </message>
+    <message>
+        <source>Return applies it to the project; the robot keeps its own.</source>
+        <translation>回车应用到项目；机器人保持其自己的值。</translation>
+    </message>
+    <message>
+        <source>Set on robot</source>
+        <translation>设到机器人</translation>
+    </message>
+    <message>
+        <source>Use this payload and set it on the robot</source>
+        <translation>使用此有效负载并设到机器人</translation>
+    </message>
+    <message>
+        <source>Weigh…</source>
+        <translation>称重…</translation>
+    </message>
+    <message>
+        <source>Find the payload with the arm</source>
+        <translation>用机械臂求有效负载</translation>
+    </message>
+    <message>
+        <source>Is it true?</source>
+        <translation>正确吗？</translation>
+    </message>
+    <message>
+        <source>Check whether the payload is true</source>
+        <translation>检查有效负载是否正确</translation>
+    </message>
+    <message>
+        <source>Keep the payload the robot has</source>
+        <translation>保留机器人现有的有效负载</translation>
+    </message>
+    <message>
+        <source>New payload in figures</source>
+        <translation>用数值新建有效负载</translation>
+    </message>
+    <message>
+        <source>payload</source>
+        <translation>有效负载</translation>
+    </message>
+    <message>
+        <source>Add preset: %1</source>
+        <translation>添加预设：%1</translation>
+    </message>
+    <message>
+        <source>Rename payload</source>
+        <translation>重命名有效负载</translation>
+    </message>
+    <message>
+        <source>Duplicate payload</source>
+        <translation>复制有效负载</translation>
+    </message>
+    <message>
+        <source>Delete payload</source>
+        <translation>删除有效负载</translation>
+    </message>
+    <message>
+        <source>Add the payload “%1”</source>
+        <translation>添加有效负载“%1”</translation>
+    </message>
+    <message>
+        <source>Change the payload “%1”</source>
+        <translation>更改有效负载“%1”</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>未连接机器人。请连接，或试用模拟器。</translation>
+    </message>
+    <message>
+        <source>Select a payload to set.</source>
+        <translation>选择要设定的有效负载。</translation>
+    </message>
+    <message>
+        <source>Use the payload “%1”</source>
+        <translation>使用有效负载“%1”</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>机械臂未受控制。请先获取控制。</translation>
+    </message>
+    <message>
+        <source>Delete the payload “%1”</source>
+        <translation>删除有效负载“%1”</translation>
+    </message>
+    <message>
+        <source>Weighing… let nothing touch the tool.</source>
+        <translation>正在称重… 请勿触碰工具。</translation>
+    </message>
+    <message>
+        <source>The arm moved. Let it come to rest, touch nothing, and check again.</source>
+        <translation>机械臂移动了。请让其静止，不要触碰任何东西，再次检查。</translation>
+    </message>
+    <message>
+        <source>The robot sends no forces: its payload cannot be checked.</source>
+        <translation>机器人不发送力：无法检查其有效负载。</translation>
+    </message>
+    <message>
+        <source>With %1 kg the arm feels %2 and %3 at rest.</source>
+        <translation>以 %1 kg 计，机械臂静止时感受到 %2 和 %3。</translation>
+    </message>
+    <message>
+        <source>The payload is true. %1</source>
+        <translation>有效负载正确。%1</translation>
+    </message>
+    <message>
+        <source>The payload is true</source>
+        <translation>有效负载正确</translation>
+    </message>
+    <message>
+        <source>About %1 kg more hang there than it was told of.</source>
+        <translation>实际比告知的约重 %1 kg。</translation>
+    </message>
+    <message>
+        <source>About %1 kg less hang there than it was told of.</source>
+        <translation>实际比告知的约轻 %1 kg。</translation>
+    </message>
+    <message>
+        <source>Its centre is elsewhere, or something touches the tool.</source>
+        <translation>其重心在别处，或有东西触碰工具。</translation>
+    </message>
+    <message>
+        <source>%1 %2 Weigh it, or choose another payload. Zeroing the force sensor hides a wrong payload until the tool turns.</source>
+        <translation>%1 %2 请称重，或选择另一个有效负载。力传感器归零只会掩盖错误，直到工具转动。</translation>
+    </message>
+    <message>
+        <source>The payload is not true. %1 %2</source>
+        <translation>有效负载不正确。%1 %2</translation>
+    </message>
+    <message>
+        <source>The payload is not true</source>
+        <translation>有效负载不正确</translation>
+    </message>
+    <message>
+        <source>%1, as the robot has it</source>
+        <translation>%1，与机器人一致</translation>
+    </message>
+    <message>
+        <source>%1; the robot was told %2 kg, centre %3</source>
+        <translation>%1；机器人被告知 %2 kg，重心 %3</translation>
+    </message>
+    <message>
+        <source>The robot has another payload than “%1”</source>
+        <translation>机器人的有效负载与“%1”不同</translation>
+    </message>
+    <message>
+        <source>On the robot: %1 kg, centre %2. In the project: %3 kg, centre %4. Nothing was changed.</source>
+        <translation>机器人：%1 kg，重心 %2。项目：%3 kg，重心 %4。没有任何更改。</translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation>将“%1”设到机器人</translation>
+    </message>
+</context>
+<context>
     <name>tiller::PlotDock</name>
     <message>
         <source>5 s</source>
@@ -4618,6 +4993,183 @@ Clear the search to see everything.</source>
     <message>
         <source>TCP in the frame of the flange: %1</source>
         <translation>法兰坐标系中的 TCP：%1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PositionsPage</name>
+    <message>
+        <source>Joints °</source>
+        <translation>关节 °</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>原位</translation>
+    </message>
+    <message>
+        <source>A position needs a name.</source>
+        <translation>位置需要名称。</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another position. Choose another name.</source>
+        <translation>“%1”已是另一个位置的名称。请选择其他名称。</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>将“%1”重命名为“%2”</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>No positions yet.
+Jog the arm to a place and press Set home here, or Add here.</source>
+        <translation>还没有位置。
+把机械臂点动到某处，按“此处设为原位”或“在此添加”。</translation>
+    </message>
+    <message>
+        <source>Safe height</source>
+        <translation>安全高度</translation>
+    </message>
+    <message>
+        <source>%1. Return applies it; nothing moves but the position.</source>
+        <translation>%1。回车应用；只有该位置改变。</translation>
+    </message>
+    <message>
+        <source>Above it, in the base frame, nothing stands: there the TCP may go sideways.</source>
+        <translation>在基座坐标系中其上方没有任何东西：TCP 可在那里横向移动。</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>此处</translation>
+    </message>
+    <message>
+        <source>The safe height is where the TCP is now</source>
+        <translation>安全高度为 TCP 当前所在处</translation>
+    </message>
+    <message>
+        <source>Set home here</source>
+        <translation>此处设为原位</translation>
+    </message>
+    <message>
+        <source>Add here</source>
+        <translation>在此添加</translation>
+    </message>
+    <message>
+        <source>Keep the position the arm has</source>
+        <translation>保留机械臂现有的位置</translation>
+    </message>
+    <message>
+        <source>Use as home</source>
+        <translation>用作原位</translation>
+    </message>
+    <message>
+        <source>Use the selected position as home</source>
+        <translation>把所选位置用作原位</translation>
+    </message>
+    <message>
+        <source>Touch up the position</source>
+        <translation>修正示教位置</translation>
+    </message>
+    <message>
+        <source>Use the usual home again</source>
+        <translation>恢复使用通常的原位</translation>
+    </message>
+    <message>
+        <source>Use the usual home</source>
+        <translation>使用通常的原位</translation>
+    </message>
+    <message>
+        <source>Rename position</source>
+        <translation>重命名位置</translation>
+    </message>
+    <message>
+        <source>Delete position</source>
+        <translation>删除位置</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation>机器人的数据太旧。请等待新数据。</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>未连接机器人。请连接，或试用模拟器。</translation>
+    </message>
+    <message>
+        <source>Set “%1” to where the arm stands?</source>
+        <translation>将“%1”设为机械臂所在处？</translation>
+    </message>
+    <message>
+        <source>The key Home goes there from now on.</source>
+        <translation>此后“原位”键会移到那里。</translation>
+    </message>
+    <message>
+        <source>Set home</source>
+        <translation>设定原位</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Add the position “%1”</source>
+        <translation>添加位置“%1”</translation>
+    </message>
+    <message>
+        <source>Select a position to touch up.</source>
+        <translation>选择要修正示教的位置。</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation>修正示教“%1”？</translation>
+    </message>
+    <message>
+        <source>Largest joint change: %1 %2.</source>
+        <translation>最大关节变化：%1 %2。</translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation>修正示教</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation>修正示教“%1”</translation>
+    </message>
+    <message>
+        <source>Use “%1” as home</source>
+        <translation>把“%1”用作原位</translation>
+    </message>
+    <message>
+        <source>Select a position to use as home.</source>
+        <translation>选择用作原位的位置。</translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>删除“%1”</translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation>更改“%1”</translation>
+    </message>
+    <message>
+        <source>Set the safe height</source>
+        <translation>设定安全高度</translation>
+    </message>
+    <message>
+        <source>No safe height</source>
+        <translation>无安全高度</translation>
+    </message>
+    <message>
+        <source>The key Home goes to the usual home: upright, clear of itself.</source>
+        <translation>“原位”键移到通常的原位：直立，与自身无干涉。</translation>
+    </message>
+    <message>
+        <source>%1: the key Home goes there</source>
+        <translation>%1：“原位”键移到那里</translation>
+    </message>
+    <message>
+        <source>%1 · %2 %3 from here</source>
+        <translation>%1 · 距此处 %2 %3</translation>
     </message>
 </context>
 <context>
@@ -5376,6 +5928,296 @@ not an e-stop</source>
     </message>
 </context>
 <context>
+    <name>tiller::TcpPage</name>
+    <message>
+        <source>In use</source>
+        <translation>使用中</translation>
+    </message>
+    <message>
+        <source>A TCP needs a name.</source>
+        <translation>TCP 需要名称。</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another TCP. Choose another name.</source>
+        <translation>“%1”已是另一个 TCP 的名称。请选择其他名称。</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>将“%1”重命名为“%2”</translation>
+    </message>
+    <message>
+        <source>TCPs</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>No TCP yet.
+Press From robot to keep the one it has, or Teach… to find it with the arm.</source>
+        <translation>还没有 TCP。
+按“取自机器人”保留其现有的，或按“示教…”用机械臂求得。</translation>
+    </message>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>From the flange. Return applies it to the project; the robot keeps its own.</source>
+        <translation>从法兰起。回车应用到项目；机器人保持其自己的值。</translation>
+    </message>
+    <message>
+        <source>Set on robot</source>
+        <translation>设到机器人</translation>
+    </message>
+    <message>
+        <source>Use this TCP and set it on the robot</source>
+        <translation>使用此 TCP 并设到机器人</translation>
+    </message>
+    <message>
+        <source>Teach…</source>
+        <translation>示教…</translation>
+    </message>
+    <message>
+        <source>Teach a TCP with the arm</source>
+        <translation>用机械臂示教 TCP</translation>
+    </message>
+    <message>
+        <source>From robot</source>
+        <translation>取自机器人</translation>
+    </message>
+    <message>
+        <source>Keep the TCP the robot has</source>
+        <translation>保留机器人现有的 TCP</translation>
+    </message>
+    <message>
+        <source>Teach the selected TCP again…</source>
+        <translation>重新示教所选 TCP…</translation>
+    </message>
+    <message>
+        <source>New TCP in figures</source>
+        <translation>用数值新建 TCP</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>Rename TCP</source>
+        <translation>重命名 TCP</translation>
+    </message>
+    <message>
+        <source>Duplicate TCP</source>
+        <translation>复制 TCP</translation>
+    </message>
+    <message>
+        <source>Delete TCP</source>
+        <translation>删除 TCP</translation>
+    </message>
+    <message>
+        <source>Change the TCP “%1”</source>
+        <translation>更改 TCP“%1”</translation>
+    </message>
+    <message>
+        <source>Teach the TCP “%1” again</source>
+        <translation>重新示教 TCP“%1”</translation>
+    </message>
+    <message>
+        <source>Add the TCP “%1”</source>
+        <translation>添加 TCP“%1”</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>未连接机器人。请连接，或试用模拟器。</translation>
+    </message>
+    <message>
+        <source>“%1” is the TCP the robot has.</source>
+        <translation>“%1”是机器人现有的 TCP。</translation>
+    </message>
+    <message>
+        <source>Teach “%1” again</source>
+        <translation>重新示教“%1”</translation>
+    </message>
+    <message>
+        <source>Teach a new TCP</source>
+        <translation>示教新 TCP</translation>
+    </message>
+    <message>
+        <source>Select a TCP to set.</source>
+        <translation>选择要设定的 TCP。</translation>
+    </message>
+    <message>
+        <source>Use the TCP “%1”</source>
+        <translation>使用 TCP“%1”</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>机械臂未受控制。请先获取控制。</translation>
+    </message>
+    <message>
+        <source>Delete the TCP “%1”</source>
+        <translation>删除 TCP“%1”</translation>
+    </message>
+    <message>
+        <source>%1, from the flange</source>
+        <translation>%1，从法兰起</translation>
+    </message>
+    <message>
+        <source>%1, as the robot has it</source>
+        <translation>%1，与机器人一致</translation>
+    </message>
+    <message>
+        <source>%1, %2 from the one the robot has</source>
+        <translation>%1，与机器人的相差 %2</translation>
+    </message>
+    <message>
+        <source>The robot has another TCP than “%1”</source>
+        <translation>机器人的 TCP 与“%1”不同</translation>
+    </message>
+    <message>
+        <source>On the robot: %1. In the project: %2. They are %3 apart. Nothing was changed.</source>
+        <translation>机器人：%1。项目：%2。相差 %3。没有任何更改。</translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation>将“%1”设到机器人</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TcpTeacher</name>
+    <message>
+        <source>Take pose</source>
+        <translation>取位姿</translation>
+    </message>
+    <message>
+        <source>Take the worst again</source>
+        <translation>重取最差的</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>取</translation>
+    </message>
+    <message>
+        <source>Keep TCP</source>
+        <translation>保留 TCP</translation>
+    </message>
+    <message>
+        <source>Teach the TCP</source>
+        <translation>示教 TCP</translation>
+    </message>
+    <message>
+        <source>Take a pose of the rotation</source>
+        <translation>取旋转的位姿</translation>
+    </message>
+    <message>
+        <source>Rotation of the tool</source>
+        <translation>工具的旋转</translation>
+    </message>
+    <message>
+        <source>Rotation as it is</source>
+        <translation>旋转保持不变</translation>
+    </message>
+    <message>
+        <source>Rotation from one pose: tool straight down</source>
+        <translation>由一个位姿定旋转：工具竖直向下</translation>
+    </message>
+    <message>
+        <source>Rotation from three poses: along +Z, towards +X</source>
+        <translation>由三个位姿定旋转：沿 +Z，朝 +X</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Tip at %1. The poses agree within %2 (rms); pose %3 fits least, by %4.</source>
+        <translation>尖端位于 %1。各位姿一致到 %2 (rms)；位姿 %3 最不吻合，相差 %4。</translation>
+    </message>
+    <message>
+        <source>The tool is turned too little between the poses. Take one more, tilted by 30° or more to another side.</source>
+        <translation>各位姿之间工具转动太少。请向另一侧倾斜 30° 以上再取一个。</translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the poses again.</source>
+        <translation>机器人没有发送有效位置。请重新取位姿。</translation>
+    </message>
+    <message>
+        <source>Jog the tip to a fixed, sharp point and take the pose. Then four times in all: the tip on the same point, the tool tilted each time to another side.</source>
+        <translation>把尖端点动到一个固定的尖点并取位姿。共四次：尖端在同一点，工具每次向不同侧倾斜。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Tilt the tool to another side, bring the tip to the same point again, and take the pose. Still needed: %n</source>
+        <translation>
+            <numerusform>把工具倾向另一侧，使尖端再到同一点，并取位姿。还需：%n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The tool keeps the rotation it has now.</source>
+        <translation>工具保持当前的旋转。</translation>
+    </message>
+    <message>
+        <source>Turn the tool until it points straight down and its X lies along X of the base; take it.</source>
+        <translation>转动工具直到竖直向下，且其 X 沿基座的 X；然后取。</translation>
+    </message>
+    <message>
+        <source>Rotation taken. Take it again to replace it.</source>
+        <translation>已取旋转。再取一次即可替换。</translation>
+    </message>
+    <message>
+        <source>Take the tool where it stands now. From here on it must not turn: jog X, Y and Z only.</source>
+        <translation>在当前位置取工具。此后不得转动：只点动 X、Y 和 Z。</translation>
+    </message>
+    <message>
+        <source>Move the tool along its own +Z, away from the flange, at least %1, and take it.</source>
+        <translation>沿工具自身的 +Z 远离法兰移动至少 %1，并取。</translation>
+    </message>
+    <message>
+        <source>Now to the side of its +X, at least %1, and take it.</source>
+        <translation>现在向其 +X 一侧移动至少 %1，并取。</translation>
+    </message>
+    <message>
+        <source>Rotation taken: %1 along +Z, %2 beside it; the flange turned by %3 meanwhile, most at pose %4.</source>
+        <translation>已取旋转：沿 +Z %1，侧向 %2；期间法兰转动 %3，位姿 %4 处最大。</translation>
+    </message>
+    <message>
+        <source>The flange turned by %1 on the way, most at pose %2. Take the three again without turning the tool.</source>
+        <translation>途中法兰转动 %1，位姿 %2 处最大。请不转动工具重取三个。</translation>
+    </message>
+    <message>
+        <source>The way along +Z is only %1. Take the three again, at least %2 apart.</source>
+        <translation>沿 +Z 的距离仅 %1。请相距至少 %2 重取三个。</translation>
+    </message>
+    <message>
+        <source>The way towards +X is only %1. Take the three again, at least %2 apart.</source>
+        <translation>朝 +X 的距离仅 %1。请相距至少 %2 重取三个。</translation>
+    </message>
+    <message>
+        <source>The three poses lie in a line: the third is only %1 beside it. Take the three again.</source>
+        <translation>三个位姿在一条线上：第三个仅偏 %1。请重取三个。</translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the three again.</source>
+        <translation>机器人没有发送有效位置。请重取三个。</translation>
+    </message>
+    <message>
+        <source>Take the last again</source>
+        <translation>重取最后一个</translation>
+    </message>
+    <message>
+        <source>Take pose %1</source>
+        <translation>取位姿 %1</translation>
+    </message>
+    <message>
+        <source>Pose %1</source>
+        <translation>位姿 %1</translation>
+    </message>
+    <message>
+        <source>  ◀ fits least</source>
+        <translation>  ◀ 最不吻合</translation>
+    </message>
+    <message>
+        <source>Poses can be taken while the robot sends data.</source>
+        <translation>机器人发送数据时可以取位姿。</translation>
+    </message>
+</context>
+<context>
     <name>tiller::TickLine</name>
     <message>
         <source>done</source>
@@ -5384,6 +6226,29 @@ not an e-stop</source>
     <message>
         <source>not done yet</source>
         <translation>未完成</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ToolsTab</name>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>有效负载</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>TCP, payload or positions</source>
+        <translation>TCP、有效负载或位置</translation>
     </message>
 </context>
 <context>
@@ -6455,6 +7320,10 @@ Jog the arm to a place and press Teach here (T).</source>
         <source>Speed cap %1</source>
         <translation>速度上限 %1</translation>
     </message>
+    <message>
+        <source>A recording is running. End it first: nothing of it shall be missing.</source>
+        <translation>正在录制。请先结束：以免缺失任何内容。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
@@ -6910,6 +7779,30 @@ Jog the arm to a place and press Teach here (T).</source>
     <message>
         <source>%1 belongs to &quot;%2&quot;. Take it away there first.</source>
         <translation>%1 属于 &quot;%2&quot;。请先在那里去除。</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>As the system: %1</source>
+        <translation>跟随系统：%1</translation>
+    </message>
+    <message>
+        <source>Open the window anew</source>
+        <translation>重新打开窗口</translation>
+    </message>
+    <message>
+        <source>Stops the arm, gives control back and connects again; what the plots show begins anew. The project is saved.</source>
+        <translation>停止机械臂、交还控制并重新连接；曲线图的显示重新开始。项目会保存。</translation>
+    </message>
+    <message>
+        <source>Of the window and of the checks. Files and scripts are the same in all.</source>
+        <translation>窗口和检查的语言。文件和脚本在所有语言中相同。</translation>
+    </message>
+    <message>
+        <source>Holds at the next start of Tiller, or once the window is opened anew.</source>
+        <translation>从下次启动 Tiller 起，或重新打开窗口后生效。</translation>
     </message>
 </context>
 <context>
