@@ -24,6 +24,8 @@ public:
 
     /// What a file keeps as the project.
     void setProject(const QString& name, const QByteArray& content);
+    /// Of the robot, seen in this link so far.
+    std::uint64_t packets() const { return box_.packets(); }
 
 Q_SIGNALS:
     /// text    a sentence about it; detail  what to do with it
