@@ -59,6 +59,10 @@
         <source>Program Tiller</source>
         <translation>Programm Tiller</translation>
     </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
 </context>
 <context>
     <name>BackTrack</name>
@@ -120,6 +124,10 @@
     <message>
         <source>--robot needs an address, as in --robot 192.168.0.10</source>
         <translation>--robot braucht eine Adresse, etwa --robot 192.168.0.10</translation>
+    </message>
+    <message>
+        <source>only one project can be opened, not &quot;%1&quot; too</source>
+        <translation>nur ein Projekt kann geöffnet werden, nicht auch &quot;%1&quot;</translation>
     </message>
 </context>
 <context>
@@ -311,6 +319,45 @@
     <message>
         <source>Look C%1 up in the manufacturer&apos;s error code directory.</source>
         <translation>Schlagen Sie C%1 im Fehlercode-Verzeichnis des Herstellers nach.</translation>
+    </message>
+</context>
+<context>
+    <name>Derivation</name>
+    <message>
+        <source>compute a signal</source>
+        <translation>ein Signal berechnen</translation>
+    </message>
+    <message>
+        <source>There is no signal “%1”. The list of signals shows the names.</source>
+        <translation>Es gibt kein Signal „%1“. Die Liste der Signale zeigt die Namen.</translation>
+    </message>
+    <message>
+        <source>There is no signal in it.</source>
+        <translation>Es steht kein Signal darin.</translation>
+    </message>
+    <message>
+        <source>There are too many signals in it.</source>
+        <translation>Es stehen zu viele Signale darin.</translation>
+    </message>
+    <message>
+        <source>It must give one number.</source>
+        <translation>Es muss eine Zahl ergeben.</translation>
+    </message>
+    <message>
+        <source>The text is too long.</source>
+        <translation>Der Text ist zu lang.</translation>
+    </message>
+    <message>
+        <source>Write it as a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
+        <translation>Schreiben Sie einen Namen, ein Gleichheitszeichen und einen Ausdruck: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
+    </message>
+    <message>
+        <source>There is one equals sign too many; a comparison has two: ==</source>
+        <translation>Ein Gleichheitszeichen zu viel; ein Vergleich hat zwei: ==</translation>
+    </message>
+    <message>
+        <source>The stretch of time is between 0.001 and 60 seconds.</source>
+        <translation>Die Zeitspanne liegt zwischen 0.001 und 60 Sekunden.</translation>
     </message>
 </context>
 <context>
@@ -1605,6 +1652,105 @@
         <source>Writes the lines that are shown to a file.</source>
         <translation>Schreibt die gezeigten Zeilen in eine Datei.</translation>
     </message>
+    <message>
+        <source>Search signals for the plots</source>
+        <translation>Signale für die Diagramme suchen</translation>
+    </message>
+    <message>
+        <source>Opens the list of everything the robot tells: onto a plot by dragging, double click or Return.</source>
+        <translation>Öffnet die Liste von allem, was der Roboter meldet: auf ein Diagramm durch Ziehen, Doppelklick oder Eingabetaste.</translation>
+    </message>
+    <message>
+        <source>New page of plots</source>
+        <translation>Neue Seite mit Diagrammen</translation>
+    </message>
+    <message>
+        <source>An empty page behind the others; all pages show the same time.</source>
+        <translation>Eine leere Seite hinter den anderen; alle Seiten zeigen dieselbe Zeit.</translation>
+    </message>
+    <message>
+        <source>Show all of the plots&apos; history</source>
+        <translation>Den ganzen Verlauf der Diagramme zeigen</translation>
+    </message>
+    <message>
+        <source>All that is in memory, each plot at its best scale.</source>
+        <translation>Alles, was im Speicher ist, jedes Diagramm in seiner besten Skala.</translation>
+    </message>
+</context>
+<context>
+    <name>PlotMenu</name>
+    <message>
+        <source>Take the lane %1 away</source>
+        <translation>Die Spur %1 wegnehmen</translation>
+    </message>
+    <message>
+        <source>Note here…</source>
+        <translation>Hier notieren…</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>%1 verbergen</translation>
+    </message>
+    <message>
+        <source>Let the cursors read %1</source>
+        <translation>Die Cursor %1 ablesen lassen</translation>
+    </message>
+    <message>
+        <source>Move %1 to a plot of its own</source>
+        <translation>%1 in ein eigenes Diagramm</translation>
+    </message>
+    <message>
+        <source>Take %1 away</source>
+        <translation>%1 wegnehmen</translation>
+    </message>
+    <message>
+        <source>Alarm when %1</source>
+        <translation>Alarm, wenn %1</translation>
+    </message>
+    <message>
+        <source>No alarm when %1</source>
+        <translation>Kein Alarm, wenn %1</translation>
+    </message>
+    <message>
+        <source>Rate of change of %1</source>
+        <translation>Änderungsrate von %1</translation>
+    </message>
+    <message>
+        <source>Moving mean of %1 over half a second</source>
+        <translation>Gleitender Mittelwert von %1 über eine halbe Sekunde</translation>
+    </message>
+    <message>
+        <source>Mean %1</source>
+        <translation>Mittel %1</translation>
+    </message>
+    <message>
+        <source>Norm of the curves of this plot</source>
+        <translation>Betrag der Kurven dieses Diagramms</translation>
+    </message>
+    <message>
+        <source>New plot below</source>
+        <translation>Neues Diagramm darunter</translation>
+    </message>
+    <message>
+        <source>New plot beside</source>
+        <translation>Neues Diagramm daneben</translation>
+    </message>
+    <message>
+        <source>Take this plot away</source>
+        <translation>Dieses Diagramm wegnehmen</translation>
+    </message>
+    <message>
+        <source>Let the curves decide about the scale</source>
+        <translation>Die Kurven über die Skala entscheiden lassen</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alles zeigen</translation>
+    </message>
 </context>
 <context>
     <name>Practice</name>
@@ -2282,6 +2428,401 @@
     </message>
 </context>
 <context>
+    <name>SignalInfo</name>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation>Ein- und Ausgänge</translation>
+    </message>
+    <message>
+        <source>Modes and states</source>
+        <translation>Modi und Zustände</translation>
+    </message>
+    <message>
+        <source>Power and temperature</source>
+        <translation>Strom und Temperatur</translation>
+    </message>
+    <message>
+        <source>Speed and program</source>
+        <translation>Geschwindigkeit und Programm</translation>
+    </message>
+    <message>
+        <source>Payload and tool</source>
+        <translation>Nutzlast und Werkzeug</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Registers</source>
+        <translation>Register</translation>
+    </message>
+    <message>
+        <source>Force at the TCP</source>
+        <translation>Kraft am TCP</translation>
+    </message>
+    <message>
+        <source>Torque at the TCP</source>
+        <translation>Drehmoment am TCP</translation>
+    </message>
+    <message>
+        <source>Position of the TCP</source>
+        <translation>Position des TCP</translation>
+    </message>
+    <message>
+        <source>Rotation vector of the TCP</source>
+        <translation>Rotationsvektor des TCP</translation>
+    </message>
+    <message>
+        <source>Speed of the TCP</source>
+        <translation>Geschwindigkeit des TCP</translation>
+    </message>
+    <message>
+        <source>Rotation speed of the TCP</source>
+        <translation>Drehgeschwindigkeit des TCP</translation>
+    </message>
+    <message>
+        <source>Acceleration of the TCP</source>
+        <translation>Beschleunigung des TCP</translation>
+    </message>
+    <message>
+        <source>Target position of the TCP</source>
+        <translation>Sollposition des TCP</translation>
+    </message>
+    <message>
+        <source>Target rotation vector of the TCP</source>
+        <translation>Soll-Rotationsvektor des TCP</translation>
+    </message>
+    <message>
+        <source>Target speed of the TCP</source>
+        <translation>Sollgeschwindigkeit des TCP</translation>
+    </message>
+    <message>
+        <source>Target rotation speed of the TCP</source>
+        <translation>Soll-Drehgeschwindigkeit des TCP</translation>
+    </message>
+    <message>
+        <source>Raw force of the sensor</source>
+        <translation>Rohkraft des Sensors</translation>
+    </message>
+    <message>
+        <source>Raw torque of the sensor</source>
+        <translation>Rohdrehmoment des Sensors</translation>
+    </message>
+    <message>
+        <source>Force at the TCP, norm</source>
+        <translation>Kraft am TCP, Betrag</translation>
+    </message>
+    <message>
+        <source>Accelerometer in the flange</source>
+        <translation>Beschleunigungssensor im Flansch</translation>
+    </message>
+    <message>
+        <source>Position of the elbow</source>
+        <translation>Position des Ellbogens</translation>
+    </message>
+    <message>
+        <source>Speed of the elbow</source>
+        <translation>Geschwindigkeit des Ellbogens</translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation>Impuls</translation>
+    </message>
+    <message>
+        <source>Joint positions</source>
+        <translation>Gelenkstellungen</translation>
+    </message>
+    <message>
+        <source>Joint speeds</source>
+        <translation>Gelenkgeschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>Joint currents</source>
+        <translation>Gelenkströme</translation>
+    </message>
+    <message>
+        <source>Joint temperatures</source>
+        <translation>Gelenktemperaturen</translation>
+    </message>
+    <message>
+        <source>Joint voltages</source>
+        <translation>Gelenkspannungen</translation>
+    </message>
+    <message>
+        <source>Target joint positions</source>
+        <translation>Soll-Gelenkstellungen</translation>
+    </message>
+    <message>
+        <source>Target joint speeds</source>
+        <translation>Soll-Gelenkgeschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>Target joint accelerations</source>
+        <translation>Soll-Gelenkbeschleunigungen</translation>
+    </message>
+    <message>
+        <source>Target joint currents</source>
+        <translation>Soll-Gelenkströme</translation>
+    </message>
+    <message>
+        <source>Target joint torques</source>
+        <translation>Soll-Gelenkmomente</translation>
+    </message>
+    <message>
+        <source>Joint control currents</source>
+        <translation>Regelströme der Gelenke</translation>
+    </message>
+    <message>
+        <source>Allowed deviation of the currents</source>
+        <translation>Erlaubte Abweichung der Ströme</translation>
+    </message>
+    <message>
+        <source>Position deviation over its limit</source>
+        <translation>Positionsabweichung zu ihrer Grenze</translation>
+    </message>
+    <message>
+        <source>Collision measure over its limit</source>
+        <translation>Kollisionsmaß zu seiner Grenze</translation>
+    </message>
+    <message>
+        <source>Joint modes</source>
+        <translation>Gelenkmodi</translation>
+    </message>
+    <message>
+        <source>Digital inputs</source>
+        <translation>Digitale Eingänge</translation>
+    </message>
+    <message>
+        <source>Digital outputs</source>
+        <translation>Digitale Ausgänge</translation>
+    </message>
+    <message>
+        <source>Analog input 0</source>
+        <translation>Analogeingang 0</translation>
+    </message>
+    <message>
+        <source>Analog input 1</source>
+        <translation>Analogeingang 1</translation>
+    </message>
+    <message>
+        <source>Analog output 0</source>
+        <translation>Analogausgang 0</translation>
+    </message>
+    <message>
+        <source>Analog output 1</source>
+        <translation>Analogausgang 1</translation>
+    </message>
+    <message>
+        <source>Tool analog input 0</source>
+        <translation>Werkzeug-Analogeingang 0</translation>
+    </message>
+    <message>
+        <source>Tool analog input 1</source>
+        <translation>Werkzeug-Analogeingang 1</translation>
+    </message>
+    <message>
+        <source>Robot mode</source>
+        <translation>Robotermodus</translation>
+    </message>
+    <message>
+        <source>Safety mode</source>
+        <translation>Sicherheitsmodus</translation>
+    </message>
+    <message>
+        <source>Safety status</source>
+        <translation>Sicherheitsstatus</translation>
+    </message>
+    <message>
+        <source>Program state</source>
+        <translation>Programmzustand</translation>
+    </message>
+    <message>
+        <source>Robot status</source>
+        <translation>Roboterstatus</translation>
+    </message>
+    <message>
+        <source>Safety bits</source>
+        <translation>Sicherheitsbits</translation>
+    </message>
+    <message>
+        <source>Tool mode</source>
+        <translation>Werkzeugmodus</translation>
+    </message>
+    <message>
+        <source>Main voltage</source>
+        <translation>Netzspannung</translation>
+    </message>
+    <message>
+        <source>Arm voltage</source>
+        <translation>Spannung des Arms</translation>
+    </message>
+    <message>
+        <source>Arm current</source>
+        <translation>Strom des Arms</translation>
+    </message>
+    <message>
+        <source>Current of the I/O</source>
+        <translation>Strom der E/A</translation>
+    </message>
+    <message>
+        <source>Tool temperature</source>
+        <translation>Werkzeugtemperatur</translation>
+    </message>
+    <message>
+        <source>Tool voltage</source>
+        <translation>Werkzeugspannung</translation>
+    </message>
+    <message>
+        <source>Tool current</source>
+        <translation>Werkzeugstrom</translation>
+    </message>
+    <message>
+        <source>Speed scaling</source>
+        <translation>Geschwindigkeitsskalierung</translation>
+    </message>
+    <message>
+        <source>Speed slider</source>
+        <translation>Geschwindigkeitsregler</translation>
+    </message>
+    <message>
+        <source>Time of a control step</source>
+        <translation>Dauer eines Regelschritts</translation>
+    </message>
+    <message>
+        <source>Script line</source>
+        <translation>Skriptzeile</translation>
+    </message>
+    <message>
+        <source>Controller time</source>
+        <translation>Zeit der Steuerung</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>Nutzlast</translation>
+    </message>
+    <message>
+        <source>Payload centre of gravity</source>
+        <translation>Schwerpunkt der Nutzlast</translation>
+    </message>
+    <message>
+        <source>TCP offset</source>
+        <translation>TCP-Versatz</translation>
+    </message>
+    <message>
+        <source>TCP rotation</source>
+        <translation>TCP-Drehung</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>Einschalten</translation>
+    </message>
+    <message>
+        <source>Program running</source>
+        <translation>Programm läuft</translation>
+    </message>
+    <message>
+        <source>Freedrive button</source>
+        <translation>Freedrive-Knopf</translation>
+    </message>
+    <message>
+        <source>Power button</source>
+        <translation>Ein/Aus-Knopf</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>Reduziert</translation>
+    </message>
+    <message>
+        <source>Protective stop</source>
+        <translation>Schutzstopp</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>Wiederherstellung</translation>
+    </message>
+    <message>
+        <source>Safeguard stop</source>
+        <translation>Safeguard-Stopp</translation>
+    </message>
+    <message>
+        <source>System emergency stop</source>
+        <translation>System-Not-Halt</translation>
+    </message>
+    <message>
+        <source>Robot emergency stop</source>
+        <translation>Not-Halt des Roboters</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>Not-Halt</translation>
+    </message>
+    <message>
+        <source>Violation</source>
+        <translation>Verletzung</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Stopped by safety</source>
+        <translation>Von der Sicherheit gestoppt</translation>
+    </message>
+    <message>
+        <source>Enabling device</source>
+        <translation>Zustimmgerät</translation>
+    </message>
+    <message>
+        <source>Bit %1</source>
+        <translation>Bit %1</translation>
+    </message>
+    <message>
+        <source>Output registers, numbers</source>
+        <translation>Ausgangsregister, Zahlen</translation>
+    </message>
+    <message>
+        <source>Input registers, numbers</source>
+        <translation>Eingangsregister, Zahlen</translation>
+    </message>
+    <message>
+        <source>Output registers, integers</source>
+        <translation>Ausgangsregister, Ganzzahlen</translation>
+    </message>
+    <message>
+        <source>Input registers, integers</source>
+        <translation>Eingangsregister, Ganzzahlen</translation>
+    </message>
+    <message>
+        <source>Output registers, bits</source>
+        <translation>Ausgangsregister, Bits</translation>
+    </message>
+    <message>
+        <source>Input registers, bits</source>
+        <translation>Eingangsregister, Bits</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+</context>
+<context>
     <name>SpaceMouse</name>
     <message>
         <source>left key</source>
@@ -2754,6 +3295,13 @@
     <message>
         <source>“%1” is no colour of a waypoint</source>
         <translation>„%1“ ist keine Farbe eines Wegpunkts</translation>
+    </message>
+</context>
+<context>
+    <name>WaypointExchange</name>
+    <message>
+        <source>Line %1: a quotation mark is not closed</source>
+        <translation>Zeile %1: Ein Anführungszeichen ist nicht geschlossen</translation>
     </message>
 </context>
 <context>
@@ -3372,6 +3920,135 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
 </context>
 <context>
+    <name>tiller::GoThrough</name>
+    <message>
+        <source>There are no waypoints to go through. Teach some, or select them.</source>
+        <translation>Es gibt keine Wegpunkte zum Abfahren. Teachen Sie welche oder wählen Sie sie.</translation>
+    </message>
+    <message>
+        <source>There is no waypoint before this one.</source>
+        <translation>Vor diesem gibt es keinen Wegpunkt.</translation>
+    </message>
+    <message>
+        <source>A waypoint of the way is not in this project any more.</source>
+        <translation>Ein Wegpunkt des Wegs ist nicht mehr in diesem Projekt.</translation>
+    </message>
+    <message>
+        <source>“%1”: %2</source>
+        <translation>„%1“: %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GoThroughBar</name>
+    <message>
+        <source>Loop</source>
+        <translation>Schleife</translation>
+    </message>
+    <message>
+        <source>Go through the waypoints</source>
+        <translation>Die Wegpunkte abfahren</translation>
+    </message>
+    <message>
+        <source>Go through (hold)</source>
+        <translation>Abfahren (halten)</translation>
+    </message>
+    <message>
+        <source>Go through, hold</source>
+        <translation>Abfahren, halten</translation>
+    </message>
+    <message>
+        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed. Let go to pause; the next press goes on to the coming waypoint.</source>
+        <translation>Fährt von Wegpunkt zu Wegpunkt, solange die Taste gehalten wird, nicht schneller als die Verfahrgeschwindigkeit. Loslassen pausiert; der nächste Druck fährt zum kommenden Wegpunkt weiter.</translation>
+    </message>
+    <message>
+        <source>‹ Step</source>
+        <translation>‹ Schritt</translation>
+    </message>
+    <message>
+        <source>One waypoint back, hold</source>
+        <translation>Einen Wegpunkt zurück, halten</translation>
+    </message>
+    <message>
+        <source>Goes back to the waypoint before while the key is held</source>
+        <translation>Fährt zum vorigen Wegpunkt zurück, solange die Taste gehalten wird</translation>
+    </message>
+    <message>
+        <source>Step ›</source>
+        <translation>Schritt ›</translation>
+    </message>
+    <message>
+        <source>One waypoint on, hold</source>
+        <translation>Einen Wegpunkt weiter, halten</translation>
+    </message>
+    <message>
+        <source>Goes to the coming waypoint while the key is held, and stops there</source>
+        <translation>Fährt zum kommenden Wegpunkt, solange die Taste gehalten wird, und hält dort</translation>
+    </message>
+    <message>
+        <source>Which waypoints to go through</source>
+        <translation>Welche Wegpunkte abgefahren werden</translation>
+    </message>
+    <message>
+        <source>Which waypoints</source>
+        <translation>Welche Wegpunkte</translation>
+    </message>
+    <message>
+        <source>Which waypoints to go through, in the order of the list</source>
+        <translation>Welche Wegpunkte abgefahren werden, in der Reihenfolge der Liste</translation>
+    </message>
+    <message>
+        <source>From here</source>
+        <translation>Von hier</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>In a loop</source>
+        <translation>In einer Schleife</translation>
+    </message>
+    <message>
+        <source>After the last waypoint comes the first again, for as long as the key is held</source>
+        <translation>Nach dem letzten Wegpunkt kommt wieder der erste, solange die Taste gehalten wird</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>Der Arm wird nicht gesteuert. Übernehmen Sie zuerst die Steuerung.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>The coming one: %1 of %2, %3</source>
+        <translation>Der kommende: %1 von %2, %3</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>erledigt</translation>
+    </message>
+    <message>
+        <source>Done. The next press begins at the first.</source>
+        <translation>Fertig. Der nächste Druck beginnt beim ersten.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints</source>
+        <translation>
+            <numerusform>%n Wegpunkt</numerusform>
+            <numerusform>%n Wegpunkte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
     <name>tiller::GoToButton</name>
     <message>
         <source>Go to (hold)  G</source>
@@ -3752,6 +4429,37 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     <message>
         <source>The display server does not answer: nobody could tell when the key is let go.</source>
         <translation>Der Display-Server antwortet nicht: Niemand könnte sagen, wann die Taste losgelassen wird.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IncidentWatch</name>
+    <message>
+        <source>protective stop</source>
+        <translation>Schutzstopp</translation>
+    </message>
+    <message>
+        <source>emergency stop</source>
+        <translation>Not-Halt</translation>
+    </message>
+    <message>
+        <source>safety violation</source>
+        <translation>Sicherheitsverletzung</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>The incident (%1) could not be recorded.</source>
+        <translation>Der Vorfall (%1) konnte nicht aufgezeichnet werden.</translation>
+    </message>
+    <message>
+        <source>Incident recorded: %1</source>
+        <translation>Vorfall aufgezeichnet: %1</translation>
+    </message>
+    <message>
+        <source>Everything from %1 s before it is in %2. Double-click this line to open it.</source>
+        <translation>Alles ab %1 s davor ist in %2. Doppelklicken Sie diese Zeile, um es zu öffnen.</translation>
     </message>
 </context>
 <context>
@@ -4268,6 +4976,109 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <source>Log written to %1</source>
         <translation>Protokoll geschrieben nach %1</translation>
     </message>
+    <message>
+        <source>Open recording</source>
+        <translation>Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>Open the recording of the selected line: incidents have one</source>
+        <translation>Die Aufzeichnung der gewählten Zeile öffnen: Vorfälle haben eine</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::MoveWords</name>
+    <message>
+        <source>%1 touches %2 of the arm already here</source>
+        <translation>%1 berührt %2 des Arms schon hier</translation>
+    </message>
+    <message>
+        <source>%1 meets %2 of the arm after %3 of the way</source>
+        <translation>%1 trifft %2 des Arms nach %3 des Wegs</translation>
+    </message>
+    <message>
+        <source>%1 touches the floor already here</source>
+        <translation>%1 berührt den Boden schon hier</translation>
+    </message>
+    <message>
+        <source>%1 meets the floor after %2 of the way</source>
+        <translation>%1 trifft den Boden nach %2 des Wegs</translation>
+    </message>
+    <message>
+        <source>%1 touches “%2” already here</source>
+        <translation>%1 berührt „%2“ schon hier</translation>
+    </message>
+    <message>
+        <source>%1 meets “%2” after %3 of the way</source>
+        <translation>%1 trifft „%2“ nach %3 des Wegs</translation>
+    </message>
+    <message>
+        <source>The line runs into the wrist singularity after %1 of the way</source>
+        <translation>Die Linie läuft nach %1 des Wegs in die Handgelenk-Singularität</translation>
+    </message>
+    <message>
+        <source>Slow near the wrist singularity at %1 of the way</source>
+        <translation>Langsam nahe der Handgelenk-Singularität bei %1 des Wegs</translation>
+    </message>
+    <message>
+        <source>The line runs into the stretched elbow after %1 of the way</source>
+        <translation>Die Linie läuft nach %1 des Wegs in den gestreckten Ellbogen</translation>
+    </message>
+    <message>
+        <source>Slow near the stretched elbow at %1 of the way</source>
+        <translation>Langsam nahe dem gestreckten Ellbogen bei %1 des Wegs</translation>
+    </message>
+    <message>
+        <source>The line runs into the axis of the base after %1 of the way</source>
+        <translation>Die Linie läuft nach %1 des Wegs in die Achse der Basis</translation>
+    </message>
+    <message>
+        <source>Slow near the axis of the base at %1 of the way</source>
+        <translation>Langsam nahe der Achse der Basis bei %1 des Wegs</translation>
+    </message>
+    <message>
+        <source>A joint would have to turn at once after %1 of the way</source>
+        <translation>Ein Gelenk müsste nach %1 des Wegs auf einmal drehen</translation>
+    </message>
+    <message>
+        <source>%1 leaves its range after %2 of the way</source>
+        <translation>%1 verlässt seinen Bereich nach %2 des Wegs</translation>
+    </message>
+    <message>
+        <source>The line leaves the arm&apos;s reach after %1 of the way</source>
+        <translation>Die Linie verlässt die Reichweite des Arms nach %1 des Wegs</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Basis</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>Schulter</translation>
+    </message>
+    <message>
+        <source>Upper arm</source>
+        <translation>Oberarm</translation>
+    </message>
+    <message>
+        <source>Forearm</source>
+        <translation>Unterarm</translation>
+    </message>
+    <message>
+        <source>Wrist 1</source>
+        <translation>Handgelenk 1</translation>
+    </message>
+    <message>
+        <source>Wrist 2</source>
+        <translation>Handgelenk 2</translation>
+    </message>
+    <message>
+        <source>Wrist 3</source>
+        <translation>Handgelenk 3</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
 </context>
 <context>
     <name>tiller::NothingFound</name>
@@ -4321,6 +5132,282 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     <message>
         <source>More</source>
         <translation>Mehr</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathControls</name>
+    <message>
+        <source>Tolerance of recorded paths</source>
+        <translation>Toleranz aufgezeichneter Bahnen</translation>
+    </message>
+    <message>
+        <source>Record path</source>
+        <translation>Bahn aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Export path as CSV…</source>
+        <translation>Bahn als CSV exportieren…</translation>
+    </message>
+    <message>
+        <source>Import demonstration (CSV)…</source>
+        <translation>Vorführung importieren (CSV)…</translation>
+    </message>
+    <message>
+        <source>The recording of the path ended by itself: the data stopped, or it lasted ten minutes.</source>
+        <translation>Die Aufzeichnung der Bahn endete von selbst: Die Daten hörten auf, oder sie dauerte zehn Minuten.</translation>
+    </message>
+    <message>
+        <source>What was recorded until then is kept.</source>
+        <translation>Was bis dahin aufgezeichnet wurde, bleibt.</translation>
+    </message>
+    <message>
+        <source>○ Record path</source>
+        <translation>○ Bahn aufzeichnen</translation>
+    </message>
+    <message>
+        <source>End the recording of the path</source>
+        <translation>Die Aufzeichnung der Bahn beenden</translation>
+    </message>
+    <message>
+        <source>The path is being thinned.</source>
+        <translation>Die Bahn wird ausgedünnt.</translation>
+    </message>
+    <message>
+        <source>No data come from the robot: there is nothing to record.</source>
+        <translation>Vom Roboter kommen keine Daten: Es gibt nichts aufzuzeichnen.</translation>
+    </message>
+    <message>
+        <source>Ends the recording and keeps the path as waypoints</source>
+        <translation>Beendet die Aufzeichnung und behält die Bahn als Wegpunkte</translation>
+    </message>
+    <message>
+        <source>Records where the arm is led, by Freedrive or by jogging, until it is pressed again, and keeps the path as waypoints. It moves nothing.</source>
+        <translation>Zeichnet auf, wohin der Arm geführt wird, durch Freedrive oder Verfahren, bis erneut gedrückt wird, und behält die Bahn als Wegpunkte. Es bewegt nichts.</translation>
+    </message>
+    <message>
+        <source>Select the waypoints of the path, at least two.</source>
+        <translation>Wählen Sie die Wegpunkte der Bahn, mindestens zwei.</translation>
+    </message>
+    <message>
+        <source>Export path</source>
+        <translation>Bahn exportieren</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>The path was not written.</source>
+        <translation>Die Bahn wurde nicht geschrieben.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints written as a path to %1</source>
+        <translation>
+            <numerusform>%n Wegpunkt als Bahn nach %1 geschrieben</numerusform>
+            <numerusform>%n Wegpunkte als Bahn nach %1 geschrieben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Import a demonstration</source>
+        <translation>Eine Vorführung importieren</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathRecorder</name>
+    <message>
+        <source>%1 has no column “%2”. It needs timestamp and actual_q_0 to actual_q_5.</source>
+        <translation>%1 hat keine Spalte „%2“. Es braucht timestamp und actual_q_0 bis actual_q_5.</translation>
+    </message>
+    <message>
+        <source>No data come from the robot: there is nothing to record.</source>
+        <translation>Vom Roboter kommen keine Daten: Es gibt nichts aufzuzeichnen.</translation>
+    </message>
+    <message>
+        <source>Nothing was read: a path is being recorded. End that first.</source>
+        <translation>Nichts wurde gelesen: Eine Bahn wird aufgezeichnet. Beenden Sie das zuerst.</translation>
+    </message>
+    <message>
+        <source>The demonstration could not be read.</source>
+        <translation>Die Vorführung konnte nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>path %1</source>
+        <translation>Bahn %1</translation>
+    </message>
+    <message>
+        <source>The arm did not move: no path was kept.</source>
+        <translation>Der Arm hat sich nicht bewegt: Es wurde keine Bahn behalten.</translation>
+    </message>
+    <message>
+        <source>Record “%1”</source>
+        <translation>„%1“ aufzeichnen</translation>
+    </message>
+    <message>
+        <source>“%1”: %2 s in %3 waypoints. Every recorded place is within %4 and %5 of them.</source>
+        <translation>„%1“: %2 s in %3 Wegpunkten. Jeder aufgezeichnete Ort liegt innerhalb von %4 und %5 von ihnen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n packets did not arrive.</source>
+        <translation>
+            <numerusform>%n Paket kam nicht an.</numerusform>
+            <numerusform>%n Pakete kamen nicht an.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select the waypoints of the path, at least two.</source>
+        <translation>Wählen Sie die Wegpunkte der Bahn, mindestens zwei.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be reached. Touch it up, or leave it out.</source>
+        <translation>„%1“ ist nicht erreichbar. Teachen Sie ihn nach oder lassen Sie ihn aus.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PatternDialog</name>
+    <message>
+        <source>pattern</source>
+        <translation>Muster</translation>
+    </message>
+    <message>
+        <source>Pattern from three corners</source>
+        <translation>Muster aus drei Ecken</translation>
+    </message>
+    <message>
+        <source>Pattern “%1”</source>
+        <translation>Muster „%1“</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>First place</source>
+        <translation>Erster Platz</translation>
+    </message>
+    <message>
+        <source>End of the first row</source>
+        <translation>Ende der ersten Reihe</translation>
+    </message>
+    <message>
+        <source>Beginning of the last row</source>
+        <translation>Anfang der letzten Reihe</translation>
+    </message>
+    <message>
+        <source>choose a waypoint</source>
+        <translation>einen Wegpunkt wählen</translation>
+    </message>
+    <message>
+        <source>as it was taught</source>
+        <translation>wie geteacht</translation>
+    </message>
+    <message>
+        <source>Places in a row</source>
+        <translation>Plätze je Reihe</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Reihen</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Lagen</translation>
+    </message>
+    <message>
+        <source>Height of a layer</source>
+        <translation>Höhe einer Lage</translation>
+    </message>
+    <message>
+        <source>From one layer to the next, against the direction of the tool.</source>
+        <translation>Von einer Lage zur nächsten, gegen die Richtung des Werkzeugs.</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Row by row</source>
+        <translation>Reihe für Reihe</translation>
+    </message>
+    <message>
+        <source>Meander</source>
+        <translation>Mäander</translation>
+    </message>
+    <message>
+        <source>Make pattern</source>
+        <translation>Muster anlegen</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>A pattern needs a name.</source>
+        <translation>Ein Muster braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>There is a pattern of that name. Choose another one.</source>
+        <translation>Ein Muster dieses Namens gibt es schon. Wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>Choose the waypoint of each corner. Teach the three corners first where there are none.</source>
+        <translation>Wählen Sie den Wegpunkt jeder Ecke. Teachen Sie zuerst die drei Ecken, wo keine sind.</translation>
+    </message>
+    <message>
+        <source>Two corners are the same place. Choose another waypoint for one of them.</source>
+        <translation>Zwei Ecken sind derselbe Ort. Wählen Sie für eine einen anderen Wegpunkt.</translation>
+    </message>
+    <message>
+        <source>The height of a layer is no figure it can be.</source>
+        <translation>Die Höhe einer Lage ist keine mögliche Zahl.</translation>
+    </message>
+    <message>
+        <source>Layers need a height.</source>
+        <translation>Lagen brauchen eine Höhe.</translation>
+    </message>
+    <message>
+        <source>%1 places are more than the %2 a pattern can have.</source>
+        <translation>%1 Plätze sind mehr als die %2, die ein Muster haben kann.</translation>
+    </message>
+    <message>
+        <source>Every place is left out.</source>
+        <translation>Alle Plätze sind ausgelassen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints.</source>
+        <translation>
+            <numerusform>%n Wegpunkt.</numerusform>
+            <numerusform>%n Wegpunkte.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 All can be reached.</source>
+        <translation>%1 Alle sind erreichbar.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them are out of reach; they are marked.</source>
+        <translation>
+            <numerusform>%n von ihnen ist außer Reichweite und markiert.</numerusform>
+            <numerusform>%n von ihnen sind außer Reichweite und markiert.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PatternGrid</name>
+    <message>
+        <source>Places of the pattern</source>
+        <translation>Plätze des Musters</translation>
+    </message>
+    <message>
+        <source>Click a place to leave it out, or to take it in again. The first corner is at the lower left.</source>
+        <translation>Klicken Sie einen Platz an, um ihn auszulassen oder wieder aufzunehmen. Die erste Ecke ist unten links.</translation>
+    </message>
+    <message>
+        <source>Row %1, column %2</source>
+        <translation>Reihe %1, Spalte %2</translation>
     </message>
 </context>
 <context>
@@ -4693,10 +5780,6 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Diagramme</translation>
     </message>
     <message>
-        <source>TCP force [N] · joint current [A]</source>
-        <translation>TCP-Kraft [N] · Gelenkstrom [A]</translation>
-    </message>
-    <message>
         <source>Cursor read-out</source>
         <translation>Ablesung am Cursor</translation>
     </message>
@@ -4801,14 +5884,6 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Aufzeichnung beenden</translation>
     </message>
     <message>
-        <source>Tiller · TCP force and joint currents</source>
-        <translation>Tiller · TCP-Kraft und Gelenkströme</translation>
-    </message>
-    <message>
-        <source>%1 · TCP force and joint currents</source>
-        <translation>%1 · TCP-Kraft und Gelenkströme</translation>
-    </message>
-    <message>
         <source>controller time %1 … %2 s</source>
         <translation>Zeit der Steuerung %1 … %2 s</translation>
     </message>
@@ -4898,17 +5973,242 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <source>name the file .png, .svg or .pdf for a picture, .csv for values</source>
         <translation>nennen Sie die Datei .png, .svg oder .pdf für ein Bild, .csv für Werte</translation>
     </message>
+    <message>
+        <source>%1, at %2 s of the plots&apos; time</source>
+        <translation>%1, bei %2 s der Diagrammzeit</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>Notiz: %1</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>What happened at this moment?</source>
+        <translation>Was geschah in diesem Moment?</translation>
+    </message>
+    <message>
+        <source>The plots are in the clipboard as a picture.</source>
+        <translation>Die Diagramme sind als Bild in der Zwischenablage.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>History %1 · %2</source>
+        <translation>Verlauf %1 · %2</translation>
+    </message>
+    <message>
+        <source>New page</source>
+        <translation>Neue Seite</translation>
+    </message>
+    <message>
+        <source>Take this page away</source>
+        <translation>Diese Seite wegnehmen</translation>
+    </message>
+    <message>
+        <source>Standard plots</source>
+        <translation>Standard-Diagramme</translation>
+    </message>
+    <message>
+        <source>Open a recording…</source>
+        <translation>Eine Aufzeichnung öffnen…</translation>
+    </message>
+    <message>
+        <source>Close the recordings</source>
+        <translation>Die Aufzeichnungen schließen</translation>
+    </message>
+    <message>
+        <source>Copy the plots as a picture</source>
+        <translation>Die Diagramme als Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Save this arrangement…</source>
+        <translation>Diese Anordnung speichern…</translation>
+    </message>
+    <message>
+        <source>Open an arrangement…</source>
+        <translation>Eine Anordnung öffnen…</translation>
+    </message>
+    <message>
+        <source>Memory for the history</source>
+        <translation>Speicher für den Verlauf</translation>
+    </message>
+    <message>
+        <source>save the arrangement to %1</source>
+        <translation>die Anordnung nach %1 speichern</translation>
+    </message>
+    <message>
+        <source>open the arrangement %1</source>
+        <translation>die Anordnung %1 öffnen</translation>
+    </message>
+    <message>
+        <source>Opened the recording %1</source>
+        <translation>Aufzeichnung %1 geöffnet</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>Eine Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)</source>
+        <translation>Aufzeichnungen (*.mcap *.csv *.h5 *.hdf5);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save the arrangement of the plots</source>
+        <translation>Die Anordnung der Diagramme speichern</translation>
+    </message>
+    <message>
+        <source>Arrangement of plots (*.json)</source>
+        <translation>Anordnung von Diagrammen (*.json)</translation>
+    </message>
+    <message>
+        <source>Open an arrangement of plots</source>
+        <translation>Eine Anordnung der Diagramme öffnen</translation>
+    </message>
+    <message>
+        <source>%1 and more</source>
+        <translation>%1 und weitere</translation>
+    </message>
+    <message>
+        <source>List of signals</source>
+        <translation>Liste der Signale</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signale</translation>
+    </message>
+    <message>
+        <source>Everything the robot tells: drag it onto a plot, to its edge for a plot of its own, or double click</source>
+        <translation>Alles, was der Roboter meldet: auf ein Diagramm ziehen, an seinen Rand für ein eigenes, oder Doppelklick</translation>
+    </message>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>Werte an den Cursorn</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>What every signal has at the cursors A and B, and what lies between them: smallest, largest, mean, RMS, deviation, slope</source>
+        <translation>Was jedes Signal an den Cursorn A und B hat und was dazwischen liegt: kleinster, größter, Mittelwert, RMS, Abweichung, Steigung</translation>
+    </message>
+    <message>
+        <source>Pages and arrangement of the plots</source>
+        <translation>Seiten und Anordnung der Diagramme</translation>
+    </message>
+    <message>
+        <source>Layout ▾</source>
+        <translation>Layout ▾</translation>
+    </message>
+    <message>
+        <source>read an arrangement of plots</source>
+        <translation>eine Anordnung der Diagramme lesen</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotMarks</name>
+    <message>
+        <source>%1 above %2</source>
+        <translation>%1 über %2</translation>
+    </message>
+    <message>
+        <source>%1 below %2</source>
+        <translation>%1 unter %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotPages</name>
+    <message>
+        <source>Pages of plots</source>
+        <translation>Seiten der Diagramme</translation>
+    </message>
+    <message>
+        <source>Name of the page</source>
+        <translation>Name der Seite</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>Seite %1</translation>
+    </message>
+    <message>
+        <source>Double click: another name</source>
+        <translation>Doppelklick: anderer Name</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotValues</name>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>Werte an den Cursorn</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Min</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Max</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Std</source>
+        <translation>Std</translation>
+    </message>
+    <message>
+        <source>Peak to peak</source>
+        <translation>Spitze-Spitze</translation>
+    </message>
+    <message>
+        <source>Slope per s</source>
+        <translation>Steigung je s</translation>
+    </message>
+    <message>
+        <source>Δt 0 s</source>
+        <translation>Δt 0 s</translation>
+    </message>
+    <message>
+        <source>Δt %1 s · 1/Δt %2 Hz</source>
+        <translation>Δt %1 s · 1/Δt %2 Hz</translation>
+    </message>
+    <message>
+        <source>Click into the plots to place A, then B: what lies between them is summed up here.</source>
+        <translation>Klicken Sie in die Diagramme, um A, dann B zu setzen: Was dazwischen liegt, wird hier zusammengefasst.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotView</name>
-    <message>
-        <source>Plots of TCP force and joint current over time</source>
-        <translation>Diagramme von TCP-Kraft und Gelenkstrom über der Zeit</translation>
-    </message>
-    <message>
-        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; End goes back to the newest samples</source>
-        <translation>A und B setzen die Cursor, die Pfeiltasten bewegen sie, auf und ab wählen das Signal, das sie ablesen; H verbirgt seine Kurve; Plus und Minus ändern das Zeitfenster, mit Strg die Skala der Werte, Strg+0 lässt wieder die Kurven entscheiden; Ende geht zurück zu den neuesten Werten</translation>
-    </message>
     <message>
         <source> min</source>
         <translation> min</translation>
@@ -4940,6 +6240,22 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     <message>
         <source>Zeroed: %1 %2 taken off</source>
         <translation>Auf null: %1 %2 abgezogen</translation>
+    </message>
+    <message>
+        <source>Plots over time</source>
+        <translation>Diagramme über der Zeit</translation>
+    </message>
+    <message>
+        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve, Ctrl+Delete takes it away; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; N writes a note; F shows all; End goes back to the newest samples</source>
+        <translation>A und B setzen die Cursor, die Pfeiltasten bewegen sie, auf und ab wählen das Signal, das sie ablesen; H verbirgt seine Kurve, Strg+Entf nimmt sie weg; Plus und Minus ändern das Zeitfenster, mit Strg die Skala der Werte, Strg+0 lässt wieder die Kurven entscheiden; N schreibt eine Notiz; F zeigt alles; Ende geht zurück zu den neuesten Werten</translation>
+    </message>
+    <message>
+        <source>A–B Δt %1 s</source>
+        <translation>A–B Δt %1 s</translation>
+    </message>
+    <message>
+        <source>Drop signals here</source>
+        <translation>Signale hier ablegen</translation>
     </message>
 </context>
 <context>
@@ -5842,6 +7158,76 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
             <numerusform>%n Namen verborgen: Kommen Sie näher</numerusform>
         </translation>
     </message>
+    <message>
+        <source>ghost “%1” · reachable</source>
+        <translation>Vorschau „%1“ · erreichbar</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6</source>
+        <translation>Vorschau „%1“ · %2 · größte Drehung %3 %4 · %5 s bei %6</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SignalStore</name>
+    <message>
+        <source>compute a signal</source>
+        <translation>ein Signal berechnen</translation>
+    </message>
+    <message>
+        <source>%1 does not come in the same packets as the others.</source>
+        <translation>%1 kommt nicht in denselben Paketen wie die anderen.</translation>
+    </message>
+    <message>
+        <source>Derived</source>
+        <translation>Abgeleitet</translation>
+    </message>
+    <message>
+        <source>These signals are more than a robot sends at once: take others away first.</source>
+        <translation>Diese Signale sind mehr, als ein Roboter auf einmal sendet: Nehmen Sie zuerst andere weg.</translation>
+    </message>
+    <message>
+        <source>open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>There is no row in this recording.</source>
+        <translation>In dieser Aufzeichnung ist keine Zeile.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>There is too little memory for the history to show %1: choose more in the menu Layout.</source>
+        <translation>Der Speicher für den Verlauf reicht nicht, um %1 zu zeigen: Wählen Sie mehr im Menü Layout.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SignalTree</name>
+    <message>
+        <source>Search signals</source>
+        <translation>Signale suchen</translation>
+    </message>
+    <message>
+        <source>Signals of the robot</source>
+        <translation>Signale des Roboters</translation>
+    </message>
+    <message>
+        <source>New: |F| [N] = norm(…)</source>
+        <translation>Neu: |F| [N] = norm(…)</translation>
+    </message>
+    <message>
+        <source>Signal computed from others</source>
+        <translation>Aus anderen berechnetes Signal</translation>
+    </message>
+    <message>
+        <source>A name, a unit in brackets if you like, and an expression over signals: drag them here for their names. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and the usual functions. Return makes it.</source>
+        <translation>Ein Name, wenn gewünscht eine Einheit in Klammern, und ein Ausdruck über Signale: Ziehen Sie sie hierher für ihre Namen. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ und die üblichen Funktionen. Eingabetaste legt es an.</translation>
+    </message>
+    <message>
+        <source>%1: this robot does not send it.</source>
+        <translation>%1: Dieser Roboter sendet es nicht.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SimulationChip</name>
@@ -6344,6 +7730,141 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <source>pose rules</source>
         <translation>Pose bestimmt</translation>
     </message>
+    <message>
+        <source>place of “%1”</source>
+        <translation>Platz von „%1“</translation>
+    </message>
+    <message>
+        <source>corner of “%1”</source>
+        <translation>Ecke von „%1“</translation>
+    </message>
+    <message>
+        <source>home, “%1”</source>
+        <translation>Home, „%1“</translation>
+    </message>
+    <message>
+        <source>position “%1”</source>
+        <translation>Stellung „%1“</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointDialogs</name>
+    <message>
+        <source>Select waypoints to change.</source>
+        <translation>Wählen Sie Wegpunkte zum Ändern.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Change the properties of %n waypoints</source>
+        <translation>
+            <numerusform>Eigenschaften von %n Wegpunkt ändern</numerusform>
+            <numerusform>Eigenschaften von %n Wegpunkten ändern</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select waypoints to move.</source>
+        <translation>Wählen Sie Wegpunkte zum Verschieben.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n waypoints</source>
+        <translation>
+            <numerusform>%n Wegpunkt verschieben</numerusform>
+            <numerusform>%n Wegpunkte verschieben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change the pattern “%1”</source>
+        <translation>Das Muster „%1“ ändern</translation>
+    </message>
+    <message>
+        <source>Teach the three corners of the pattern first, and select them.</source>
+        <translation>Teachen Sie zuerst die drei Ecken des Musters und wählen Sie sie.</translation>
+    </message>
+    <message>
+        <source>Make the pattern “%1”</source>
+        <translation>Das Muster „%1“ anlegen</translation>
+    </message>
+    <message>
+        <source>Dissolve the pattern “%1”</source>
+        <translation>Das Muster „%1“ auflösen</translation>
+    </message>
+    <message>
+        <source>Select a place of a pattern.</source>
+        <translation>Wählen Sie einen Platz eines Musters.</translation>
+    </message>
+    <message>
+        <source>Delete the pattern “%1”</source>
+        <translation>Das Muster „%1“ löschen</translation>
+    </message>
+    <message>
+        <source>Select a waypoint to see its history.</source>
+        <translation>Wählen Sie einen Wegpunkt, um seine Geschichte zu sehen.</translation>
+    </message>
+    <message>
+        <source>The frame it was given in then is not in the project any more.</source>
+        <translation>Das Koordinatensystem, in dem er damals angegeben war, ist nicht mehr im Projekt.</translation>
+    </message>
+    <message>
+        <source>Take an earlier “%1” back</source>
+        <translation>Ein früheres „%1“ zurückholen</translation>
+    </message>
+    <message>
+        <source>Import waypoints</source>
+        <translation>Wegpunkte importieren</translation>
+    </message>
+    <message>
+        <source>Waypoints (*.csv *.txt *.json *.tiller);;All files (*)</source>
+        <translation>Wegpunkte (*.csv *.txt *.json *.tiller);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Export waypoints</source>
+        <translation>Wegpunkte exportieren</translation>
+    </message>
+    <message>
+        <source>Comma separated (*.csv);;JSON (*.json)</source>
+        <translation>Kommagetrennt (*.csv);;JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Nothing was imported</source>
+        <translation>Nichts wurde importiert</translation>
+    </message>
+    <message>
+        <source>%1 is too large for a list of waypoints.</source>
+        <translation>%1 ist zu groß für eine Liste von Wegpunkten.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>There are no waypoints in %1.</source>
+        <translation>In %1 sind keine Wegpunkte.</translation>
+    </message>
+    <message>
+        <source>waypoint</source>
+        <translation>Wegpunkt</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n waypoints</source>
+        <translation>
+            <numerusform>%n Wegpunkt importieren</numerusform>
+            <numerusform>%n Wegpunkte importieren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are no waypoints to export.</source>
+        <translation>Es gibt keine Wegpunkte zum Exportieren.</translation>
+    </message>
+    <message>
+        <source>Nothing was exported</source>
+        <translation>Nichts wurde exportiert</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints written to %1</source>
+        <translation>
+            <numerusform>%n Wegpunkt nach %1 geschrieben</numerusform>
+            <numerusform>%n Wegpunkte nach %1 geschrieben</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointEditing</name>
@@ -6376,6 +7897,109 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
             <numerusform>%n Wegpunkt einfügen</numerusform>
             <numerusform>%n Wegpunkte einfügen</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointHistoryDialog</name>
+    <message>
+        <source>History of “%1”</source>
+        <translation>Geschichte von „%1“</translation>
+    </message>
+    <message>
+        <source>Changes, the newest first</source>
+        <translation>Änderungen, die neueste zuerst</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+    <message>
+        <source>%1  %2  (%3)</source>
+        <translation>%1  %2  (%3)</translation>
+    </message>
+    <message>
+        <source>Go back to before this</source>
+        <translation>Zurück vor diese Änderung</translation>
+    </message>
+    <message>
+        <source>Name: “%1”, now “%2”</source>
+        <translation>Name: „%1“, jetzt „%2“</translation>
+    </message>
+    <message>
+        <source>Place: it has moved by %1 (%2, base frame)</source>
+        <translation>Ort: um %1 verschoben (%2, Basis-System)</translation>
+    </message>
+    <message>
+        <source>Joints: %1 turned most, by %2</source>
+        <translation>Gelenke: %1 drehte sich am meisten, um %2</translation>
+    </message>
+    <message>
+        <source>the joints rule</source>
+        <translation>die Gelenke bestimmen</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Basis</translation>
+    </message>
+    <message>
+        <source>a frame that is no more</source>
+        <translation>ein System, das es nicht mehr gibt</translation>
+    </message>
+    <message>
+        <source>Frame: %1, now %2</source>
+        <translation>System: %1, jetzt %2</translation>
+    </message>
+    <message>
+        <source>Move: MoveL, now MoveJ</source>
+        <translation>Art: MoveL, jetzt MoveJ</translation>
+    </message>
+    <message>
+        <source>Move: MoveJ, now MoveL</source>
+        <translation>Art: MoveJ, jetzt MoveL</translation>
+    </message>
+    <message>
+        <source>Speed of MoveJ: %1, now %2</source>
+        <translation>Geschwindigkeit von MoveJ: %1, jetzt %2</translation>
+    </message>
+    <message>
+        <source>Speed of MoveL: %1, now %2</source>
+        <translation>Geschwindigkeit von MoveL: %1, jetzt %2</translation>
+    </message>
+    <message>
+        <source>Blend: %1, now %2</source>
+        <translation>Überschleifen: %1, jetzt %2</translation>
+    </message>
+    <message>
+        <source>TCP: taught with another one</source>
+        <translation>TCP: mit einem anderen geteacht</translation>
+    </message>
+    <message>
+        <source>Group: “%1”, now “%2”</source>
+        <translation>Gruppe: „%1“, jetzt „%2“</translation>
+    </message>
+    <message>
+        <source>Colour: %1, now %2</source>
+        <translation>Farbe: %1, jetzt %2</translation>
+    </message>
+    <message>
+        <source>Note: “%1”, now “%2”</source>
+        <translation>Notiz: „%1“, jetzt „%2“</translation>
+    </message>
+    <message>
+        <source>Actions: others than now</source>
+        <translation>Aktionen: andere als jetzt</translation>
+    </message>
+    <message>
+        <source>It was not changed since it was taught.</source>
+        <translation>Er wurde nicht geändert, seit er geteacht wurde.</translation>
+    </message>
+    <message>
+        <source>Before this it was as it is now.</source>
+        <translation>Davor war er, wie er jetzt ist.</translation>
+    </message>
+    <message>
+        <source>Before this it was:</source>
+        <translation>Davor war er:</translation>
     </message>
 </context>
 <context>
@@ -6520,6 +8144,211 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <source>Set the speed of “%1”</source>
         <translation>Die Geschwindigkeit von „%1“ setzen</translation>
     </message>
+    <message>
+        <source>Group: %1</source>
+        <translation>Gruppe: %1</translation>
+    </message>
+    <message>
+        <source>Colour: %1</source>
+        <translation>Farbe: %1</translation>
+    </message>
+    <message>
+        <source>Name %1, the coming one</source>
+        <translation>Name %1, der kommende</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointProperties</name>
+    <message>
+        <source>None</source>
+        <translation>Keiner</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Pink</source>
+        <translation>Rosa</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Gelb</translation>
+    </message>
+    <message>
+        <source>Sky blue</source>
+        <translation>Himmelblau</translation>
+    </message>
+    <message>
+        <source>Only what is ticked is changed.</source>
+        <translation>Nur Angehaktes wird geändert.</translation>
+    </message>
+    <message>
+        <source>Properties of “%1”</source>
+        <translation>Eigenschaften von „%1“</translation>
+    </message>
+    <message numerus="yes">
+        <source>Properties of %n waypoints</source>
+        <translation>
+            <numerusform>Eigenschaften von %n Wegpunkt</numerusform>
+            <numerusform>Eigenschaften von %n Wegpunkten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Speed of MoveJ</source>
+        <translation>Geschwindigkeit von MoveJ</translation>
+    </message>
+    <message>
+        <source>Speed of MoveL</source>
+        <translation>Geschwindigkeit von MoveL</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Überschleifen</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointSearch</name>
+    <message>
+        <source>Find waypoints</source>
+        <translation>Wegpunkte suchen</translation>
+    </message>
+    <message>
+        <source>Find waypoints by name, group or note</source>
+        <translation>Wegpunkte nach Name, Gruppe oder Notiz suchen</translation>
+    </message>
+    <message>
+        <source>Name, group or note</source>
+        <translation>Name, Gruppe oder Notiz</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alle zeigen</translation>
+    </message>
+    <message>
+        <source>Show all waypoints</source>
+        <translation>Alle Wegpunkte zeigen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>%n gefunden</numerusform>
+            <numerusform>%n gefunden</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointShift</name>
+    <message numerus="yes">
+        <source>Move %n waypoints</source>
+        <translation>
+            <numerusform>%n Wegpunkt verschieben</numerusform>
+            <numerusform>%n Wegpunkte verschieben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Kind of move</source>
+        <translation>Art der Bewegung</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Spiegeln</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Basis</translation>
+    </message>
+    <message>
+        <source>Tool, each its own</source>
+        <translation>Werkzeug, jeder das eigene</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>By X, Y, Z</source>
+        <translation>Um X, Y, Z</translation>
+    </message>
+    <message>
+        <source>Offset %1</source>
+        <translation>Versatz %1</translation>
+    </message>
+    <message>
+        <source>About or along</source>
+        <translation>Um oder entlang</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>The arm cannot get there: %1. Nothing would be moved.</source>
+        <translation>Der Arm kommt nicht dorthin: %1. Nichts würde verschoben.</translation>
+    </message>
+    <message>
+        <source>A frame is missing. Choose another one.</source>
+        <translation>Ein Koordinatensystem fehlt. Wählen Sie ein anderes.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them would be out of reach; they are kept, and marked.</source>
+        <translation>
+            <numerusform>%n von ihnen wäre außer Reichweite; er wird behalten und markiert.</numerusform>
+            <numerusform>%n von ihnen wären außer Reichweite; sie werden behalten und markiert.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mirrored at the plane through the origin that the axis stands upon. The tool approaches from the mirrored side.</source>
+        <translation>Gespiegelt an der Ebene durch den Ursprung, auf der die Achse senkrecht steht. Das Werkzeug nähert sich von der gespiegelten Seite.</translation>
+    </message>
+    <message>
+        <source>All stay in reach.</source>
+        <translation>Alle bleiben in Reichweite.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointTable</name>
@@ -6647,6 +8476,46 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     <message>
         <source>Touch up “%1”</source>
         <translation>„%1“ nachteachen</translation>
+    </message>
+    <message>
+        <source>Path recorded</source>
+        <translation>Bahn aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Import waypoints…</source>
+        <translation>Wegpunkte importieren…</translation>
+    </message>
+    <message>
+        <source>Export waypoints…</source>
+        <translation>Wegpunkte exportieren…</translation>
+    </message>
+    <message>
+        <source>Find waypoints</source>
+        <translation>Wegpunkte suchen</translation>
+    </message>
+    <message>
+        <source>Group, colour, note, speeds…</source>
+        <translation>Gruppe, Farbe, Notiz, Geschwindigkeiten…</translation>
+    </message>
+    <message>
+        <source>Offset, turn or mirror…</source>
+        <translation>Versetzen, drehen oder spiegeln…</translation>
+    </message>
+    <message>
+        <source>History…</source>
+        <translation>Geschichte…</translation>
+    </message>
+    <message>
+        <source>Pattern…</source>
+        <translation>Muster…</translation>
+    </message>
+    <message>
+        <source>Make the pattern&apos;s places ordinary waypoints</source>
+        <translation>Die Plätze des Musters zu gewöhnlichen Wegpunkten machen</translation>
+    </message>
+    <message>
+        <source>Delete the pattern and its waypoints</source>
+        <translation>Das Muster und seine Wegpunkte löschen</translation>
     </message>
 </context>
 <context>
@@ -7122,10 +8991,6 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Ansicht</translation>
     </message>
     <message>
-        <source>Waypoints, Frames, I/O, Log</source>
-        <translation>Wegpunkte, Koordinatensysteme, E/A, Protokoll</translation>
-    </message>
-    <message>
         <source>Plots</source>
         <translation>Diagramme</translation>
     </message>
@@ -7340,6 +9205,14 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     <message>
         <source>A recording is running. End it first: nothing of it shall be missing.</source>
         <translation>Eine Aufzeichnung läuft. Beenden Sie sie zuerst: Nichts von ihr soll fehlen.</translation>
+    </message>
+    <message>
+        <source>Waypoints, Frames, Tools, I/O, Log</source>
+        <translation>Wegpunkte, Koordinatensysteme, Werkzeuge, E/A, Protokoll</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
     </message>
 </context>
 <context>

@@ -59,6 +59,10 @@
         <source>Move panels</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Tools</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>BackTrack</name>
@@ -119,6 +123,10 @@
     </message>
     <message>
         <source>--robot needs an address, as in --robot 192.168.0.10</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only one project can be opened, not &quot;%1&quot; too</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -310,6 +318,45 @@
     </message>
     <message>
         <source>Look C%1 up in the manufacturer&apos;s error code directory.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Derivation</name>
+    <message>
+        <source>compute a signal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no signal “%1”. The list of signals shows the names.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no signal in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are too many signals in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It must give one number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The text is too long.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write it as a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is one equals sign too many; a comparison has two: ==</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The stretch of time is between 0.001 and 60 seconds.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1605,6 +1652,105 @@
         <source>Writes the lines that are shown to a file.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Search signals for the plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opens the list of everything the robot tells: onto a plot by dragging, double click or Return.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New page of plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An empty page behind the others; all pages show the same time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all of the plots&apos; history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All that is in memory, each plot at its best scale.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PlotMenu</name>
+    <message>
+        <source>Take the lane %1 away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note here…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the cursors read %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move %1 to a plot of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take %1 away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alarm when %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No alarm when %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rate of change of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moving mean of %1 over half a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Norm of the curves of this plot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New plot below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New plot beside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take this plot away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the curves decide about the scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Practice</name>
@@ -2282,6 +2428,401 @@
     </message>
 </context>
 <context>
+    <name>SignalInfo</name>
+    <message>
+        <source>TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Modes and states</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power and temperature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed and program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Payload and tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Registers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force at the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque at the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position of the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation vector of the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation speed of the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acceleration of the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target position of the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target rotation vector of the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target speed of the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target rotation speed of the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Raw force of the sensor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Raw torque of the sensor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force at the TCP, norm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accelerometer in the flange</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position of the elbow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the elbow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint speeds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint currents</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint temperatures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint voltages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target joint positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target joint speeds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target joint accelerations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target joint currents</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target joint torques</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint control currents</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Allowed deviation of the currents</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position deviation over its limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Collision measure over its limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint modes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Digital inputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Digital outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Analog input 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Analog input 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Analog output 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Analog output 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool analog input 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool analog input 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safety mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safety status</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot status</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safety bits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Main voltage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm voltage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current of the I/O</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool temperature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool voltage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed scaling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed slider</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time of a control step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Script line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Controller time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Payload centre of gravity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP offset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP rotation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Freedrive button</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power button</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Protective stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safeguard stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>System emergency stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot emergency stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Violation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped by safety</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enabling device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bit %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Output registers, numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Input registers, numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Output registers, integers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Input registers, integers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Output registers, bits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Input registers, bits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>SpaceMouse</name>
     <message>
         <source>left key</source>
@@ -2753,6 +3294,13 @@
     </message>
     <message>
         <source>“%1” is no colour of a waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>WaypointExchange</name>
+    <message>
+        <source>Line %1: a quotation mark is not closed</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3370,6 +3918,135 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
     </message>
 </context>
 <context>
+    <name>tiller::GoThrough</name>
+    <message>
+        <source>There are no waypoints to go through. Teach some, or select them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no waypoint before this one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A waypoint of the way is not in this project any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1”: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GoThroughBar</name>
+    <message numerus="yes">
+        <source>%n waypoints</source>
+        <translation>
+            <numerusform>%n waypoint</numerusform>
+            <numerusform>%n waypoints</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go through the waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go through (hold)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go through, hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed. Let go to pause; the next press goes on to the coming waypoint.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>‹ Step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One waypoint back, hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes back to the waypoint before while the key is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step ›</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One waypoint on, hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes to the coming waypoint while the key is held, and stops there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which waypoints to go through</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which waypoints to go through, in the order of the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In a loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After the last waypoint comes the first again, for as long as the key is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coming one: %1 of %2, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done. The next press begins at the first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::GoToButton</name>
     <message>
         <source>Go to (hold)  G</source>
@@ -3749,6 +4426,37 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
     </message>
     <message>
         <source>The display server does not answer: nobody could tell when the key is let go.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IncidentWatch</name>
+    <message>
+        <source>protective stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>emergency stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>safety violation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The incident (%1) could not be recorded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Incident recorded: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything from %1 s before it is in %2. Double-click this line to open it.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4264,6 +4972,109 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <source>Log written to %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Open recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the recording of the selected line: incidents have one</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::MoveWords</name>
+    <message>
+        <source>%1 touches %2 of the arm already here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 meets %2 of the arm after %3 of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 touches the floor already here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 meets the floor after %2 of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 touches “%2” already here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 meets “%2” after %3 of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The line runs into the wrist singularity after %1 of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slow near the wrist singularity at %1 of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The line runs into the stretched elbow after %1 of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slow near the stretched elbow at %1 of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The line runs into the axis of the base after %1 of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slow near the axis of the base at %1 of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A joint would have to turn at once after %1 of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 leaves its range after %2 of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The line leaves the arm&apos;s reach after %1 of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Upper arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forearm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wrist 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wrist 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wrist 3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::NothingFound</name>
@@ -4315,6 +5126,282 @@ Clear the search to see everything.</source>
     <name>tiller::PartPage</name>
     <message>
         <source>More</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathControls</name>
+    <message numerus="yes">
+        <source>%n waypoints written as a path to %1</source>
+        <translation>
+            <numerusform>%n waypoint written as a path to %1</numerusform>
+            <numerusform>%n waypoints written as a path to %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Tolerance of recorded paths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export path as CSV…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import demonstration (CSV)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording of the path ended by itself: the data stopped, or it lasted ten minutes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was recorded until then is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>○ Record path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the recording of the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The path is being thinned.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No data come from the robot: there is nothing to record.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends the recording and keeps the path as waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Records where the arm is led, by Freedrive or by jogging, until it is pressed again, and keeps the path as waypoints. It moves nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select the waypoints of the path, at least two.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The path was not written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import a demonstration</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathRecorder</name>
+    <message numerus="yes">
+        <source>%n packets did not arrive.</source>
+        <translation>
+            <numerusform>%n packet did not arrive.</numerusform>
+            <numerusform>%n packets did not arrive.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 has no column “%2”. It needs timestamp and actual_q_0 to actual_q_5.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No data come from the robot: there is nothing to record.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was read: a path is being recorded. End that first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The demonstration could not be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>path %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm did not move: no path was kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1”: %2 s in %3 waypoints. Every recorded place is within %4 and %5 of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select the waypoints of the path, at least two.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” cannot be reached. Touch it up, or leave it out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PatternDialog</name>
+    <message>
+        <source>pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pattern from three corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pattern “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End of the first row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beginning of the last row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as it was taught</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Places in a row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of a layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From one layer to the next, against the direction of the tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Row by row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meander</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A pattern needs a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is a pattern of that name. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the waypoint of each corner. Teach the three corners first where there are none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two corners are the same place. Choose another waypoint for one of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The height of a layer is no figure it can be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Layers need a height.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 places are more than the %2 a pattern can have.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every place is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints.</source>
+        <translation>
+            <numerusform>%n waypoint.</numerusform>
+            <numerusform>%n waypoints.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 All can be reached.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them are out of reach; they are marked.</source>
+        <translation>
+            <numerusform>%n of them is out of reach; it is marked.</numerusform>
+            <numerusform>%n of them are out of reach; they are marked.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PatternGrid</name>
+    <message>
+        <source>Places of the pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click a place to leave it out, or to take it in again. The first corner is at the lower left.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Row %1, column %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4390,9 +5477,9 @@ Clear the search to see everything.</source>
     </message>
     <message numerus="yes">
         <source>Turn the wrist to another side and take the pose. Still needed: %n</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Turn the wrist to another side and take the pose. Still needed: %n</numerusform>
+            <numerusform>Turn the wrist to another side and take the pose. Still needed: %n</numerusform>
         </translation>
     </message>
     <message>
@@ -4695,10 +5782,6 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>TCP force [N] · joint current [A]</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Cursor read-out</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4784,14 +5867,6 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
     </message>
     <message>
         <source>Values (*.csv)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tiller · TCP force and joint currents</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 · TCP force and joint currents</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4892,13 +5967,242 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <source>Zero</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1, at %2 s of the plots&apos; time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What happened at this moment?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The plots are in the clipboard as a picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>History %1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take this page away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a recording…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close the recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the plots as a picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save this arrangement…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open an arrangement…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory for the history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>save the arrangement to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open the arrangement %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opened the recording %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the arrangement of the plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arrangement of plots (*.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open an arrangement of plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>List of signals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything the robot tells: drag it onto a plot, to its edge for a plot of its own, or double click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values at the cursors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What every signal has at the cursors A and B, and what lies between them: smallest, largest, mean, RMS, deviation, slope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pages and arrangement of the plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Layout ▾</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>read an arrangement of plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotMarks</name>
+    <message>
+        <source>%1 above %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 below %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotPages</name>
+    <message>
+        <source>Pages of plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Double click: another name</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotValues</name>
+    <message>
+        <source>Values at the cursors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Std</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak to peak</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slope per s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Δt 0 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Δt %1 s · 1/Δt %2 Hz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click into the plots to place A, then B: what lies between them is summed up here.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotView</name>
-    <message>
-        <source>Plots of TCP force and joint current over time</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source> min</source>
         <translation type="unfinished"></translation>
@@ -4920,10 +6224,6 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; End goes back to the newest samples</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 (zeroed)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4933,6 +6233,22 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
     </message>
     <message>
         <source>Zeroed: %1 %2 taken off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plots over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve, Ctrl+Delete takes it away; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; N writes a note; F shows all; End goes back to the newest samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A–B Δt %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drop signals here</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5831,6 +7147,76 @@ Let go of the key and the arm stops.</source>
             <numerusform>%n names hidden: come nearer</numerusform>
         </translation>
     </message>
+    <message>
+        <source>ghost “%1” · reachable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SignalStore</name>
+    <message>
+        <source>compute a signal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not come in the same packets as the others.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Derived</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These signals are more than a robot sends at once: take others away first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no row in this recording.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is too little memory for the history to show %1: choose more in the menu Layout.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SignalTree</name>
+    <message>
+        <source>Search signals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signals of the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New: |F| [N] = norm(…)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signal computed from others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A name, a unit in brackets if you like, and an expression over signals: drag them here for their names. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and the usual functions. Return makes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: this robot does not send it.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::SimulationChip</name>
@@ -6144,9 +7530,9 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
     </message>
     <message numerus="yes">
         <source>Tilt the tool to another side, bring the tip to the same point again, and take the pose. Still needed: %n</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Tilt the tool to another side, bring the tip to the same point again, and take the pose. Still needed: %n</numerusform>
+            <numerusform>Tilt the tool to another side, bring the tip to the same point again, and take the pose. Still needed: %n</numerusform>
         </translation>
     </message>
     <message>
@@ -6331,6 +7717,141 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <source>In the waypoint&apos;s frame. Return applies it; nothing moves but the waypoint.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>place of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>corner of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>home, “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>position “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointDialogs</name>
+    <message>
+        <source>Select waypoints to change.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Change the properties of %n waypoints</source>
+        <translation>
+            <numerusform>Change the properties of %n waypoint</numerusform>
+            <numerusform>Change the properties of %n waypoints</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select waypoints to move.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n waypoints</source>
+        <translation>
+            <numerusform>Move %n waypoint</numerusform>
+            <numerusform>Move %n waypoints</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change the pattern “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach the three corners of the pattern first, and select them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the pattern “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dissolve the pattern “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a place of a pattern.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the pattern “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a waypoint to see its history.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The frame it was given in then is not in the project any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take an earlier “%1” back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waypoints (*.csv *.txt *.json *.tiller);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comma separated (*.csv);;JSON (*.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was imported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is too large for a list of waypoints.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are no waypoints in %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n waypoints</source>
+        <translation>
+            <numerusform>Import %n waypoint</numerusform>
+            <numerusform>Import %n waypoints</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are no waypoints to export.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was exported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints written to %1</source>
+        <translation>
+            <numerusform>%n waypoint written to %1</numerusform>
+            <numerusform>%n waypoints written to %1</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointEditing</name>
@@ -6362,6 +7883,109 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
     </message>
     <message>
         <source>waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointHistoryDialog</name>
+    <message>
+        <source>History of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changes, the newest first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1  %2  (%3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go back to before this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name: “%1”, now “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place: it has moved by %1 (%2, base frame)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joints: %1 turned most, by %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the joints rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a frame that is no more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame: %1, now %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move: MoveL, now MoveJ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move: MoveJ, now MoveL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of MoveJ: %1, now %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of MoveL: %1, now %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blend: %1, now %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP: taught with another one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Group: “%1”, now “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour: %1, now %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note: “%1”, now “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Actions: others than now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was not changed since it was taught.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before this it was as it is now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before this it was:</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6507,6 +8131,211 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <source>Change the pose of “%1”</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Group: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name %1, the coming one</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointProperties</name>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pink</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sky blue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only what is ticked is changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Properties of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Properties of %n waypoints</source>
+        <translation>
+            <numerusform>Properties of %n waypoint</numerusform>
+            <numerusform>Properties of %n waypoints</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of MoveJ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of MoveL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointSearch</name>
+    <message>
+        <source>Find waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find waypoints by name, group or note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name, group or note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>%n found</numerusform>
+            <numerusform>%n found</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointShift</name>
+    <message numerus="yes">
+        <source>Move %n waypoints</source>
+        <translation>
+            <numerusform>Move %n waypoint</numerusform>
+            <numerusform>Move %n waypoints</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Kind of move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool, each its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By X, Y, Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Offset %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About or along</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm cannot get there: %1. Nothing would be moved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A frame is missing. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them would be out of reach; they are kept, and marked.</source>
+        <translation>
+            <numerusform>%n of them would be out of reach; it is kept, and marked.</numerusform>
+            <numerusform>%n of them would be out of reach; they are kept, and marked.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mirrored at the plane through the origin that the axis stands upon. The tool approaches from the mirrored side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All stay in reach.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointTable</name>
@@ -6632,6 +8461,46 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
     <message>
         <source>Touch up “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import waypoints…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export waypoints…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Group, colour, note, speeds…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Offset, turn or mirror…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>History…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pattern…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the pattern&apos;s places ordinary waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the pattern and its waypoints</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7107,10 +8976,6 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Waypoints, Frames, I/O, Log</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Waypoints</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7324,6 +9189,14 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
     <message>
         <source>A recording is running. End it first: nothing of it shall be missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waypoints, Frames, Tools, I/O, Log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tools</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7833,36 +9706,6 @@ Jog the arm to a place and press Teach here (T).</source>
     <message>
         <source>Settings imported from %1. What was here before is in %2</source>
         <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>tiller::GoThroughBar</name>
-    <message numerus="yes">
-        <source>%n waypoints</source>
-        <translation>
-            <numerusform>%n waypoint</numerusform>
-            <numerusform>%n waypoints</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>tiller::PathControls</name>
-    <message numerus="yes">
-        <source>%n waypoints written as a path to %1</source>
-        <translation>
-            <numerusform>%n waypoint written as a path to %1</numerusform>
-            <numerusform>%n waypoints written as a path to %1</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>tiller::PathRecorder</name>
-    <message numerus="yes">
-        <source>%n packets did not arrive.</source>
-        <translation>
-            <numerusform>%n packet did not arrive.</numerusform>
-            <numerusform>%n packets did not arrive.</numerusform>
-        </translation>
     </message>
 </context>
 </TS>

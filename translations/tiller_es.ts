@@ -59,6 +59,10 @@
         <source>Program Tiller</source>
         <translation>Programa Tiller</translation>
     </message>
+    <message>
+        <source>Tools</source>
+        <translation>Herramientas</translation>
+    </message>
 </context>
 <context>
     <name>BackTrack</name>
@@ -120,6 +124,10 @@
     <message>
         <source>--robot needs an address, as in --robot 192.168.0.10</source>
         <translation>--robot necesita una dirección, como --robot 192.168.0.10</translation>
+    </message>
+    <message>
+        <source>only one project can be opened, not &quot;%1&quot; too</source>
+        <translation>solo se puede abrir un proyecto, no también &quot;%1&quot;</translation>
     </message>
 </context>
 <context>
@@ -311,6 +319,45 @@
     <message>
         <source>Look C%1 up in the manufacturer&apos;s error code directory.</source>
         <translation>Busque C%1 en el directorio de códigos de error del fabricante.</translation>
+    </message>
+</context>
+<context>
+    <name>Derivation</name>
+    <message>
+        <source>compute a signal</source>
+        <translation>calcular una señal</translation>
+    </message>
+    <message>
+        <source>There is no signal “%1”. The list of signals shows the names.</source>
+        <translation>No hay señal «%1». La lista de señales muestra los nombres.</translation>
+    </message>
+    <message>
+        <source>There is no signal in it.</source>
+        <translation>No contiene ninguna señal.</translation>
+    </message>
+    <message>
+        <source>There are too many signals in it.</source>
+        <translation>Contiene demasiadas señales.</translation>
+    </message>
+    <message>
+        <source>It must give one number.</source>
+        <translation>Debe dar un número.</translation>
+    </message>
+    <message>
+        <source>The text is too long.</source>
+        <translation>El texto es demasiado largo.</translation>
+    </message>
+    <message>
+        <source>Write it as a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
+        <translation>Escriba un nombre, un signo igual y una expresión: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
+    </message>
+    <message>
+        <source>There is one equals sign too many; a comparison has two: ==</source>
+        <translation>Hay un signo igual de más; una comparación tiene dos: ==</translation>
+    </message>
+    <message>
+        <source>The stretch of time is between 0.001 and 60 seconds.</source>
+        <translation>El intervalo de tiempo está entre 0.001 y 60 segundos.</translation>
     </message>
 </context>
 <context>
@@ -1605,6 +1652,105 @@
         <source>Writes the lines that are shown to a file.</source>
         <translation>Escribe en un archivo las líneas mostradas.</translation>
     </message>
+    <message>
+        <source>Search signals for the plots</source>
+        <translation>Buscar señales para los gráficos</translation>
+    </message>
+    <message>
+        <source>Opens the list of everything the robot tells: onto a plot by dragging, double click or Return.</source>
+        <translation>Abre la lista de todo lo que dice el robot: a un gráfico arrastrando, con doble clic o Intro.</translation>
+    </message>
+    <message>
+        <source>New page of plots</source>
+        <translation>Nueva página de gráficos</translation>
+    </message>
+    <message>
+        <source>An empty page behind the others; all pages show the same time.</source>
+        <translation>Una página vacía tras las demás; todas muestran el mismo tiempo.</translation>
+    </message>
+    <message>
+        <source>Show all of the plots&apos; history</source>
+        <translation>Mostrar todo el historial de los gráficos</translation>
+    </message>
+    <message>
+        <source>All that is in memory, each plot at its best scale.</source>
+        <translation>Todo lo que hay en memoria, cada gráfico en su mejor escala.</translation>
+    </message>
+</context>
+<context>
+    <name>PlotMenu</name>
+    <message>
+        <source>Take the lane %1 away</source>
+        <translation>Quitar la pista %1</translation>
+    </message>
+    <message>
+        <source>Note here…</source>
+        <translation>Anotar aquí…</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>Mostrar %1</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>Ocultar %1</translation>
+    </message>
+    <message>
+        <source>Let the cursors read %1</source>
+        <translation>Que los cursores lean %1</translation>
+    </message>
+    <message>
+        <source>Move %1 to a plot of its own</source>
+        <translation>Pasar %1 a un gráfico propio</translation>
+    </message>
+    <message>
+        <source>Take %1 away</source>
+        <translation>Quitar %1</translation>
+    </message>
+    <message>
+        <source>Alarm when %1</source>
+        <translation>Alarma cuando %1</translation>
+    </message>
+    <message>
+        <source>No alarm when %1</source>
+        <translation>Sin alarma cuando %1</translation>
+    </message>
+    <message>
+        <source>Rate of change of %1</source>
+        <translation>Tasa de cambio de %1</translation>
+    </message>
+    <message>
+        <source>Moving mean of %1 over half a second</source>
+        <translation>Media móvil de %1 en medio segundo</translation>
+    </message>
+    <message>
+        <source>Mean %1</source>
+        <translation>Media %1</translation>
+    </message>
+    <message>
+        <source>Norm of the curves of this plot</source>
+        <translation>Norma de las curvas de este gráfico</translation>
+    </message>
+    <message>
+        <source>New plot below</source>
+        <translation>Nuevo gráfico debajo</translation>
+    </message>
+    <message>
+        <source>New plot beside</source>
+        <translation>Nuevo gráfico al lado</translation>
+    </message>
+    <message>
+        <source>Take this plot away</source>
+        <translation>Quitar este gráfico</translation>
+    </message>
+    <message>
+        <source>Let the curves decide about the scale</source>
+        <translation>Que las curvas decidan la escala</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Mostrar todo</translation>
+    </message>
 </context>
 <context>
     <name>Practice</name>
@@ -2282,6 +2428,401 @@
     </message>
 </context>
 <context>
+    <name>SignalInfo</name>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Articulaciones</translation>
+    </message>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation>Entradas y salidas</translation>
+    </message>
+    <message>
+        <source>Modes and states</source>
+        <translation>Modos y estados</translation>
+    </message>
+    <message>
+        <source>Power and temperature</source>
+        <translation>Potencia y temperatura</translation>
+    </message>
+    <message>
+        <source>Speed and program</source>
+        <translation>Velocidad y programa</translation>
+    </message>
+    <message>
+        <source>Payload and tool</source>
+        <translation>Carga útil y herramienta</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Más</translation>
+    </message>
+    <message>
+        <source>Registers</source>
+        <translation>Registros</translation>
+    </message>
+    <message>
+        <source>Force at the TCP</source>
+        <translation>Fuerza en el TCP</translation>
+    </message>
+    <message>
+        <source>Torque at the TCP</source>
+        <translation>Par en el TCP</translation>
+    </message>
+    <message>
+        <source>Position of the TCP</source>
+        <translation>Posición del TCP</translation>
+    </message>
+    <message>
+        <source>Rotation vector of the TCP</source>
+        <translation>Vector de rotación del TCP</translation>
+    </message>
+    <message>
+        <source>Speed of the TCP</source>
+        <translation>Velocidad del TCP</translation>
+    </message>
+    <message>
+        <source>Rotation speed of the TCP</source>
+        <translation>Velocidad de rotación del TCP</translation>
+    </message>
+    <message>
+        <source>Acceleration of the TCP</source>
+        <translation>Aceleración del TCP</translation>
+    </message>
+    <message>
+        <source>Target position of the TCP</source>
+        <translation>Posición objetivo del TCP</translation>
+    </message>
+    <message>
+        <source>Target rotation vector of the TCP</source>
+        <translation>Vector de rotación objetivo del TCP</translation>
+    </message>
+    <message>
+        <source>Target speed of the TCP</source>
+        <translation>Velocidad objetivo del TCP</translation>
+    </message>
+    <message>
+        <source>Target rotation speed of the TCP</source>
+        <translation>Velocidad de rotación objetivo del TCP</translation>
+    </message>
+    <message>
+        <source>Raw force of the sensor</source>
+        <translation>Fuerza bruta del sensor</translation>
+    </message>
+    <message>
+        <source>Raw torque of the sensor</source>
+        <translation>Par bruto del sensor</translation>
+    </message>
+    <message>
+        <source>Force at the TCP, norm</source>
+        <translation>Fuerza en el TCP, norma</translation>
+    </message>
+    <message>
+        <source>Accelerometer in the flange</source>
+        <translation>Acelerómetro en la brida</translation>
+    </message>
+    <message>
+        <source>Position of the elbow</source>
+        <translation>Posición del codo</translation>
+    </message>
+    <message>
+        <source>Speed of the elbow</source>
+        <translation>Velocidad del codo</translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation>Momento lineal</translation>
+    </message>
+    <message>
+        <source>Joint positions</source>
+        <translation>Posiciones articulares</translation>
+    </message>
+    <message>
+        <source>Joint speeds</source>
+        <translation>Velocidades articulares</translation>
+    </message>
+    <message>
+        <source>Joint currents</source>
+        <translation>Corrientes articulares</translation>
+    </message>
+    <message>
+        <source>Joint temperatures</source>
+        <translation>Temperaturas articulares</translation>
+    </message>
+    <message>
+        <source>Joint voltages</source>
+        <translation>Tensiones articulares</translation>
+    </message>
+    <message>
+        <source>Target joint positions</source>
+        <translation>Posiciones articulares objetivo</translation>
+    </message>
+    <message>
+        <source>Target joint speeds</source>
+        <translation>Velocidades articulares objetivo</translation>
+    </message>
+    <message>
+        <source>Target joint accelerations</source>
+        <translation>Aceleraciones articulares objetivo</translation>
+    </message>
+    <message>
+        <source>Target joint currents</source>
+        <translation>Corrientes articulares objetivo</translation>
+    </message>
+    <message>
+        <source>Target joint torques</source>
+        <translation>Pares articulares objetivo</translation>
+    </message>
+    <message>
+        <source>Joint control currents</source>
+        <translation>Corrientes de control articulares</translation>
+    </message>
+    <message>
+        <source>Allowed deviation of the currents</source>
+        <translation>Desviación permitida de las corrientes</translation>
+    </message>
+    <message>
+        <source>Position deviation over its limit</source>
+        <translation>Desviación de posición sobre su límite</translation>
+    </message>
+    <message>
+        <source>Collision measure over its limit</source>
+        <translation>Medida de colisión sobre su límite</translation>
+    </message>
+    <message>
+        <source>Joint modes</source>
+        <translation>Modos articulares</translation>
+    </message>
+    <message>
+        <source>Digital inputs</source>
+        <translation>Entradas digitales</translation>
+    </message>
+    <message>
+        <source>Digital outputs</source>
+        <translation>Salidas digitales</translation>
+    </message>
+    <message>
+        <source>Analog input 0</source>
+        <translation>Entrada analógica 0</translation>
+    </message>
+    <message>
+        <source>Analog input 1</source>
+        <translation>Entrada analógica 1</translation>
+    </message>
+    <message>
+        <source>Analog output 0</source>
+        <translation>Salida analógica 0</translation>
+    </message>
+    <message>
+        <source>Analog output 1</source>
+        <translation>Salida analógica 1</translation>
+    </message>
+    <message>
+        <source>Tool analog input 0</source>
+        <translation>Entrada analógica de herramienta 0</translation>
+    </message>
+    <message>
+        <source>Tool analog input 1</source>
+        <translation>Entrada analógica de herramienta 1</translation>
+    </message>
+    <message>
+        <source>Robot mode</source>
+        <translation>Modo de robot</translation>
+    </message>
+    <message>
+        <source>Safety mode</source>
+        <translation>Modo de seguridad</translation>
+    </message>
+    <message>
+        <source>Safety status</source>
+        <translation>Estado de seguridad</translation>
+    </message>
+    <message>
+        <source>Program state</source>
+        <translation>Estado del programa</translation>
+    </message>
+    <message>
+        <source>Robot status</source>
+        <translation>Estado del robot</translation>
+    </message>
+    <message>
+        <source>Safety bits</source>
+        <translation>Bits de seguridad</translation>
+    </message>
+    <message>
+        <source>Tool mode</source>
+        <translation>Modo de herramienta</translation>
+    </message>
+    <message>
+        <source>Main voltage</source>
+        <translation>Tensión principal</translation>
+    </message>
+    <message>
+        <source>Arm voltage</source>
+        <translation>Tensión del brazo</translation>
+    </message>
+    <message>
+        <source>Arm current</source>
+        <translation>Corriente del brazo</translation>
+    </message>
+    <message>
+        <source>Current of the I/O</source>
+        <translation>Corriente de las E/S</translation>
+    </message>
+    <message>
+        <source>Tool temperature</source>
+        <translation>Temperatura de herramienta</translation>
+    </message>
+    <message>
+        <source>Tool voltage</source>
+        <translation>Tensión de herramienta</translation>
+    </message>
+    <message>
+        <source>Tool current</source>
+        <translation>Corriente de herramienta</translation>
+    </message>
+    <message>
+        <source>Speed scaling</source>
+        <translation>Escala de velocidad</translation>
+    </message>
+    <message>
+        <source>Speed slider</source>
+        <translation>Deslizador de velocidad</translation>
+    </message>
+    <message>
+        <source>Time of a control step</source>
+        <translation>Tiempo de un paso de control</translation>
+    </message>
+    <message>
+        <source>Script line</source>
+        <translation>Línea del script</translation>
+    </message>
+    <message>
+        <source>Controller time</source>
+        <translation>Tiempo del controlador</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>Carga útil</translation>
+    </message>
+    <message>
+        <source>Payload centre of gravity</source>
+        <translation>Centro de gravedad de la carga útil</translation>
+    </message>
+    <message>
+        <source>TCP offset</source>
+        <translation>Desplazamiento del TCP</translation>
+    </message>
+    <message>
+        <source>TCP rotation</source>
+        <translation>Rotación del TCP</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>Encender</translation>
+    </message>
+    <message>
+        <source>Program running</source>
+        <translation>Programa en marcha</translation>
+    </message>
+    <message>
+        <source>Freedrive button</source>
+        <translation>Botón de movimiento libre</translation>
+    </message>
+    <message>
+        <source>Power button</source>
+        <translation>Botón de encendido</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>Reducido</translation>
+    </message>
+    <message>
+        <source>Protective stop</source>
+        <translation>Parada de protección</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>Recuperación</translation>
+    </message>
+    <message>
+        <source>Safeguard stop</source>
+        <translation>Parada de salvaguarda</translation>
+    </message>
+    <message>
+        <source>System emergency stop</source>
+        <translation>Parada de emergencia del sistema</translation>
+    </message>
+    <message>
+        <source>Robot emergency stop</source>
+        <translation>Parada de emergencia del robot</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>Parada de emergencia</translation>
+    </message>
+    <message>
+        <source>Violation</source>
+        <translation>Infracción</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Fallo</translation>
+    </message>
+    <message>
+        <source>Stopped by safety</source>
+        <translation>Detenido por seguridad</translation>
+    </message>
+    <message>
+        <source>Enabling device</source>
+        <translation>Dispositivo de habilitación</translation>
+    </message>
+    <message>
+        <source>Bit %1</source>
+        <translation>Bit %1</translation>
+    </message>
+    <message>
+        <source>Output registers, numbers</source>
+        <translation>Registros de salida, números</translation>
+    </message>
+    <message>
+        <source>Input registers, numbers</source>
+        <translation>Registros de entrada, números</translation>
+    </message>
+    <message>
+        <source>Output registers, integers</source>
+        <translation>Registros de salida, enteros</translation>
+    </message>
+    <message>
+        <source>Input registers, integers</source>
+        <translation>Registros de entrada, enteros</translation>
+    </message>
+    <message>
+        <source>Output registers, bits</source>
+        <translation>Registros de salida, bits</translation>
+    </message>
+    <message>
+        <source>Input registers, bits</source>
+        <translation>Registros de entrada, bits</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>activada</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>desactivada</translation>
+    </message>
+</context>
+<context>
     <name>SpaceMouse</name>
     <message>
         <source>left key</source>
@@ -2754,6 +3295,13 @@
     <message>
         <source>“%1” is no colour of a waypoint</source>
         <translation>«%1» no es un color de punto de paso</translation>
+    </message>
+</context>
+<context>
+    <name>WaypointExchange</name>
+    <message>
+        <source>Line %1: a quotation mark is not closed</source>
+        <translation>Línea %1: unas comillas no se cierran</translation>
     </message>
 </context>
 <context>
@@ -3372,6 +3920,135 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
 </context>
 <context>
+    <name>tiller::GoThrough</name>
+    <message>
+        <source>There are no waypoints to go through. Teach some, or select them.</source>
+        <translation>No hay puntos que recorrer. Enseñe algunos o selecciónelos.</translation>
+    </message>
+    <message>
+        <source>There is no waypoint before this one.</source>
+        <translation>No hay punto de paso antes de este.</translation>
+    </message>
+    <message>
+        <source>A waypoint of the way is not in this project any more.</source>
+        <translation>Un punto del recorrido ya no está en este proyecto.</translation>
+    </message>
+    <message>
+        <source>“%1”: %2</source>
+        <translation>«%1»: %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GoThroughBar</name>
+    <message>
+        <source>Loop</source>
+        <translation>Bucle</translation>
+    </message>
+    <message>
+        <source>Go through the waypoints</source>
+        <translation>Recorrer los puntos de paso</translation>
+    </message>
+    <message>
+        <source>Go through (hold)</source>
+        <translation>Recorrer (mantener)</translation>
+    </message>
+    <message>
+        <source>Go through, hold</source>
+        <translation>Recorrer, mantener</translation>
+    </message>
+    <message>
+        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed. Let go to pause; the next press goes on to the coming waypoint.</source>
+        <translation>Va de punto en punto mientras se mantiene la tecla, no más rápido que la velocidad manual. Suelte para pausar; la próxima pulsación sigue al punto siguiente.</translation>
+    </message>
+    <message>
+        <source>‹ Step</source>
+        <translation>‹ Paso</translation>
+    </message>
+    <message>
+        <source>One waypoint back, hold</source>
+        <translation>Un punto atrás, mantener</translation>
+    </message>
+    <message>
+        <source>Goes back to the waypoint before while the key is held</source>
+        <translation>Vuelve al punto anterior mientras se mantiene la tecla</translation>
+    </message>
+    <message>
+        <source>Step ›</source>
+        <translation>Paso ›</translation>
+    </message>
+    <message>
+        <source>One waypoint on, hold</source>
+        <translation>Un punto adelante, mantener</translation>
+    </message>
+    <message>
+        <source>Goes to the coming waypoint while the key is held, and stops there</source>
+        <translation>Va al punto siguiente mientras se mantiene la tecla, y para allí</translation>
+    </message>
+    <message>
+        <source>Which waypoints to go through</source>
+        <translation>Qué puntos recorrer</translation>
+    </message>
+    <message>
+        <source>Which waypoints</source>
+        <translation>Qué puntos</translation>
+    </message>
+    <message>
+        <source>Which waypoints to go through, in the order of the list</source>
+        <translation>Qué puntos recorrer, en el orden de la lista</translation>
+    </message>
+    <message>
+        <source>From here</source>
+        <translation>Desde aquí</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Selección</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Todo</translation>
+    </message>
+    <message>
+        <source>In a loop</source>
+        <translation>En bucle</translation>
+    </message>
+    <message>
+        <source>After the last waypoint comes the first again, for as long as the key is held</source>
+        <translation>Tras el último punto viene de nuevo el primero, mientras se mantenga la tecla</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>El brazo no está bajo control. Tome primero el control.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>The coming one: %1 of %2, %3</source>
+        <translation>El siguiente: %1 de %2, %3</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>hecho</translation>
+    </message>
+    <message>
+        <source>Done. The next press begins at the first.</source>
+        <translation>Hecho. La próxima pulsación empieza en el primero.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints</source>
+        <translation>
+            <numerusform>%n punto de paso</numerusform>
+            <numerusform>%n puntos de paso</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
     <name>tiller::GoToButton</name>
     <message>
         <source>Go to (hold)  G</source>
@@ -3752,6 +4429,37 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     <message>
         <source>The display server does not answer: nobody could tell when the key is let go.</source>
         <translation>El servidor gráfico no responde: nadie podría decir cuándo se suelta la tecla.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IncidentWatch</name>
+    <message>
+        <source>protective stop</source>
+        <translation>parada de protección</translation>
+    </message>
+    <message>
+        <source>emergency stop</source>
+        <translation>parada de emergencia</translation>
+    </message>
+    <message>
+        <source>safety violation</source>
+        <translation>infracción de seguridad</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>fallo</translation>
+    </message>
+    <message>
+        <source>The incident (%1) could not be recorded.</source>
+        <translation>El incidente (%1) no se pudo grabar.</translation>
+    </message>
+    <message>
+        <source>Incident recorded: %1</source>
+        <translation>Incidente grabado: %1</translation>
+    </message>
+    <message>
+        <source>Everything from %1 s before it is in %2. Double-click this line to open it.</source>
+        <translation>Todo desde %1 s antes está en %2. Doble clic en esta línea para abrirlo.</translation>
     </message>
 </context>
 <context>
@@ -4268,6 +4976,109 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <source>Log written to %1</source>
         <translation>Registro escrito en %1</translation>
     </message>
+    <message>
+        <source>Open recording</source>
+        <translation>Abrir grabación</translation>
+    </message>
+    <message>
+        <source>Open the recording of the selected line: incidents have one</source>
+        <translation>Abrir la grabación de la línea seleccionada: los incidentes tienen una</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::MoveWords</name>
+    <message>
+        <source>%1 touches %2 of the arm already here</source>
+        <translation>%1 ya toca %2 del brazo aquí</translation>
+    </message>
+    <message>
+        <source>%1 meets %2 of the arm after %3 of the way</source>
+        <translation>%1 choca con %2 del brazo tras %3 del recorrido</translation>
+    </message>
+    <message>
+        <source>%1 touches the floor already here</source>
+        <translation>%1 ya toca el suelo aquí</translation>
+    </message>
+    <message>
+        <source>%1 meets the floor after %2 of the way</source>
+        <translation>%1 choca con el suelo tras %2 del recorrido</translation>
+    </message>
+    <message>
+        <source>%1 touches “%2” already here</source>
+        <translation>%1 ya toca «%2» aquí</translation>
+    </message>
+    <message>
+        <source>%1 meets “%2” after %3 of the way</source>
+        <translation>%1 choca con «%2» tras %3 del recorrido</translation>
+    </message>
+    <message>
+        <source>The line runs into the wrist singularity after %1 of the way</source>
+        <translation>La línea entra en la singularidad de muñeca tras %1 del recorrido</translation>
+    </message>
+    <message>
+        <source>Slow near the wrist singularity at %1 of the way</source>
+        <translation>Lento cerca de la singularidad de muñeca al %1 del recorrido</translation>
+    </message>
+    <message>
+        <source>The line runs into the stretched elbow after %1 of the way</source>
+        <translation>La línea llega al codo estirado tras %1 del recorrido</translation>
+    </message>
+    <message>
+        <source>Slow near the stretched elbow at %1 of the way</source>
+        <translation>Lento cerca del codo estirado al %1 del recorrido</translation>
+    </message>
+    <message>
+        <source>The line runs into the axis of the base after %1 of the way</source>
+        <translation>La línea llega al eje de la base tras %1 del recorrido</translation>
+    </message>
+    <message>
+        <source>Slow near the axis of the base at %1 of the way</source>
+        <translation>Lento cerca del eje de la base al %1 del recorrido</translation>
+    </message>
+    <message>
+        <source>A joint would have to turn at once after %1 of the way</source>
+        <translation>Una articulación tendría que girar de golpe tras %1 del recorrido</translation>
+    </message>
+    <message>
+        <source>%1 leaves its range after %2 of the way</source>
+        <translation>%1 sale de su rango tras %2 del recorrido</translation>
+    </message>
+    <message>
+        <source>The line leaves the arm&apos;s reach after %1 of the way</source>
+        <translation>La línea sale del alcance del brazo tras %1 del recorrido</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>Hombro</translation>
+    </message>
+    <message>
+        <source>Upper arm</source>
+        <translation>Brazo superior</translation>
+    </message>
+    <message>
+        <source>Forearm</source>
+        <translation>Antebrazo</translation>
+    </message>
+    <message>
+        <source>Wrist 1</source>
+        <translation>Muñeca 1</translation>
+    </message>
+    <message>
+        <source>Wrist 2</source>
+        <translation>Muñeca 2</translation>
+    </message>
+    <message>
+        <source>Wrist 3</source>
+        <translation>Muñeca 3</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Herramienta</translation>
+    </message>
 </context>
 <context>
     <name>tiller::NothingFound</name>
@@ -4321,6 +5132,282 @@ Vacíe la búsqueda para verlo todo.</translation>
     <message>
         <source>More</source>
         <translation>Más</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathControls</name>
+    <message>
+        <source>Tolerance of recorded paths</source>
+        <translation>Tolerancia de las trayectorias grabadas</translation>
+    </message>
+    <message>
+        <source>Record path</source>
+        <translation>Grabar trayectoria</translation>
+    </message>
+    <message>
+        <source>Export path as CSV…</source>
+        <translation>Exportar trayectoria como CSV…</translation>
+    </message>
+    <message>
+        <source>Import demonstration (CSV)…</source>
+        <translation>Importar demostración (CSV)…</translation>
+    </message>
+    <message>
+        <source>The recording of the path ended by itself: the data stopped, or it lasted ten minutes.</source>
+        <translation>La grabación de la trayectoria terminó sola: cesaron los datos, o duró diez minutos.</translation>
+    </message>
+    <message>
+        <source>What was recorded until then is kept.</source>
+        <translation>Lo grabado hasta entonces se conserva.</translation>
+    </message>
+    <message>
+        <source>○ Record path</source>
+        <translation>○ Grabar trayectoria</translation>
+    </message>
+    <message>
+        <source>End the recording of the path</source>
+        <translation>Terminar la grabación de la trayectoria</translation>
+    </message>
+    <message>
+        <source>The path is being thinned.</source>
+        <translation>La trayectoria se está simplificando.</translation>
+    </message>
+    <message>
+        <source>No data come from the robot: there is nothing to record.</source>
+        <translation>No llegan datos del robot: no hay nada que grabar.</translation>
+    </message>
+    <message>
+        <source>Ends the recording and keeps the path as waypoints</source>
+        <translation>Termina la grabación y conserva la trayectoria como puntos de paso</translation>
+    </message>
+    <message>
+        <source>Records where the arm is led, by Freedrive or by jogging, until it is pressed again, and keeps the path as waypoints. It moves nothing.</source>
+        <translation>Graba por dónde se lleva el brazo, con movimiento libre o a mano, hasta pulsar de nuevo, y conserva la trayectoria como puntos. No mueve nada.</translation>
+    </message>
+    <message>
+        <source>Select the waypoints of the path, at least two.</source>
+        <translation>Seleccione los puntos de la trayectoria, al menos dos.</translation>
+    </message>
+    <message>
+        <source>Export path</source>
+        <translation>Exportar trayectoria</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tablas (*.csv)</translation>
+    </message>
+    <message>
+        <source>The path was not written.</source>
+        <translation>La trayectoria no se escribió.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints written as a path to %1</source>
+        <translation>
+            <numerusform>%n punto escrito como trayectoria en %1</numerusform>
+            <numerusform>%n puntos escritos como trayectoria en %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Import a demonstration</source>
+        <translation>Importar una demostración</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathRecorder</name>
+    <message>
+        <source>%1 has no column “%2”. It needs timestamp and actual_q_0 to actual_q_5.</source>
+        <translation>%1 no tiene columna «%2». Necesita timestamp y actual_q_0 a actual_q_5.</translation>
+    </message>
+    <message>
+        <source>No data come from the robot: there is nothing to record.</source>
+        <translation>No llegan datos del robot: no hay nada que grabar.</translation>
+    </message>
+    <message>
+        <source>Nothing was read: a path is being recorded. End that first.</source>
+        <translation>No se leyó nada: se está grabando una trayectoria. Termínela primero.</translation>
+    </message>
+    <message>
+        <source>The demonstration could not be read.</source>
+        <translation>La demostración no se pudo leer.</translation>
+    </message>
+    <message>
+        <source>path %1</source>
+        <translation>trayectoria %1</translation>
+    </message>
+    <message>
+        <source>The arm did not move: no path was kept.</source>
+        <translation>El brazo no se movió: no se conservó trayectoria.</translation>
+    </message>
+    <message>
+        <source>Record “%1”</source>
+        <translation>Grabar «%1»</translation>
+    </message>
+    <message>
+        <source>“%1”: %2 s in %3 waypoints. Every recorded place is within %4 and %5 of them.</source>
+        <translation>«%1»: %2 s en %3 puntos. Cada lugar grabado está a menos de %4 y %5 de ellos.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n packets did not arrive.</source>
+        <translation>
+            <numerusform>%n paquete no llegó.</numerusform>
+            <numerusform>%n paquetes no llegaron.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select the waypoints of the path, at least two.</source>
+        <translation>Seleccione los puntos de la trayectoria, al menos dos.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be reached. Touch it up, or leave it out.</source>
+        <translation>«%1» no se puede alcanzar. Retóquelo u omítalo.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PatternDialog</name>
+    <message>
+        <source>pattern</source>
+        <translation>patrón</translation>
+    </message>
+    <message>
+        <source>Pattern from three corners</source>
+        <translation>Patrón con tres esquinas</translation>
+    </message>
+    <message>
+        <source>Pattern “%1”</source>
+        <translation>Patrón «%1»</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>First place</source>
+        <translation>Primer sitio</translation>
+    </message>
+    <message>
+        <source>End of the first row</source>
+        <translation>Fin de la primera fila</translation>
+    </message>
+    <message>
+        <source>Beginning of the last row</source>
+        <translation>Comienzo de la última fila</translation>
+    </message>
+    <message>
+        <source>choose a waypoint</source>
+        <translation>elija un punto de paso</translation>
+    </message>
+    <message>
+        <source>as it was taught</source>
+        <translation>como se enseñó</translation>
+    </message>
+    <message>
+        <source>Places in a row</source>
+        <translation>Sitios por fila</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Filas</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Capas</translation>
+    </message>
+    <message>
+        <source>Height of a layer</source>
+        <translation>Altura de una capa</translation>
+    </message>
+    <message>
+        <source>From one layer to the next, against the direction of the tool.</source>
+        <translation>De una capa a la siguiente, contra la dirección de la herramienta.</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Orden</translation>
+    </message>
+    <message>
+        <source>Row by row</source>
+        <translation>Fila por fila</translation>
+    </message>
+    <message>
+        <source>Meander</source>
+        <translation>Meandro</translation>
+    </message>
+    <message>
+        <source>Make pattern</source>
+        <translation>Crear patrón</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Cambiar</translation>
+    </message>
+    <message>
+        <source>A pattern needs a name.</source>
+        <translation>Un patrón necesita un nombre.</translation>
+    </message>
+    <message>
+        <source>There is a pattern of that name. Choose another one.</source>
+        <translation>Ya hay un patrón con ese nombre. Elija otro.</translation>
+    </message>
+    <message>
+        <source>Choose the waypoint of each corner. Teach the three corners first where there are none.</source>
+        <translation>Elija el punto de cada esquina. Enseñe primero las tres esquinas donde no las haya.</translation>
+    </message>
+    <message>
+        <source>Two corners are the same place. Choose another waypoint for one of them.</source>
+        <translation>Dos esquinas son el mismo lugar. Elija otro punto para una.</translation>
+    </message>
+    <message>
+        <source>The height of a layer is no figure it can be.</source>
+        <translation>La altura de una capa no es una cifra posible.</translation>
+    </message>
+    <message>
+        <source>Layers need a height.</source>
+        <translation>Las capas necesitan una altura.</translation>
+    </message>
+    <message>
+        <source>%1 places are more than the %2 a pattern can have.</source>
+        <translation>%1 sitios son más que los %2 que puede tener un patrón.</translation>
+    </message>
+    <message>
+        <source>Every place is left out.</source>
+        <translation>Todos los sitios están omitidos.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints.</source>
+        <translation>
+            <numerusform>%n punto de paso.</numerusform>
+            <numerusform>%n puntos de paso.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 All can be reached.</source>
+        <translation>%1 Todos son alcanzables.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them are out of reach; they are marked.</source>
+        <translation>
+            <numerusform>%n queda fuera de alcance y está marcado.</numerusform>
+            <numerusform>%n quedan fuera de alcance y están marcados.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PatternGrid</name>
+    <message>
+        <source>Places of the pattern</source>
+        <translation>Sitios del patrón</translation>
+    </message>
+    <message>
+        <source>Click a place to leave it out, or to take it in again. The first corner is at the lower left.</source>
+        <translation>Haga clic en un sitio para omitirlo o incluirlo de nuevo. La primera esquina está abajo a la izquierda.</translation>
+    </message>
+    <message>
+        <source>Row %1, column %2</source>
+        <translation>Fila %1, columna %2</translation>
     </message>
 </context>
 <context>
@@ -4693,10 +5780,6 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Gráficos</translation>
     </message>
     <message>
-        <source>TCP force [N] · joint current [A]</source>
-        <translation>Fuerza TCP [N] · corriente de articulación [A]</translation>
-    </message>
-    <message>
         <source>Cursor read-out</source>
         <translation>Lectura del cursor</translation>
     </message>
@@ -4801,14 +5884,6 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Detener grabación</translation>
     </message>
     <message>
-        <source>Tiller · TCP force and joint currents</source>
-        <translation>Tiller · fuerza TCP y corrientes de articulación</translation>
-    </message>
-    <message>
-        <source>%1 · TCP force and joint currents</source>
-        <translation>%1 · fuerza TCP y corrientes de articulación</translation>
-    </message>
-    <message>
         <source>controller time %1 … %2 s</source>
         <translation>tiempo del controlador %1 … %2 s</translation>
     </message>
@@ -4898,17 +5973,242 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <source>name the file .png, .svg or .pdf for a picture, .csv for values</source>
         <translation>nombre el archivo .png, .svg o .pdf para una imagen, .csv para valores</translation>
     </message>
+    <message>
+        <source>%1, at %2 s of the plots&apos; time</source>
+        <translation>%1, en %2 s del tiempo de los gráficos</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>Nota: %1</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Nota</translation>
+    </message>
+    <message>
+        <source>What happened at this moment?</source>
+        <translation>¿Qué ocurrió en este momento?</translation>
+    </message>
+    <message>
+        <source>The plots are in the clipboard as a picture.</source>
+        <translation>Los gráficos están en el portapapeles como imagen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>History %1 · %2</source>
+        <translation>Historial %1 · %2</translation>
+    </message>
+    <message>
+        <source>New page</source>
+        <translation>Página nueva</translation>
+    </message>
+    <message>
+        <source>Take this page away</source>
+        <translation>Quitar esta página</translation>
+    </message>
+    <message>
+        <source>Standard plots</source>
+        <translation>Gráficos estándar</translation>
+    </message>
+    <message>
+        <source>Open a recording…</source>
+        <translation>Abrir una grabación…</translation>
+    </message>
+    <message>
+        <source>Close the recordings</source>
+        <translation>Cerrar las grabaciones</translation>
+    </message>
+    <message>
+        <source>Copy the plots as a picture</source>
+        <translation>Copiar los gráficos como imagen</translation>
+    </message>
+    <message>
+        <source>Save this arrangement…</source>
+        <translation>Guardar esta disposición…</translation>
+    </message>
+    <message>
+        <source>Open an arrangement…</source>
+        <translation>Abrir una disposición…</translation>
+    </message>
+    <message>
+        <source>Memory for the history</source>
+        <translation>Memoria para el historial</translation>
+    </message>
+    <message>
+        <source>save the arrangement to %1</source>
+        <translation>guardar la disposición en %1</translation>
+    </message>
+    <message>
+        <source>open the arrangement %1</source>
+        <translation>abrir la disposición %1</translation>
+    </message>
+    <message>
+        <source>Opened the recording %1</source>
+        <translation>Grabación %1 abierta</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>Abrir una grabación</translation>
+    </message>
+    <message>
+        <source>Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)</source>
+        <translation>Grabaciones (*.mcap *.csv *.h5 *.hdf5);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Save the arrangement of the plots</source>
+        <translation>Guardar la disposición de los gráficos</translation>
+    </message>
+    <message>
+        <source>Arrangement of plots (*.json)</source>
+        <translation>Disposición de gráficos (*.json)</translation>
+    </message>
+    <message>
+        <source>Open an arrangement of plots</source>
+        <translation>Abrir una disposición de gráficos</translation>
+    </message>
+    <message>
+        <source>%1 and more</source>
+        <translation>%1 y más</translation>
+    </message>
+    <message>
+        <source>List of signals</source>
+        <translation>Lista de señales</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Señales</translation>
+    </message>
+    <message>
+        <source>Everything the robot tells: drag it onto a plot, to its edge for a plot of its own, or double click</source>
+        <translation>Todo lo que dice el robot: arrástrelo a un gráfico, a su borde para uno propio, o doble clic</translation>
+    </message>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>Valores en los cursores</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valores</translation>
+    </message>
+    <message>
+        <source>What every signal has at the cursors A and B, and what lies between them: smallest, largest, mean, RMS, deviation, slope</source>
+        <translation>Lo que tiene cada señal en los cursores A y B, y lo que hay entre ellos: menor, mayor, media, RMS, desviación, pendiente</translation>
+    </message>
+    <message>
+        <source>Pages and arrangement of the plots</source>
+        <translation>Páginas y disposición de los gráficos</translation>
+    </message>
+    <message>
+        <source>Layout ▾</source>
+        <translation>Layout ▾</translation>
+    </message>
+    <message>
+        <source>read an arrangement of plots</source>
+        <translation>leer una disposición de gráficos</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotMarks</name>
+    <message>
+        <source>%1 above %2</source>
+        <translation>%1 por encima de %2</translation>
+    </message>
+    <message>
+        <source>%1 below %2</source>
+        <translation>%1 por debajo de %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotPages</name>
+    <message>
+        <source>Pages of plots</source>
+        <translation>Páginas de gráficos</translation>
+    </message>
+    <message>
+        <source>Name of the page</source>
+        <translation>Nombre de la página</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>Página %1</translation>
+    </message>
+    <message>
+        <source>Double click: another name</source>
+        <translation>Doble clic: otro nombre</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotValues</name>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>Valores en los cursores</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Señal</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Mín</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Máx</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Std</source>
+        <translation>Desv.</translation>
+    </message>
+    <message>
+        <source>Peak to peak</source>
+        <translation>Pico a pico</translation>
+    </message>
+    <message>
+        <source>Slope per s</source>
+        <translation>Pendiente por s</translation>
+    </message>
+    <message>
+        <source>Δt 0 s</source>
+        <translation>Δt 0 s</translation>
+    </message>
+    <message>
+        <source>Δt %1 s · 1/Δt %2 Hz</source>
+        <translation>Δt %1 s · 1/Δt %2 Hz</translation>
+    </message>
+    <message>
+        <source>Click into the plots to place A, then B: what lies between them is summed up here.</source>
+        <translation>Haga clic en los gráficos para poner A, después B: lo que hay entre ellos se resume aquí.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotView</name>
-    <message>
-        <source>Plots of TCP force and joint current over time</source>
-        <translation>Gráficos de fuerza TCP y corriente de articulación en el tiempo</translation>
-    </message>
-    <message>
-        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; End goes back to the newest samples</source>
-        <translation>A y B ponen los cursores, las flechas los mueven, arriba y abajo eligen la señal que leen; H oculta su curva; más y menos cambian la ventana de tiempo, con Ctrl la escala de los valores, Ctrl+0 deja decidir de nuevo a las curvas; Fin vuelve a las muestras más nuevas</translation>
-    </message>
     <message>
         <source> min</source>
         <translation> min</translation>
@@ -4940,6 +6240,22 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     <message>
         <source>Zeroed: %1 %2 taken off</source>
         <translation>A cero: %1 %2 descontados</translation>
+    </message>
+    <message>
+        <source>Plots over time</source>
+        <translation>Gráficos en el tiempo</translation>
+    </message>
+    <message>
+        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve, Ctrl+Delete takes it away; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; N writes a note; F shows all; End goes back to the newest samples</source>
+        <translation>A y B ponen los cursores, las flechas los mueven, arriba y abajo eligen la señal que leen; H oculta su curva, Ctrl+Supr la quita; más y menos cambian la ventana de tiempo, con Ctrl la escala de los valores, Ctrl+0 deja decidir de nuevo a las curvas; N escribe una nota; F muestra todo; Fin vuelve a las muestras más nuevas</translation>
+    </message>
+    <message>
+        <source>A–B Δt %1 s</source>
+        <translation>A–B Δt %1 s</translation>
+    </message>
+    <message>
+        <source>Drop signals here</source>
+        <translation>Suelte aquí las señales</translation>
     </message>
 </context>
 <context>
@@ -5842,6 +7158,76 @@ Suelte la tecla y el brazo se detiene.</translation>
             <numerusform>%n nombres ocultos: acérquese</numerusform>
         </translation>
     </message>
+    <message>
+        <source>ghost “%1” · reachable</source>
+        <translation>fantasma «%1» · alcanzable</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6</source>
+        <translation>fantasma «%1» · %2 · mayor giro %3 %4 · %5 s a %6</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SignalStore</name>
+    <message>
+        <source>compute a signal</source>
+        <translation>calcular una señal</translation>
+    </message>
+    <message>
+        <source>%1 does not come in the same packets as the others.</source>
+        <translation>%1 no llega en los mismos paquetes que las demás.</translation>
+    </message>
+    <message>
+        <source>Derived</source>
+        <translation>Derivadas</translation>
+    </message>
+    <message>
+        <source>These signals are more than a robot sends at once: take others away first.</source>
+        <translation>Son más señales de las que un robot envía a la vez: quite otras primero.</translation>
+    </message>
+    <message>
+        <source>open %1</source>
+        <translation>abrir %1</translation>
+    </message>
+    <message>
+        <source>There is no row in this recording.</source>
+        <translation>Esta grabación no tiene ninguna fila.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>There is too little memory for the history to show %1: choose more in the menu Layout.</source>
+        <translation>Hay poca memoria de historial para mostrar %1: elija más en el menú Layout.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SignalTree</name>
+    <message>
+        <source>Search signals</source>
+        <translation>Buscar señales</translation>
+    </message>
+    <message>
+        <source>Signals of the robot</source>
+        <translation>Señales del robot</translation>
+    </message>
+    <message>
+        <source>New: |F| [N] = norm(…)</source>
+        <translation>Nueva: |F| [N] = norm(…)</translation>
+    </message>
+    <message>
+        <source>Signal computed from others</source>
+        <translation>Señal calculada a partir de otras</translation>
+    </message>
+    <message>
+        <source>A name, a unit in brackets if you like, and an expression over signals: drag them here for their names. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and the usual functions. Return makes it.</source>
+        <translation>Un nombre, una unidad entre corchetes si quiere, y una expresión sobre señales: arrástrelas aquí para sus nombres. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ y las funciones usuales. Intro la crea.</translation>
+    </message>
+    <message>
+        <source>%1: this robot does not send it.</source>
+        <translation>%1: este robot no lo envía.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SimulationChip</name>
@@ -6344,6 +7730,141 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <source>pose rules</source>
         <translation>manda la pose</translation>
     </message>
+    <message>
+        <source>place of “%1”</source>
+        <translation>sitio de «%1»</translation>
+    </message>
+    <message>
+        <source>corner of “%1”</source>
+        <translation>esquina de «%1»</translation>
+    </message>
+    <message>
+        <source>home, “%1”</source>
+        <translation>inicio, «%1»</translation>
+    </message>
+    <message>
+        <source>position “%1”</source>
+        <translation>posición «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointDialogs</name>
+    <message>
+        <source>Select waypoints to change.</source>
+        <translation>Seleccione puntos para cambiar.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Change the properties of %n waypoints</source>
+        <translation>
+            <numerusform>Cambiar propiedades de %n punto</numerusform>
+            <numerusform>Cambiar propiedades de %n puntos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select waypoints to move.</source>
+        <translation>Seleccione puntos para mover.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n waypoints</source>
+        <translation>
+            <numerusform>Mover %n punto</numerusform>
+            <numerusform>Mover %n puntos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change the pattern “%1”</source>
+        <translation>Cambiar el patrón «%1»</translation>
+    </message>
+    <message>
+        <source>Teach the three corners of the pattern first, and select them.</source>
+        <translation>Enseñe primero las tres esquinas del patrón y selecciónelas.</translation>
+    </message>
+    <message>
+        <source>Make the pattern “%1”</source>
+        <translation>Crear el patrón «%1»</translation>
+    </message>
+    <message>
+        <source>Dissolve the pattern “%1”</source>
+        <translation>Disolver el patrón «%1»</translation>
+    </message>
+    <message>
+        <source>Select a place of a pattern.</source>
+        <translation>Seleccione un sitio de un patrón.</translation>
+    </message>
+    <message>
+        <source>Delete the pattern “%1”</source>
+        <translation>Eliminar el patrón «%1»</translation>
+    </message>
+    <message>
+        <source>Select a waypoint to see its history.</source>
+        <translation>Seleccione un punto para ver su historial.</translation>
+    </message>
+    <message>
+        <source>The frame it was given in then is not in the project any more.</source>
+        <translation>El sistema en que estaba dado entonces ya no está en el proyecto.</translation>
+    </message>
+    <message>
+        <source>Take an earlier “%1” back</source>
+        <translation>Recuperar un «%1» anterior</translation>
+    </message>
+    <message>
+        <source>Import waypoints</source>
+        <translation>Importar puntos de paso</translation>
+    </message>
+    <message>
+        <source>Waypoints (*.csv *.txt *.json *.tiller);;All files (*)</source>
+        <translation>Puntos de paso (*.csv *.txt *.json *.tiller);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Export waypoints</source>
+        <translation>Exportar puntos de paso</translation>
+    </message>
+    <message>
+        <source>Comma separated (*.csv);;JSON (*.json)</source>
+        <translation>Separado por comas (*.csv);;JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Nothing was imported</source>
+        <translation>No se importó nada</translation>
+    </message>
+    <message>
+        <source>%1 is too large for a list of waypoints.</source>
+        <translation>%1 es demasiado grande para una lista de puntos.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>There are no waypoints in %1.</source>
+        <translation>No hay puntos de paso en %1.</translation>
+    </message>
+    <message>
+        <source>waypoint</source>
+        <translation>punto de paso</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n waypoints</source>
+        <translation>
+            <numerusform>Importar %n punto</numerusform>
+            <numerusform>Importar %n puntos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are no waypoints to export.</source>
+        <translation>No hay puntos que exportar.</translation>
+    </message>
+    <message>
+        <source>Nothing was exported</source>
+        <translation>No se exportó nada</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints written to %1</source>
+        <translation>
+            <numerusform>%n punto escrito en %1</numerusform>
+            <numerusform>%n puntos escritos en %1</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointEditing</name>
@@ -6376,6 +7897,109 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
             <numerusform>Pegar %n punto de paso</numerusform>
             <numerusform>Pegar %n puntos de paso</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointHistoryDialog</name>
+    <message>
+        <source>History of “%1”</source>
+        <translation>Historial de «%1»</translation>
+    </message>
+    <message>
+        <source>Changes, the newest first</source>
+        <translation>Cambios, el más nuevo primero</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+    <message>
+        <source>%1  %2  (%3)</source>
+        <translation>%1  %2  (%3)</translation>
+    </message>
+    <message>
+        <source>Go back to before this</source>
+        <translation>Volver a antes de esto</translation>
+    </message>
+    <message>
+        <source>Name: “%1”, now “%2”</source>
+        <translation>Nombre: «%1», ahora «%2»</translation>
+    </message>
+    <message>
+        <source>Place: it has moved by %1 (%2, base frame)</source>
+        <translation>Lugar: se movió %1 (%2, sistema base)</translation>
+    </message>
+    <message>
+        <source>Joints: %1 turned most, by %2</source>
+        <translation>Articulaciones: %1 giró más, %2</translation>
+    </message>
+    <message>
+        <source>the joints rule</source>
+        <translation>mandan las articulaciones</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>a frame that is no more</source>
+        <translation>un sistema que ya no existe</translation>
+    </message>
+    <message>
+        <source>Frame: %1, now %2</source>
+        <translation>Sistema: %1, ahora %2</translation>
+    </message>
+    <message>
+        <source>Move: MoveL, now MoveJ</source>
+        <translation>Tipo: MoveL, ahora MoveJ</translation>
+    </message>
+    <message>
+        <source>Move: MoveJ, now MoveL</source>
+        <translation>Tipo: MoveJ, ahora MoveL</translation>
+    </message>
+    <message>
+        <source>Speed of MoveJ: %1, now %2</source>
+        <translation>Velocidad de MoveJ: %1, ahora %2</translation>
+    </message>
+    <message>
+        <source>Speed of MoveL: %1, now %2</source>
+        <translation>Velocidad de MoveL: %1, ahora %2</translation>
+    </message>
+    <message>
+        <source>Blend: %1, now %2</source>
+        <translation>Fusión: %1, ahora %2</translation>
+    </message>
+    <message>
+        <source>TCP: taught with another one</source>
+        <translation>TCP: enseñado con otro</translation>
+    </message>
+    <message>
+        <source>Group: “%1”, now “%2”</source>
+        <translation>Grupo: «%1», ahora «%2»</translation>
+    </message>
+    <message>
+        <source>Colour: %1, now %2</source>
+        <translation>Color: %1, ahora %2</translation>
+    </message>
+    <message>
+        <source>Note: “%1”, now “%2”</source>
+        <translation>Nota: «%1», ahora «%2»</translation>
+    </message>
+    <message>
+        <source>Actions: others than now</source>
+        <translation>Acciones: otras que ahora</translation>
+    </message>
+    <message>
+        <source>It was not changed since it was taught.</source>
+        <translation>No cambió desde que se enseñó.</translation>
+    </message>
+    <message>
+        <source>Before this it was as it is now.</source>
+        <translation>Antes de esto era como ahora.</translation>
+    </message>
+    <message>
+        <source>Before this it was:</source>
+        <translation>Antes de esto era:</translation>
     </message>
 </context>
 <context>
@@ -6520,6 +8144,211 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <source>Set the speed of “%1”</source>
         <translation>Fijar la velocidad de «%1»</translation>
     </message>
+    <message>
+        <source>Group: %1</source>
+        <translation>Grupo: %1</translation>
+    </message>
+    <message>
+        <source>Colour: %1</source>
+        <translation>Color: %1</translation>
+    </message>
+    <message>
+        <source>Name %1, the coming one</source>
+        <translation>Nombre %1, el siguiente</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointProperties</name>
+    <message>
+        <source>None</source>
+        <translation>Ninguna</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Azul</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Naranja</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Verde</translation>
+    </message>
+    <message>
+        <source>Pink</source>
+        <translation>Rosa</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Amarillo</translation>
+    </message>
+    <message>
+        <source>Sky blue</source>
+        <translation>Celeste</translation>
+    </message>
+    <message>
+        <source>Only what is ticked is changed.</source>
+        <translation>Solo cambia lo marcado.</translation>
+    </message>
+    <message>
+        <source>Properties of “%1”</source>
+        <translation>Propiedades de «%1»</translation>
+    </message>
+    <message numerus="yes">
+        <source>Properties of %n waypoints</source>
+        <translation>
+            <numerusform>Propiedades de %n punto</numerusform>
+            <numerusform>Propiedades de %n puntos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Grupo</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Color</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Nota</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Movimiento</translation>
+    </message>
+    <message>
+        <source>Speed of MoveJ</source>
+        <translation>Velocidad de MoveJ</translation>
+    </message>
+    <message>
+        <source>Speed of MoveL</source>
+        <translation>Velocidad de MoveL</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Fusión</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Cambiar</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointSearch</name>
+    <message>
+        <source>Find waypoints</source>
+        <translation>Buscar puntos</translation>
+    </message>
+    <message>
+        <source>Find waypoints by name, group or note</source>
+        <translation>Buscar puntos por nombre, grupo o nota</translation>
+    </message>
+    <message>
+        <source>Name, group or note</source>
+        <translation>Nombre, grupo o nota</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Mostrar todos</translation>
+    </message>
+    <message>
+        <source>Show all waypoints</source>
+        <translation>Mostrar todos los puntos</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>%n encontrado</numerusform>
+            <numerusform>%n encontrados</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointShift</name>
+    <message numerus="yes">
+        <source>Move %n waypoints</source>
+        <translation>
+            <numerusform>Mover %n punto</numerusform>
+            <numerusform>Mover %n puntos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Kind of move</source>
+        <translation>Tipo de movimiento</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Desplazamiento</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Girar</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Reflejar</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Ejes</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Tool, each its own</source>
+        <translation>Herramienta, cada uno la suya</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Eje</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Movimiento</translation>
+    </message>
+    <message>
+        <source>By X, Y, Z</source>
+        <translation>En X, Y, Z</translation>
+    </message>
+    <message>
+        <source>Offset %1</source>
+        <translation>Desplazamiento %1</translation>
+    </message>
+    <message>
+        <source>About or along</source>
+        <translation>En torno a o a lo largo de</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Ángulo</translation>
+    </message>
+    <message>
+        <source>The arm cannot get there: %1. Nothing would be moved.</source>
+        <translation>El brazo no puede llegar: %1. No se movería nada.</translation>
+    </message>
+    <message>
+        <source>A frame is missing. Choose another one.</source>
+        <translation>Falta un sistema. Elija otro.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them would be out of reach; they are kept, and marked.</source>
+        <translation>
+            <numerusform>%n quedaría fuera de alcance; se conserva y se marca.</numerusform>
+            <numerusform>%n quedarían fuera de alcance; se conservan y se marcan.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mirrored at the plane through the origin that the axis stands upon. The tool approaches from the mirrored side.</source>
+        <translation>Reflejado en el plano por el origen perpendicular al eje. La herramienta se acerca desde el lado reflejado.</translation>
+    </message>
+    <message>
+        <source>All stay in reach.</source>
+        <translation>Todos siguen al alcance.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointTable</name>
@@ -6647,6 +8476,46 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     <message>
         <source>Touch up “%1”</source>
         <translation>Retocar «%1»</translation>
+    </message>
+    <message>
+        <source>Path recorded</source>
+        <translation>Trayectoria grabada</translation>
+    </message>
+    <message>
+        <source>Import waypoints…</source>
+        <translation>Importar puntos de paso…</translation>
+    </message>
+    <message>
+        <source>Export waypoints…</source>
+        <translation>Exportar puntos de paso…</translation>
+    </message>
+    <message>
+        <source>Find waypoints</source>
+        <translation>Buscar puntos de paso</translation>
+    </message>
+    <message>
+        <source>Group, colour, note, speeds…</source>
+        <translation>Grupo, color, nota, velocidades…</translation>
+    </message>
+    <message>
+        <source>Offset, turn or mirror…</source>
+        <translation>Desplazar, girar o reflejar…</translation>
+    </message>
+    <message>
+        <source>History…</source>
+        <translation>Historial…</translation>
+    </message>
+    <message>
+        <source>Pattern…</source>
+        <translation>Patrón…</translation>
+    </message>
+    <message>
+        <source>Make the pattern&apos;s places ordinary waypoints</source>
+        <translation>Hacer de los sitios del patrón puntos ordinarios</translation>
+    </message>
+    <message>
+        <source>Delete the pattern and its waypoints</source>
+        <translation>Eliminar el patrón y sus puntos</translation>
     </message>
 </context>
 <context>
@@ -7122,10 +8991,6 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Vista</translation>
     </message>
     <message>
-        <source>Waypoints, Frames, I/O, Log</source>
-        <translation>Puntos de paso, Sistemas, E/S, Registro</translation>
-    </message>
-    <message>
         <source>Plots</source>
         <translation>Gráficos</translation>
     </message>
@@ -7340,6 +9205,14 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     <message>
         <source>A recording is running. End it first: nothing of it shall be missing.</source>
         <translation>Hay una grabación en marcha. Termínela primero: no debe faltar nada de ella.</translation>
+    </message>
+    <message>
+        <source>Waypoints, Frames, Tools, I/O, Log</source>
+        <translation>Puntos de paso, Sistemas, Herramientas, E/S, Registro</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Herramientas</translation>
     </message>
 </context>
 <context>

@@ -59,6 +59,10 @@
         <source>Program Tiller</source>
         <translation>Programme Tiller</translation>
     </message>
+    <message>
+        <source>Tools</source>
+        <translation>Outils</translation>
+    </message>
 </context>
 <context>
     <name>BackTrack</name>
@@ -120,6 +124,10 @@
     <message>
         <source>--robot needs an address, as in --robot 192.168.0.10</source>
         <translation>--robot demande une adresse, comme --robot 192.168.0.10</translation>
+    </message>
+    <message>
+        <source>only one project can be opened, not &quot;%1&quot; too</source>
+        <translation>un seul projet peut être ouvert, pas aussi &quot;%1&quot;</translation>
     </message>
 </context>
 <context>
@@ -311,6 +319,45 @@
     <message>
         <source>Look C%1 up in the manufacturer&apos;s error code directory.</source>
         <translation>Cherchez C%1 dans le répertoire des codes d’erreur du fabricant.</translation>
+    </message>
+</context>
+<context>
+    <name>Derivation</name>
+    <message>
+        <source>compute a signal</source>
+        <translation>calculer un signal</translation>
+    </message>
+    <message>
+        <source>There is no signal “%1”. The list of signals shows the names.</source>
+        <translation>Il n’y a pas de signal « %1 ». La liste des signaux montre les noms.</translation>
+    </message>
+    <message>
+        <source>There is no signal in it.</source>
+        <translation>Il ne contient aucun signal.</translation>
+    </message>
+    <message>
+        <source>There are too many signals in it.</source>
+        <translation>Il contient trop de signaux.</translation>
+    </message>
+    <message>
+        <source>It must give one number.</source>
+        <translation>Il doit donner un nombre.</translation>
+    </message>
+    <message>
+        <source>The text is too long.</source>
+        <translation>Le texte est trop long.</translation>
+    </message>
+    <message>
+        <source>Write it as a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
+        <translation>Écrivez un nom, un signe égal et une expression : |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
+    </message>
+    <message>
+        <source>There is one equals sign too many; a comparison has two: ==</source>
+        <translation>Un signe égal de trop ; une comparaison en a deux : ==</translation>
+    </message>
+    <message>
+        <source>The stretch of time is between 0.001 and 60 seconds.</source>
+        <translation>La durée est entre 0.001 et 60 secondes.</translation>
     </message>
 </context>
 <context>
@@ -1605,6 +1652,105 @@
         <source>Writes the lines that are shown to a file.</source>
         <translation>Écrit dans un fichier les lignes montrées.</translation>
     </message>
+    <message>
+        <source>Search signals for the plots</source>
+        <translation>Chercher des signaux pour les tracés</translation>
+    </message>
+    <message>
+        <source>Opens the list of everything the robot tells: onto a plot by dragging, double click or Return.</source>
+        <translation>Ouvre la liste de tout ce que dit le robot : sur un tracé en tirant, par double clic ou Entrée.</translation>
+    </message>
+    <message>
+        <source>New page of plots</source>
+        <translation>Nouvelle page de tracés</translation>
+    </message>
+    <message>
+        <source>An empty page behind the others; all pages show the same time.</source>
+        <translation>Une page vide derrière les autres ; toutes montrent le même temps.</translation>
+    </message>
+    <message>
+        <source>Show all of the plots&apos; history</source>
+        <translation>Montrer tout l’historique des tracés</translation>
+    </message>
+    <message>
+        <source>All that is in memory, each plot at its best scale.</source>
+        <translation>Tout ce qui est en mémoire, chaque tracé à sa meilleure échelle.</translation>
+    </message>
+</context>
+<context>
+    <name>PlotMenu</name>
+    <message>
+        <source>Take the lane %1 away</source>
+        <translation>Ôter la piste %1</translation>
+    </message>
+    <message>
+        <source>Note here…</source>
+        <translation>Noter ici…</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>Montrer %1</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>Cacher %1</translation>
+    </message>
+    <message>
+        <source>Let the cursors read %1</source>
+        <translation>Que les curseurs lisent %1</translation>
+    </message>
+    <message>
+        <source>Move %1 to a plot of its own</source>
+        <translation>Mettre %1 sur un tracé à part</translation>
+    </message>
+    <message>
+        <source>Take %1 away</source>
+        <translation>Ôter %1</translation>
+    </message>
+    <message>
+        <source>Alarm when %1</source>
+        <translation>Alarme quand %1</translation>
+    </message>
+    <message>
+        <source>No alarm when %1</source>
+        <translation>Pas d’alarme quand %1</translation>
+    </message>
+    <message>
+        <source>Rate of change of %1</source>
+        <translation>Taux de variation de %1</translation>
+    </message>
+    <message>
+        <source>Moving mean of %1 over half a second</source>
+        <translation>Moyenne glissante de %1 sur une demi-seconde</translation>
+    </message>
+    <message>
+        <source>Mean %1</source>
+        <translation>Moyenne %1</translation>
+    </message>
+    <message>
+        <source>Norm of the curves of this plot</source>
+        <translation>Norme des courbes de ce tracé</translation>
+    </message>
+    <message>
+        <source>New plot below</source>
+        <translation>Nouveau tracé dessous</translation>
+    </message>
+    <message>
+        <source>New plot beside</source>
+        <translation>Nouveau tracé à côté</translation>
+    </message>
+    <message>
+        <source>Take this plot away</source>
+        <translation>Ôter ce tracé</translation>
+    </message>
+    <message>
+        <source>Let the curves decide about the scale</source>
+        <translation>Laisser les courbes décider de l’échelle</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Tout montrer</translation>
+    </message>
 </context>
 <context>
     <name>Practice</name>
@@ -2282,6 +2428,401 @@
     </message>
 </context>
 <context>
+    <name>SignalInfo</name>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Articulations</translation>
+    </message>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation>Entrées et sorties</translation>
+    </message>
+    <message>
+        <source>Modes and states</source>
+        <translation>Modes et états</translation>
+    </message>
+    <message>
+        <source>Power and temperature</source>
+        <translation>Puissance et température</translation>
+    </message>
+    <message>
+        <source>Speed and program</source>
+        <translation>Vitesse et programme</translation>
+    </message>
+    <message>
+        <source>Payload and tool</source>
+        <translation>Charge utile et outil</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Plus</translation>
+    </message>
+    <message>
+        <source>Registers</source>
+        <translation>Registres</translation>
+    </message>
+    <message>
+        <source>Force at the TCP</source>
+        <translation>Force au TCP</translation>
+    </message>
+    <message>
+        <source>Torque at the TCP</source>
+        <translation>Couple au TCP</translation>
+    </message>
+    <message>
+        <source>Position of the TCP</source>
+        <translation>Position du TCP</translation>
+    </message>
+    <message>
+        <source>Rotation vector of the TCP</source>
+        <translation>Vecteur de rotation du TCP</translation>
+    </message>
+    <message>
+        <source>Speed of the TCP</source>
+        <translation>Vitesse du TCP</translation>
+    </message>
+    <message>
+        <source>Rotation speed of the TCP</source>
+        <translation>Vitesse de rotation du TCP</translation>
+    </message>
+    <message>
+        <source>Acceleration of the TCP</source>
+        <translation>Accélération du TCP</translation>
+    </message>
+    <message>
+        <source>Target position of the TCP</source>
+        <translation>Position cible du TCP</translation>
+    </message>
+    <message>
+        <source>Target rotation vector of the TCP</source>
+        <translation>Vecteur de rotation cible du TCP</translation>
+    </message>
+    <message>
+        <source>Target speed of the TCP</source>
+        <translation>Vitesse cible du TCP</translation>
+    </message>
+    <message>
+        <source>Target rotation speed of the TCP</source>
+        <translation>Vitesse de rotation cible du TCP</translation>
+    </message>
+    <message>
+        <source>Raw force of the sensor</source>
+        <translation>Force brute du capteur</translation>
+    </message>
+    <message>
+        <source>Raw torque of the sensor</source>
+        <translation>Couple brut du capteur</translation>
+    </message>
+    <message>
+        <source>Force at the TCP, norm</source>
+        <translation>Force au TCP, norme</translation>
+    </message>
+    <message>
+        <source>Accelerometer in the flange</source>
+        <translation>Accéléromètre dans la bride</translation>
+    </message>
+    <message>
+        <source>Position of the elbow</source>
+        <translation>Position du coude</translation>
+    </message>
+    <message>
+        <source>Speed of the elbow</source>
+        <translation>Vitesse du coude</translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation>Quantité de mouvement</translation>
+    </message>
+    <message>
+        <source>Joint positions</source>
+        <translation>Positions articulaires</translation>
+    </message>
+    <message>
+        <source>Joint speeds</source>
+        <translation>Vitesses articulaires</translation>
+    </message>
+    <message>
+        <source>Joint currents</source>
+        <translation>Courants articulaires</translation>
+    </message>
+    <message>
+        <source>Joint temperatures</source>
+        <translation>Températures articulaires</translation>
+    </message>
+    <message>
+        <source>Joint voltages</source>
+        <translation>Tensions articulaires</translation>
+    </message>
+    <message>
+        <source>Target joint positions</source>
+        <translation>Positions articulaires cibles</translation>
+    </message>
+    <message>
+        <source>Target joint speeds</source>
+        <translation>Vitesses articulaires cibles</translation>
+    </message>
+    <message>
+        <source>Target joint accelerations</source>
+        <translation>Accélérations articulaires cibles</translation>
+    </message>
+    <message>
+        <source>Target joint currents</source>
+        <translation>Courants articulaires cibles</translation>
+    </message>
+    <message>
+        <source>Target joint torques</source>
+        <translation>Couples articulaires cibles</translation>
+    </message>
+    <message>
+        <source>Joint control currents</source>
+        <translation>Courants de commande articulaires</translation>
+    </message>
+    <message>
+        <source>Allowed deviation of the currents</source>
+        <translation>Écart permis des courants</translation>
+    </message>
+    <message>
+        <source>Position deviation over its limit</source>
+        <translation>Écart de position sur sa limite</translation>
+    </message>
+    <message>
+        <source>Collision measure over its limit</source>
+        <translation>Mesure de collision sur sa limite</translation>
+    </message>
+    <message>
+        <source>Joint modes</source>
+        <translation>Modes articulaires</translation>
+    </message>
+    <message>
+        <source>Digital inputs</source>
+        <translation>Entrées numériques</translation>
+    </message>
+    <message>
+        <source>Digital outputs</source>
+        <translation>Sorties numériques</translation>
+    </message>
+    <message>
+        <source>Analog input 0</source>
+        <translation>Entrée analogique 0</translation>
+    </message>
+    <message>
+        <source>Analog input 1</source>
+        <translation>Entrée analogique 1</translation>
+    </message>
+    <message>
+        <source>Analog output 0</source>
+        <translation>Sortie analogique 0</translation>
+    </message>
+    <message>
+        <source>Analog output 1</source>
+        <translation>Sortie analogique 1</translation>
+    </message>
+    <message>
+        <source>Tool analog input 0</source>
+        <translation>Entrée analogique d’outil 0</translation>
+    </message>
+    <message>
+        <source>Tool analog input 1</source>
+        <translation>Entrée analogique d’outil 1</translation>
+    </message>
+    <message>
+        <source>Robot mode</source>
+        <translation>Mode du robot</translation>
+    </message>
+    <message>
+        <source>Safety mode</source>
+        <translation>Mode de sécurité</translation>
+    </message>
+    <message>
+        <source>Safety status</source>
+        <translation>État de sécurité</translation>
+    </message>
+    <message>
+        <source>Program state</source>
+        <translation>État du programme</translation>
+    </message>
+    <message>
+        <source>Robot status</source>
+        <translation>État du robot</translation>
+    </message>
+    <message>
+        <source>Safety bits</source>
+        <translation>Bits de sécurité</translation>
+    </message>
+    <message>
+        <source>Tool mode</source>
+        <translation>Mode de l’outil</translation>
+    </message>
+    <message>
+        <source>Main voltage</source>
+        <translation>Tension principale</translation>
+    </message>
+    <message>
+        <source>Arm voltage</source>
+        <translation>Tension du bras</translation>
+    </message>
+    <message>
+        <source>Arm current</source>
+        <translation>Courant du bras</translation>
+    </message>
+    <message>
+        <source>Current of the I/O</source>
+        <translation>Courant des E/S</translation>
+    </message>
+    <message>
+        <source>Tool temperature</source>
+        <translation>Température de l’outil</translation>
+    </message>
+    <message>
+        <source>Tool voltage</source>
+        <translation>Tension de l’outil</translation>
+    </message>
+    <message>
+        <source>Tool current</source>
+        <translation>Courant de l’outil</translation>
+    </message>
+    <message>
+        <source>Speed scaling</source>
+        <translation>Échelle de vitesse</translation>
+    </message>
+    <message>
+        <source>Speed slider</source>
+        <translation>Curseur de vitesse</translation>
+    </message>
+    <message>
+        <source>Time of a control step</source>
+        <translation>Durée d’un pas de commande</translation>
+    </message>
+    <message>
+        <source>Script line</source>
+        <translation>Ligne du script</translation>
+    </message>
+    <message>
+        <source>Controller time</source>
+        <translation>Temps du contrôleur</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>Charge utile</translation>
+    </message>
+    <message>
+        <source>Payload centre of gravity</source>
+        <translation>Centre de gravité de la charge utile</translation>
+    </message>
+    <message>
+        <source>TCP offset</source>
+        <translation>Décalage du TCP</translation>
+    </message>
+    <message>
+        <source>TCP rotation</source>
+        <translation>Rotation du TCP</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>Mettre sous tension</translation>
+    </message>
+    <message>
+        <source>Program running</source>
+        <translation>Programme en cours</translation>
+    </message>
+    <message>
+        <source>Freedrive button</source>
+        <translation>Bouton Freedrive</translation>
+    </message>
+    <message>
+        <source>Power button</source>
+        <translation>Bouton d’alimentation</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>Réduit</translation>
+    </message>
+    <message>
+        <source>Protective stop</source>
+        <translation>Arrêt de protection</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>Récupération</translation>
+    </message>
+    <message>
+        <source>Safeguard stop</source>
+        <translation>Arrêt de sauvegarde</translation>
+    </message>
+    <message>
+        <source>System emergency stop</source>
+        <translation>Arrêt d’urgence système</translation>
+    </message>
+    <message>
+        <source>Robot emergency stop</source>
+        <translation>Arrêt d’urgence du robot</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>Arrêt d’urgence</translation>
+    </message>
+    <message>
+        <source>Violation</source>
+        <translation>Violation</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Défaut</translation>
+    </message>
+    <message>
+        <source>Stopped by safety</source>
+        <translation>Arrêté par la sécurité</translation>
+    </message>
+    <message>
+        <source>Enabling device</source>
+        <translation>Dispositif de validation</translation>
+    </message>
+    <message>
+        <source>Bit %1</source>
+        <translation>Bit %1</translation>
+    </message>
+    <message>
+        <source>Output registers, numbers</source>
+        <translation>Registres de sortie, nombres</translation>
+    </message>
+    <message>
+        <source>Input registers, numbers</source>
+        <translation>Registres d’entrée, nombres</translation>
+    </message>
+    <message>
+        <source>Output registers, integers</source>
+        <translation>Registres de sortie, entiers</translation>
+    </message>
+    <message>
+        <source>Input registers, integers</source>
+        <translation>Registres d’entrée, entiers</translation>
+    </message>
+    <message>
+        <source>Output registers, bits</source>
+        <translation>Registres de sortie, bits</translation>
+    </message>
+    <message>
+        <source>Input registers, bits</source>
+        <translation>Registres d’entrée, bits</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>activée</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>désactivée</translation>
+    </message>
+</context>
+<context>
     <name>SpaceMouse</name>
     <message>
         <source>left key</source>
@@ -2754,6 +3295,13 @@
     <message>
         <source>“%1” is no colour of a waypoint</source>
         <translation>« %1 » n’est pas une couleur de point de passage</translation>
+    </message>
+</context>
+<context>
+    <name>WaypointExchange</name>
+    <message>
+        <source>Line %1: a quotation mark is not closed</source>
+        <translation>Ligne %1 : un guillemet n’est pas fermé</translation>
     </message>
 </context>
 <context>
@@ -3372,6 +3920,135 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
 </context>
 <context>
+    <name>tiller::GoThrough</name>
+    <message>
+        <source>There are no waypoints to go through. Teach some, or select them.</source>
+        <translation>Il n’y a pas de points à parcourir. Apprenez-en ou choisissez-les.</translation>
+    </message>
+    <message>
+        <source>There is no waypoint before this one.</source>
+        <translation>Il n’y a pas de point avant celui-ci.</translation>
+    </message>
+    <message>
+        <source>A waypoint of the way is not in this project any more.</source>
+        <translation>Un point du parcours n’est plus dans ce projet.</translation>
+    </message>
+    <message>
+        <source>“%1”: %2</source>
+        <translation>« %1 » : %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GoThroughBar</name>
+    <message>
+        <source>Loop</source>
+        <translation>Boucle</translation>
+    </message>
+    <message>
+        <source>Go through the waypoints</source>
+        <translation>Parcourir les points de passage</translation>
+    </message>
+    <message>
+        <source>Go through (hold)</source>
+        <translation>Parcourir (tenir)</translation>
+    </message>
+    <message>
+        <source>Go through, hold</source>
+        <translation>Parcourir, tenir</translation>
+    </message>
+    <message>
+        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed. Let go to pause; the next press goes on to the coming waypoint.</source>
+        <translation>Va de point en point tant que la touche est tenue, pas plus vite que la vitesse manuelle. Lâchez pour faire pause ; le prochain appui continue vers le point suivant.</translation>
+    </message>
+    <message>
+        <source>‹ Step</source>
+        <translation>‹ Pas</translation>
+    </message>
+    <message>
+        <source>One waypoint back, hold</source>
+        <translation>Un point en arrière, tenir</translation>
+    </message>
+    <message>
+        <source>Goes back to the waypoint before while the key is held</source>
+        <translation>Revient au point précédent tant que la touche est tenue</translation>
+    </message>
+    <message>
+        <source>Step ›</source>
+        <translation>Pas ›</translation>
+    </message>
+    <message>
+        <source>One waypoint on, hold</source>
+        <translation>Un point en avant, tenir</translation>
+    </message>
+    <message>
+        <source>Goes to the coming waypoint while the key is held, and stops there</source>
+        <translation>Va au point suivant tant que la touche est tenue, et s’y arrête</translation>
+    </message>
+    <message>
+        <source>Which waypoints to go through</source>
+        <translation>Quels points parcourir</translation>
+    </message>
+    <message>
+        <source>Which waypoints</source>
+        <translation>Quels points</translation>
+    </message>
+    <message>
+        <source>Which waypoints to go through, in the order of the list</source>
+        <translation>Quels points parcourir, dans l’ordre de la liste</translation>
+    </message>
+    <message>
+        <source>From here</source>
+        <translation>D’ici</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Sélection</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Tout</translation>
+    </message>
+    <message>
+        <source>In a loop</source>
+        <translation>En boucle</translation>
+    </message>
+    <message>
+        <source>After the last waypoint comes the first again, for as long as the key is held</source>
+        <translation>Après le dernier point revient le premier, tant que la touche est tenue</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>Le bras n’est pas sous contrôle. Prenez d’abord le contrôle.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>The coming one: %1 of %2, %3</source>
+        <translation>Le suivant : %1 sur %2, %3</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fait</translation>
+    </message>
+    <message>
+        <source>Done. The next press begins at the first.</source>
+        <translation>Fini. Le prochain appui commence au premier.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints</source>
+        <translation>
+            <numerusform>%n point de passage</numerusform>
+            <numerusform>%n points de passage</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
     <name>tiller::GoToButton</name>
     <message>
         <source>Go to (hold)  G</source>
@@ -3752,6 +4429,37 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     <message>
         <source>The display server does not answer: nobody could tell when the key is let go.</source>
         <translation>Le serveur d’affichage ne répond pas : personne ne pourrait dire quand la touche est lâchée.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IncidentWatch</name>
+    <message>
+        <source>protective stop</source>
+        <translation>arrêt de protection</translation>
+    </message>
+    <message>
+        <source>emergency stop</source>
+        <translation>arrêt d’urgence</translation>
+    </message>
+    <message>
+        <source>safety violation</source>
+        <translation>violation de sécurité</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>défaut</translation>
+    </message>
+    <message>
+        <source>The incident (%1) could not be recorded.</source>
+        <translation>L’incident (%1) n’a pu être enregistré.</translation>
+    </message>
+    <message>
+        <source>Incident recorded: %1</source>
+        <translation>Incident enregistré : %1</translation>
+    </message>
+    <message>
+        <source>Everything from %1 s before it is in %2. Double-click this line to open it.</source>
+        <translation>Tout depuis %1 s avant est dans %2. Double-cliquez cette ligne pour l’ouvrir.</translation>
     </message>
 </context>
 <context>
@@ -4268,6 +4976,109 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <source>Log written to %1</source>
         <translation>Journal écrit dans %1</translation>
     </message>
+    <message>
+        <source>Open recording</source>
+        <translation>Ouvrir l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Open the recording of the selected line: incidents have one</source>
+        <translation>Ouvrir l’enregistrement de la ligne choisie : les incidents en ont un</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::MoveWords</name>
+    <message>
+        <source>%1 touches %2 of the arm already here</source>
+        <translation>%1 touche déjà ici %2 du bras</translation>
+    </message>
+    <message>
+        <source>%1 meets %2 of the arm after %3 of the way</source>
+        <translation>%1 rencontre %2 du bras après %3 du chemin</translation>
+    </message>
+    <message>
+        <source>%1 touches the floor already here</source>
+        <translation>%1 touche déjà le sol ici</translation>
+    </message>
+    <message>
+        <source>%1 meets the floor after %2 of the way</source>
+        <translation>%1 rencontre le sol après %2 du chemin</translation>
+    </message>
+    <message>
+        <source>%1 touches “%2” already here</source>
+        <translation>%1 touche déjà « %2 » ici</translation>
+    </message>
+    <message>
+        <source>%1 meets “%2” after %3 of the way</source>
+        <translation>%1 rencontre « %2 » après %3 du chemin</translation>
+    </message>
+    <message>
+        <source>The line runs into the wrist singularity after %1 of the way</source>
+        <translation>La ligne entre dans la singularité du poignet après %1 du chemin</translation>
+    </message>
+    <message>
+        <source>Slow near the wrist singularity at %1 of the way</source>
+        <translation>Lent près de la singularité du poignet à %1 du chemin</translation>
+    </message>
+    <message>
+        <source>The line runs into the stretched elbow after %1 of the way</source>
+        <translation>La ligne arrive au coude tendu après %1 du chemin</translation>
+    </message>
+    <message>
+        <source>Slow near the stretched elbow at %1 of the way</source>
+        <translation>Lent près du coude tendu à %1 du chemin</translation>
+    </message>
+    <message>
+        <source>The line runs into the axis of the base after %1 of the way</source>
+        <translation>La ligne arrive à l’axe de la base après %1 du chemin</translation>
+    </message>
+    <message>
+        <source>Slow near the axis of the base at %1 of the way</source>
+        <translation>Lent près de l’axe de la base à %1 du chemin</translation>
+    </message>
+    <message>
+        <source>A joint would have to turn at once after %1 of the way</source>
+        <translation>Une articulation devrait tourner d’un coup après %1 du chemin</translation>
+    </message>
+    <message>
+        <source>%1 leaves its range after %2 of the way</source>
+        <translation>%1 quitte sa plage après %2 du chemin</translation>
+    </message>
+    <message>
+        <source>The line leaves the arm&apos;s reach after %1 of the way</source>
+        <translation>La ligne quitte la portée du bras après %1 du chemin</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>Épaule</translation>
+    </message>
+    <message>
+        <source>Upper arm</source>
+        <translation>Bras supérieur</translation>
+    </message>
+    <message>
+        <source>Forearm</source>
+        <translation>Avant-bras</translation>
+    </message>
+    <message>
+        <source>Wrist 1</source>
+        <translation>Poignet 1</translation>
+    </message>
+    <message>
+        <source>Wrist 2</source>
+        <translation>Poignet 2</translation>
+    </message>
+    <message>
+        <source>Wrist 3</source>
+        <translation>Poignet 3</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Outil</translation>
+    </message>
 </context>
 <context>
     <name>tiller::NothingFound</name>
@@ -4321,6 +5132,282 @@ Videz la recherche pour tout voir.</translation>
     <message>
         <source>More</source>
         <translation>Plus</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathControls</name>
+    <message>
+        <source>Tolerance of recorded paths</source>
+        <translation>Tolérance des trajectoires enregistrées</translation>
+    </message>
+    <message>
+        <source>Record path</source>
+        <translation>Enregistrer la trajectoire</translation>
+    </message>
+    <message>
+        <source>Export path as CSV…</source>
+        <translation>Exporter la trajectoire en CSV…</translation>
+    </message>
+    <message>
+        <source>Import demonstration (CSV)…</source>
+        <translation>Importer une démonstration (CSV)…</translation>
+    </message>
+    <message>
+        <source>The recording of the path ended by itself: the data stopped, or it lasted ten minutes.</source>
+        <translation>L’enregistrement de la trajectoire s’est terminé seul : les données ont cessé, ou il durait dix minutes.</translation>
+    </message>
+    <message>
+        <source>What was recorded until then is kept.</source>
+        <translation>Ce qui a été enregistré jusque-là est gardé.</translation>
+    </message>
+    <message>
+        <source>○ Record path</source>
+        <translation>○ Enregistrer trajectoire</translation>
+    </message>
+    <message>
+        <source>End the recording of the path</source>
+        <translation>Terminer l’enregistrement de la trajectoire</translation>
+    </message>
+    <message>
+        <source>The path is being thinned.</source>
+        <translation>La trajectoire est en cours d’allègement.</translation>
+    </message>
+    <message>
+        <source>No data come from the robot: there is nothing to record.</source>
+        <translation>Aucune donnée ne vient du robot : il n’y a rien à enregistrer.</translation>
+    </message>
+    <message>
+        <source>Ends the recording and keeps the path as waypoints</source>
+        <translation>Termine l’enregistrement et garde la trajectoire en points de passage</translation>
+    </message>
+    <message>
+        <source>Records where the arm is led, by Freedrive or by jogging, until it is pressed again, and keeps the path as waypoints. It moves nothing.</source>
+        <translation>Enregistre où le bras est mené, par Freedrive ou à la main, jusqu’au prochain appui, et garde la trajectoire en points. Cela ne bouge rien.</translation>
+    </message>
+    <message>
+        <source>Select the waypoints of the path, at least two.</source>
+        <translation>Choisissez les points de la trajectoire, au moins deux.</translation>
+    </message>
+    <message>
+        <source>Export path</source>
+        <translation>Exporter la trajectoire</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tableaux (*.csv)</translation>
+    </message>
+    <message>
+        <source>The path was not written.</source>
+        <translation>La trajectoire n’a pas été écrite.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints written as a path to %1</source>
+        <translation>
+            <numerusform>%n point écrit comme trajectoire dans %1</numerusform>
+            <numerusform>%n points écrits comme trajectoire dans %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Import a demonstration</source>
+        <translation>Importer une démonstration</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathRecorder</name>
+    <message>
+        <source>%1 has no column “%2”. It needs timestamp and actual_q_0 to actual_q_5.</source>
+        <translation>%1 n’a pas de colonne « %2 ». Il faut timestamp et actual_q_0 à actual_q_5.</translation>
+    </message>
+    <message>
+        <source>No data come from the robot: there is nothing to record.</source>
+        <translation>Aucune donnée ne vient du robot : il n’y a rien à enregistrer.</translation>
+    </message>
+    <message>
+        <source>Nothing was read: a path is being recorded. End that first.</source>
+        <translation>Rien n’a été lu : une trajectoire s’enregistre. Terminez-la d’abord.</translation>
+    </message>
+    <message>
+        <source>The demonstration could not be read.</source>
+        <translation>La démonstration n’a pu être lue.</translation>
+    </message>
+    <message>
+        <source>path %1</source>
+        <translation>trajectoire %1</translation>
+    </message>
+    <message>
+        <source>The arm did not move: no path was kept.</source>
+        <translation>Le bras n’a pas bougé : aucune trajectoire n’a été gardée.</translation>
+    </message>
+    <message>
+        <source>Record “%1”</source>
+        <translation>Enregistrer « %1 »</translation>
+    </message>
+    <message>
+        <source>“%1”: %2 s in %3 waypoints. Every recorded place is within %4 and %5 of them.</source>
+        <translation>« %1 » : %2 s en %3 points. Chaque place enregistrée en est à moins de %4 et %5.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n packets did not arrive.</source>
+        <translation>
+            <numerusform>%n paquet n’est pas arrivé.</numerusform>
+            <numerusform>%n paquets ne sont pas arrivés.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select the waypoints of the path, at least two.</source>
+        <translation>Choisissez les points de la trajectoire, au moins deux.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be reached. Touch it up, or leave it out.</source>
+        <translation>« %1 » est inaccessible. Retouchez-le, ou laissez-le.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PatternDialog</name>
+    <message>
+        <source>pattern</source>
+        <translation>motif</translation>
+    </message>
+    <message>
+        <source>Pattern from three corners</source>
+        <translation>Motif par trois coins</translation>
+    </message>
+    <message>
+        <source>Pattern “%1”</source>
+        <translation>Motif « %1 »</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>First place</source>
+        <translation>Première place</translation>
+    </message>
+    <message>
+        <source>End of the first row</source>
+        <translation>Fin de la première rangée</translation>
+    </message>
+    <message>
+        <source>Beginning of the last row</source>
+        <translation>Début de la dernière rangée</translation>
+    </message>
+    <message>
+        <source>choose a waypoint</source>
+        <translation>choisir un point de passage</translation>
+    </message>
+    <message>
+        <source>as it was taught</source>
+        <translation>comme appris</translation>
+    </message>
+    <message>
+        <source>Places in a row</source>
+        <translation>Places par rangée</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Rangées</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Couches</translation>
+    </message>
+    <message>
+        <source>Height of a layer</source>
+        <translation>Hauteur d’une couche</translation>
+    </message>
+    <message>
+        <source>From one layer to the next, against the direction of the tool.</source>
+        <translation>D’une couche à la suivante, contre la direction de l’outil.</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordre</translation>
+    </message>
+    <message>
+        <source>Row by row</source>
+        <translation>Rangée par rangée</translation>
+    </message>
+    <message>
+        <source>Meander</source>
+        <translation>Méandre</translation>
+    </message>
+    <message>
+        <source>Make pattern</source>
+        <translation>Créer le motif</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Changer</translation>
+    </message>
+    <message>
+        <source>A pattern needs a name.</source>
+        <translation>Un motif demande un nom.</translation>
+    </message>
+    <message>
+        <source>There is a pattern of that name. Choose another one.</source>
+        <translation>Un motif porte déjà ce nom. Choisissez-en un autre.</translation>
+    </message>
+    <message>
+        <source>Choose the waypoint of each corner. Teach the three corners first where there are none.</source>
+        <translation>Choisissez le point de chaque coin. Apprenez d’abord les trois coins s’ils manquent.</translation>
+    </message>
+    <message>
+        <source>Two corners are the same place. Choose another waypoint for one of them.</source>
+        <translation>Deux coins sont la même place. Choisissez un autre point pour l’un.</translation>
+    </message>
+    <message>
+        <source>The height of a layer is no figure it can be.</source>
+        <translation>La hauteur d’une couche n’est pas un chiffre possible.</translation>
+    </message>
+    <message>
+        <source>Layers need a height.</source>
+        <translation>Les couches demandent une hauteur.</translation>
+    </message>
+    <message>
+        <source>%1 places are more than the %2 a pattern can have.</source>
+        <translation>%1 places sont plus que les %2 qu’un motif peut avoir.</translation>
+    </message>
+    <message>
+        <source>Every place is left out.</source>
+        <translation>Toutes les places sont laissées de côté.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints.</source>
+        <translation>
+            <numerusform>%n point de passage.</numerusform>
+            <numerusform>%n points de passage.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 All can be reached.</source>
+        <translation>%1 Tous sont accessibles.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them are out of reach; they are marked.</source>
+        <translation>
+            <numerusform>%n est hors de portée et marqué.</numerusform>
+            <numerusform>%n sont hors de portée et marqués.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PatternGrid</name>
+    <message>
+        <source>Places of the pattern</source>
+        <translation>Places du motif</translation>
+    </message>
+    <message>
+        <source>Click a place to leave it out, or to take it in again. The first corner is at the lower left.</source>
+        <translation>Cliquez une place pour la laisser de côté ou la reprendre. Le premier coin est en bas à gauche.</translation>
+    </message>
+    <message>
+        <source>Row %1, column %2</source>
+        <translation>Rangée %1, colonne %2</translation>
     </message>
 </context>
 <context>
@@ -4693,10 +5780,6 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Tracés</translation>
     </message>
     <message>
-        <source>TCP force [N] · joint current [A]</source>
-        <translation>Force TCP [N] · courant articulaire [A]</translation>
-    </message>
-    <message>
         <source>Cursor read-out</source>
         <translation>Lecture au curseur</translation>
     </message>
@@ -4801,14 +5884,6 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Arrêter l’enregistrement</translation>
     </message>
     <message>
-        <source>Tiller · TCP force and joint currents</source>
-        <translation>Tiller · force TCP et courants articulaires</translation>
-    </message>
-    <message>
-        <source>%1 · TCP force and joint currents</source>
-        <translation>%1 · force TCP et courants articulaires</translation>
-    </message>
-    <message>
         <source>controller time %1 … %2 s</source>
         <translation>temps du contrôleur %1 … %2 s</translation>
     </message>
@@ -4898,17 +5973,242 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <source>name the file .png, .svg or .pdf for a picture, .csv for values</source>
         <translation>nommez le fichier .png, .svg ou .pdf pour une image, .csv pour des valeurs</translation>
     </message>
+    <message>
+        <source>%1, at %2 s of the plots&apos; time</source>
+        <translation>%1, à %2 s du temps des tracés</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>Note : %1</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
+    <message>
+        <source>What happened at this moment?</source>
+        <translation>Que s’est-il passé à ce moment ?</translation>
+    </message>
+    <message>
+        <source>The plots are in the clipboard as a picture.</source>
+        <translation>Les tracés sont dans le presse-papiers en image.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>History %1 · %2</source>
+        <translation>Historique %1 · %2</translation>
+    </message>
+    <message>
+        <source>New page</source>
+        <translation>Nouvelle page</translation>
+    </message>
+    <message>
+        <source>Take this page away</source>
+        <translation>Ôter cette page</translation>
+    </message>
+    <message>
+        <source>Standard plots</source>
+        <translation>Tracés standard</translation>
+    </message>
+    <message>
+        <source>Open a recording…</source>
+        <translation>Ouvrir un enregistrement…</translation>
+    </message>
+    <message>
+        <source>Close the recordings</source>
+        <translation>Fermer les enregistrements</translation>
+    </message>
+    <message>
+        <source>Copy the plots as a picture</source>
+        <translation>Copier les tracés en image</translation>
+    </message>
+    <message>
+        <source>Save this arrangement…</source>
+        <translation>Enregistrer cette disposition…</translation>
+    </message>
+    <message>
+        <source>Open an arrangement…</source>
+        <translation>Ouvrir une disposition…</translation>
+    </message>
+    <message>
+        <source>Memory for the history</source>
+        <translation>Mémoire pour l’historique</translation>
+    </message>
+    <message>
+        <source>save the arrangement to %1</source>
+        <translation>enregistrer la disposition dans %1</translation>
+    </message>
+    <message>
+        <source>open the arrangement %1</source>
+        <translation>ouvrir la disposition %1</translation>
+    </message>
+    <message>
+        <source>Opened the recording %1</source>
+        <translation>Enregistrement %1 ouvert</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>Ouvrir un enregistrement</translation>
+    </message>
+    <message>
+        <source>Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)</source>
+        <translation>Enregistrements (*.mcap *.csv *.h5 *.hdf5);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Save the arrangement of the plots</source>
+        <translation>Enregistrer la disposition des tracés</translation>
+    </message>
+    <message>
+        <source>Arrangement of plots (*.json)</source>
+        <translation>Disposition de tracés (*.json)</translation>
+    </message>
+    <message>
+        <source>Open an arrangement of plots</source>
+        <translation>Ouvrir une disposition de tracés</translation>
+    </message>
+    <message>
+        <source>%1 and more</source>
+        <translation>%1 et d’autres</translation>
+    </message>
+    <message>
+        <source>List of signals</source>
+        <translation>Liste des signaux</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signaux</translation>
+    </message>
+    <message>
+        <source>Everything the robot tells: drag it onto a plot, to its edge for a plot of its own, or double click</source>
+        <translation>Tout ce que dit le robot : tirez-le sur un tracé, sur son bord pour un tracé à part, ou double clic</translation>
+    </message>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>Valeurs aux curseurs</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valeurs</translation>
+    </message>
+    <message>
+        <source>What every signal has at the cursors A and B, and what lies between them: smallest, largest, mean, RMS, deviation, slope</source>
+        <translation>Ce que vaut chaque signal aux curseurs A et B, et ce qu’il y a entre : plus petit, plus grand, moyenne, RMS, écart, pente</translation>
+    </message>
+    <message>
+        <source>Pages and arrangement of the plots</source>
+        <translation>Pages et disposition des tracés</translation>
+    </message>
+    <message>
+        <source>Layout ▾</source>
+        <translation>Layout ▾</translation>
+    </message>
+    <message>
+        <source>read an arrangement of plots</source>
+        <translation>lire une disposition de tracés</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotMarks</name>
+    <message>
+        <source>%1 above %2</source>
+        <translation>%1 au-dessus de %2</translation>
+    </message>
+    <message>
+        <source>%1 below %2</source>
+        <translation>%1 au-dessous de %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotPages</name>
+    <message>
+        <source>Pages of plots</source>
+        <translation>Pages de tracés</translation>
+    </message>
+    <message>
+        <source>Name of the page</source>
+        <translation>Nom de la page</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>Page %1</translation>
+    </message>
+    <message>
+        <source>Double click: another name</source>
+        <translation>Double clic : autre nom</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotValues</name>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>Valeurs aux curseurs</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Min</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Max</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Std</source>
+        <translation>Écart</translation>
+    </message>
+    <message>
+        <source>Peak to peak</source>
+        <translation>Crête à crête</translation>
+    </message>
+    <message>
+        <source>Slope per s</source>
+        <translation>Pente par s</translation>
+    </message>
+    <message>
+        <source>Δt 0 s</source>
+        <translation>Δt 0 s</translation>
+    </message>
+    <message>
+        <source>Δt %1 s · 1/Δt %2 Hz</source>
+        <translation>Δt %1 s · 1/Δt %2 Hz</translation>
+    </message>
+    <message>
+        <source>Click into the plots to place A, then B: what lies between them is summed up here.</source>
+        <translation>Cliquez dans les tracés pour poser A, puis B : ce qu’il y a entre est résumé ici.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotView</name>
-    <message>
-        <source>Plots of TCP force and joint current over time</source>
-        <translation>Tracés de la force TCP et du courant articulaire dans le temps</translation>
-    </message>
-    <message>
-        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; End goes back to the newest samples</source>
-        <translation>A et B posent les curseurs, les flèches les déplacent, haut et bas choisissent le signal qu’ils lisent ; H cache sa courbe ; plus et moins changent la fenêtre de temps, avec Ctrl l’échelle des valeurs, Ctrl+0 laisse à nouveau décider les courbes ; Fin revient aux valeurs les plus récentes</translation>
-    </message>
     <message>
         <source> min</source>
         <translation> min</translation>
@@ -4940,6 +6240,22 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     <message>
         <source>Zeroed: %1 %2 taken off</source>
         <translation>À zéro : %1 %2 ôtés</translation>
+    </message>
+    <message>
+        <source>Plots over time</source>
+        <translation>Tracés dans le temps</translation>
+    </message>
+    <message>
+        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve, Ctrl+Delete takes it away; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; N writes a note; F shows all; End goes back to the newest samples</source>
+        <translation>A et B posent les curseurs, les flèches les déplacent, haut et bas choisissent le signal qu’ils lisent ; H cache sa courbe, Ctrl+Suppr l’ôte ; plus et moins changent la fenêtre de temps, avec Ctrl l’échelle des valeurs, Ctrl+0 laisse à nouveau décider les courbes ; N écrit une note ; F montre tout ; Fin revient aux valeurs les plus récentes</translation>
+    </message>
+    <message>
+        <source>A–B Δt %1 s</source>
+        <translation>A–B Δt %1 s</translation>
+    </message>
+    <message>
+        <source>Drop signals here</source>
+        <translation>Déposez les signaux ici</translation>
     </message>
 </context>
 <context>
@@ -5842,6 +7158,76 @@ Lâchez la touche et le bras s’arrête.</translation>
             <numerusform>%n noms cachés : approchez-vous</numerusform>
         </translation>
     </message>
+    <message>
+        <source>ghost “%1” · reachable</source>
+        <translation>fantôme « %1 » · accessible</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6</source>
+        <translation>fantôme « %1 » · %2 · plus grande rotation %3 %4 · %5 s à %6</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SignalStore</name>
+    <message>
+        <source>compute a signal</source>
+        <translation>calculer un signal</translation>
+    </message>
+    <message>
+        <source>%1 does not come in the same packets as the others.</source>
+        <translation>%1 ne vient pas dans les mêmes paquets que les autres.</translation>
+    </message>
+    <message>
+        <source>Derived</source>
+        <translation>Dérivés</translation>
+    </message>
+    <message>
+        <source>These signals are more than a robot sends at once: take others away first.</source>
+        <translation>C’est plus de signaux qu’un robot n’en envoie à la fois : ôtez-en d’abord d’autres.</translation>
+    </message>
+    <message>
+        <source>open %1</source>
+        <translation>ouvrir %1</translation>
+    </message>
+    <message>
+        <source>There is no row in this recording.</source>
+        <translation>Cet enregistrement n’a aucune ligne.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>There is too little memory for the history to show %1: choose more in the menu Layout.</source>
+        <translation>Trop peu de mémoire d’historique pour montrer %1 : choisissez-en plus dans le menu Layout.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SignalTree</name>
+    <message>
+        <source>Search signals</source>
+        <translation>Chercher des signaux</translation>
+    </message>
+    <message>
+        <source>Signals of the robot</source>
+        <translation>Signaux du robot</translation>
+    </message>
+    <message>
+        <source>New: |F| [N] = norm(…)</source>
+        <translation>Nouveau : |F| [N] = norm(…)</translation>
+    </message>
+    <message>
+        <source>Signal computed from others</source>
+        <translation>Signal calculé à partir d’autres</translation>
+    </message>
+    <message>
+        <source>A name, a unit in brackets if you like, and an expression over signals: drag them here for their names. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and the usual functions. Return makes it.</source>
+        <translation>Un nom, une unité entre crochets si vous voulez, et une expression sur des signaux : tirez-les ici pour leurs noms. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ et les fonctions usuelles. Entrée le crée.</translation>
+    </message>
+    <message>
+        <source>%1: this robot does not send it.</source>
+        <translation>%1 : ce robot ne l’envoie pas.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SimulationChip</name>
@@ -6344,6 +7730,141 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <source>pose rules</source>
         <translation>la pose prime</translation>
     </message>
+    <message>
+        <source>place of “%1”</source>
+        <translation>place de « %1 »</translation>
+    </message>
+    <message>
+        <source>corner of “%1”</source>
+        <translation>coin de « %1 »</translation>
+    </message>
+    <message>
+        <source>home, “%1”</source>
+        <translation>origine, « %1 »</translation>
+    </message>
+    <message>
+        <source>position “%1”</source>
+        <translation>position « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointDialogs</name>
+    <message>
+        <source>Select waypoints to change.</source>
+        <translation>Choisissez des points à changer.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Change the properties of %n waypoints</source>
+        <translation>
+            <numerusform>Changer les propriétés de %n point</numerusform>
+            <numerusform>Changer les propriétés de %n points</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select waypoints to move.</source>
+        <translation>Choisissez des points à déplacer.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n waypoints</source>
+        <translation>
+            <numerusform>Déplacer %n point</numerusform>
+            <numerusform>Déplacer %n points</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change the pattern “%1”</source>
+        <translation>Changer le motif « %1 »</translation>
+    </message>
+    <message>
+        <source>Teach the three corners of the pattern first, and select them.</source>
+        <translation>Apprenez d’abord les trois coins du motif, et choisissez-les.</translation>
+    </message>
+    <message>
+        <source>Make the pattern “%1”</source>
+        <translation>Créer le motif « %1 »</translation>
+    </message>
+    <message>
+        <source>Dissolve the pattern “%1”</source>
+        <translation>Dissoudre le motif « %1 »</translation>
+    </message>
+    <message>
+        <source>Select a place of a pattern.</source>
+        <translation>Choisissez une place d’un motif.</translation>
+    </message>
+    <message>
+        <source>Delete the pattern “%1”</source>
+        <translation>Supprimer le motif « %1 »</translation>
+    </message>
+    <message>
+        <source>Select a waypoint to see its history.</source>
+        <translation>Choisissez un point pour voir son historique.</translation>
+    </message>
+    <message>
+        <source>The frame it was given in then is not in the project any more.</source>
+        <translation>Le repère où il était donné alors n’est plus dans le projet.</translation>
+    </message>
+    <message>
+        <source>Take an earlier “%1” back</source>
+        <translation>Reprendre un « %1 » antérieur</translation>
+    </message>
+    <message>
+        <source>Import waypoints</source>
+        <translation>Importer des points de passage</translation>
+    </message>
+    <message>
+        <source>Waypoints (*.csv *.txt *.json *.tiller);;All files (*)</source>
+        <translation>Points de passage (*.csv *.txt *.json *.tiller);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Export waypoints</source>
+        <translation>Exporter des points de passage</translation>
+    </message>
+    <message>
+        <source>Comma separated (*.csv);;JSON (*.json)</source>
+        <translation>Séparé par virgules (*.csv);;JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Nothing was imported</source>
+        <translation>Rien n’a été importé</translation>
+    </message>
+    <message>
+        <source>%1 is too large for a list of waypoints.</source>
+        <translation>%1 est trop grand pour une liste de points.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>There are no waypoints in %1.</source>
+        <translation>Il n’y a pas de points dans %1.</translation>
+    </message>
+    <message>
+        <source>waypoint</source>
+        <translation>point de passage</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n waypoints</source>
+        <translation>
+            <numerusform>Importer %n point</numerusform>
+            <numerusform>Importer %n points</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are no waypoints to export.</source>
+        <translation>Il n’y a pas de points à exporter.</translation>
+    </message>
+    <message>
+        <source>Nothing was exported</source>
+        <translation>Rien n’a été exporté</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints written to %1</source>
+        <translation>
+            <numerusform>%n point écrit dans %1</numerusform>
+            <numerusform>%n points écrits dans %1</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointEditing</name>
@@ -6376,6 +7897,109 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
             <numerusform>Coller %n point de passage</numerusform>
             <numerusform>Coller %n points de passage</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointHistoryDialog</name>
+    <message>
+        <source>History of “%1”</source>
+        <translation>Historique de « %1 »</translation>
+    </message>
+    <message>
+        <source>Changes, the newest first</source>
+        <translation>Changements, le plus récent d’abord</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+    <message>
+        <source>%1  %2  (%3)</source>
+        <translation>%1  %2  (%3)</translation>
+    </message>
+    <message>
+        <source>Go back to before this</source>
+        <translation>Revenir avant ceci</translation>
+    </message>
+    <message>
+        <source>Name: “%1”, now “%2”</source>
+        <translation>Nom : « %1 », maintenant « %2 »</translation>
+    </message>
+    <message>
+        <source>Place: it has moved by %1 (%2, base frame)</source>
+        <translation>Place : elle a bougé de %1 (%2, repère de base)</translation>
+    </message>
+    <message>
+        <source>Joints: %1 turned most, by %2</source>
+        <translation>Articulations : %1 a le plus tourné, de %2</translation>
+    </message>
+    <message>
+        <source>the joints rule</source>
+        <translation>les articulations priment</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>a frame that is no more</source>
+        <translation>un repère qui n’est plus</translation>
+    </message>
+    <message>
+        <source>Frame: %1, now %2</source>
+        <translation>Repère : %1, maintenant %2</translation>
+    </message>
+    <message>
+        <source>Move: MoveL, now MoveJ</source>
+        <translation>Type : MoveL, maintenant MoveJ</translation>
+    </message>
+    <message>
+        <source>Move: MoveJ, now MoveL</source>
+        <translation>Type : MoveJ, maintenant MoveL</translation>
+    </message>
+    <message>
+        <source>Speed of MoveJ: %1, now %2</source>
+        <translation>Vitesse de MoveJ : %1, maintenant %2</translation>
+    </message>
+    <message>
+        <source>Speed of MoveL: %1, now %2</source>
+        <translation>Vitesse de MoveL : %1, maintenant %2</translation>
+    </message>
+    <message>
+        <source>Blend: %1, now %2</source>
+        <translation>Raccordement : %1, maintenant %2</translation>
+    </message>
+    <message>
+        <source>TCP: taught with another one</source>
+        <translation>TCP : appris avec un autre</translation>
+    </message>
+    <message>
+        <source>Group: “%1”, now “%2”</source>
+        <translation>Groupe : « %1 », maintenant « %2 »</translation>
+    </message>
+    <message>
+        <source>Colour: %1, now %2</source>
+        <translation>Couleur : %1, maintenant %2</translation>
+    </message>
+    <message>
+        <source>Note: “%1”, now “%2”</source>
+        <translation>Note : « %1 », maintenant « %2 »</translation>
+    </message>
+    <message>
+        <source>Actions: others than now</source>
+        <translation>Actions : autres que maintenant</translation>
+    </message>
+    <message>
+        <source>It was not changed since it was taught.</source>
+        <translation>Il n’a pas changé depuis qu’il a été appris.</translation>
+    </message>
+    <message>
+        <source>Before this it was as it is now.</source>
+        <translation>Avant cela il était comme maintenant.</translation>
+    </message>
+    <message>
+        <source>Before this it was:</source>
+        <translation>Avant cela il était :</translation>
     </message>
 </context>
 <context>
@@ -6520,6 +8144,211 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <source>Set the speed of “%1”</source>
         <translation>Régler la vitesse de « %1 »</translation>
     </message>
+    <message>
+        <source>Group: %1</source>
+        <translation>Groupe : %1</translation>
+    </message>
+    <message>
+        <source>Colour: %1</source>
+        <translation>Couleur : %1</translation>
+    </message>
+    <message>
+        <source>Name %1, the coming one</source>
+        <translation>Nom %1, le suivant</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointProperties</name>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Bleu</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Vert</translation>
+    </message>
+    <message>
+        <source>Pink</source>
+        <translation>Rose</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Jaune</translation>
+    </message>
+    <message>
+        <source>Sky blue</source>
+        <translation>Bleu ciel</translation>
+    </message>
+    <message>
+        <source>Only what is ticked is changed.</source>
+        <translation>Seul ce qui est coché change.</translation>
+    </message>
+    <message>
+        <source>Properties of “%1”</source>
+        <translation>Propriétés de « %1 »</translation>
+    </message>
+    <message numerus="yes">
+        <source>Properties of %n waypoints</source>
+        <translation>
+            <numerusform>Propriétés de %n point</numerusform>
+            <numerusform>Propriétés de %n points</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Groupe</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Couleur</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>Speed of MoveJ</source>
+        <translation>Vitesse de MoveJ</translation>
+    </message>
+    <message>
+        <source>Speed of MoveL</source>
+        <translation>Vitesse de MoveL</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Raccordement</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Changer</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointSearch</name>
+    <message>
+        <source>Find waypoints</source>
+        <translation>Chercher des points</translation>
+    </message>
+    <message>
+        <source>Find waypoints by name, group or note</source>
+        <translation>Chercher des points par nom, groupe ou note</translation>
+    </message>
+    <message>
+        <source>Name, group or note</source>
+        <translation>Nom, groupe ou note</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Tout montrer</translation>
+    </message>
+    <message>
+        <source>Show all waypoints</source>
+        <translation>Montrer tous les points</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>%n trouvé</numerusform>
+            <numerusform>%n trouvés</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointShift</name>
+    <message numerus="yes">
+        <source>Move %n waypoints</source>
+        <translation>
+            <numerusform>Déplacer %n point</numerusform>
+            <numerusform>Déplacer %n points</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Kind of move</source>
+        <translation>Type de mouvement</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Tourner</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Miroir</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Axes</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Tool, each its own</source>
+        <translation>Outil, chacun le sien</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>By X, Y, Z</source>
+        <translation>De X, Y, Z</translation>
+    </message>
+    <message>
+        <source>Offset %1</source>
+        <translation>Décalage %1</translation>
+    </message>
+    <message>
+        <source>About or along</source>
+        <translation>Autour ou le long de</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
+        <source>The arm cannot get there: %1. Nothing would be moved.</source>
+        <translation>Le bras ne peut y aller : %1. Rien ne serait déplacé.</translation>
+    </message>
+    <message>
+        <source>A frame is missing. Choose another one.</source>
+        <translation>Un repère manque. Choisissez-en un autre.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them would be out of reach; they are kept, and marked.</source>
+        <translation>
+            <numerusform>%n serait hors de portée ; il est gardé et marqué.</numerusform>
+            <numerusform>%n seraient hors de portée ; ils sont gardés et marqués.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mirrored at the plane through the origin that the axis stands upon. The tool approaches from the mirrored side.</source>
+        <translation>En miroir par le plan à l’origine perpendiculaire à l’axe. L’outil approche du côté opposé.</translation>
+    </message>
+    <message>
+        <source>All stay in reach.</source>
+        <translation>Tous restent à portée.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointTable</name>
@@ -6647,6 +8476,46 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     <message>
         <source>Touch up “%1”</source>
         <translation>Retoucher « %1 »</translation>
+    </message>
+    <message>
+        <source>Path recorded</source>
+        <translation>Trajectoire enregistrée</translation>
+    </message>
+    <message>
+        <source>Import waypoints…</source>
+        <translation>Importer des points de passage…</translation>
+    </message>
+    <message>
+        <source>Export waypoints…</source>
+        <translation>Exporter des points de passage…</translation>
+    </message>
+    <message>
+        <source>Find waypoints</source>
+        <translation>Chercher des points de passage</translation>
+    </message>
+    <message>
+        <source>Group, colour, note, speeds…</source>
+        <translation>Groupe, couleur, note, vitesses…</translation>
+    </message>
+    <message>
+        <source>Offset, turn or mirror…</source>
+        <translation>Décaler, tourner ou mettre en miroir…</translation>
+    </message>
+    <message>
+        <source>History…</source>
+        <translation>Historique…</translation>
+    </message>
+    <message>
+        <source>Pattern…</source>
+        <translation>Motif…</translation>
+    </message>
+    <message>
+        <source>Make the pattern&apos;s places ordinary waypoints</source>
+        <translation>Faire des places du motif des points ordinaires</translation>
+    </message>
+    <message>
+        <source>Delete the pattern and its waypoints</source>
+        <translation>Supprimer le motif et ses points</translation>
     </message>
 </context>
 <context>
@@ -7122,10 +8991,6 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Vue</translation>
     </message>
     <message>
-        <source>Waypoints, Frames, I/O, Log</source>
-        <translation>Points de passage, Repères, E/S, Journal</translation>
-    </message>
-    <message>
         <source>Plots</source>
         <translation>Tracés</translation>
     </message>
@@ -7340,6 +9205,14 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     <message>
         <source>A recording is running. End it first: nothing of it shall be missing.</source>
         <translation>Un enregistrement est en cours. Terminez-le d’abord : rien ne doit y manquer.</translation>
+    </message>
+    <message>
+        <source>Waypoints, Frames, Tools, I/O, Log</source>
+        <translation>Points de passage, Repères, Outils, E/S, Journal</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Outils</translation>
     </message>
 </context>
 <context>

@@ -59,6 +59,10 @@
         <source>Program Tiller</source>
         <translation>プログラム Tiller</translation>
     </message>
+    <message>
+        <source>Tools</source>
+        <translation>ツール</translation>
+    </message>
 </context>
 <context>
     <name>BackTrack</name>
@@ -120,6 +124,10 @@
     <message>
         <source>--robot needs an address, as in --robot 192.168.0.10</source>
         <translation>--robot にはアドレスが必要です（例：--robot 192.168.0.10）</translation>
+    </message>
+    <message>
+        <source>only one project can be opened, not &quot;%1&quot; too</source>
+        <translation>開けるプロジェクトは一つだけです（&quot;%1&quot; は不可）</translation>
     </message>
 </context>
 <context>
@@ -311,6 +319,45 @@
     <message>
         <source>Look C%1 up in the manufacturer&apos;s error code directory.</source>
         <translation>メーカーのエラーコード一覧で C%1 を調べてください。</translation>
+    </message>
+</context>
+<context>
+    <name>Derivation</name>
+    <message>
+        <source>compute a signal</source>
+        <translation>信号を計算する</translation>
+    </message>
+    <message>
+        <source>There is no signal “%1”. The list of signals shows the names.</source>
+        <translation>信号「%1」はありません。信号の一覧に名前があります。</translation>
+    </message>
+    <message>
+        <source>There is no signal in it.</source>
+        <translation>信号が含まれていません。</translation>
+    </message>
+    <message>
+        <source>There are too many signals in it.</source>
+        <translation>信号が多すぎます。</translation>
+    </message>
+    <message>
+        <source>It must give one number.</source>
+        <translation>一つの数になる必要があります。</translation>
+    </message>
+    <message>
+        <source>The text is too long.</source>
+        <translation>文が長すぎます。</translation>
+    </message>
+    <message>
+        <source>Write it as a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
+        <translation>名前、等号、式の順に書いてください：|F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
+    </message>
+    <message>
+        <source>There is one equals sign too many; a comparison has two: ==</source>
+        <translation>等号が一つ多いです。比較は二つです：==</translation>
+    </message>
+    <message>
+        <source>The stretch of time is between 0.001 and 60 seconds.</source>
+        <translation>時間の幅は 0.001〜60 秒です。</translation>
     </message>
 </context>
 <context>
@@ -1605,6 +1652,105 @@
         <source>Writes the lines that are shown to a file.</source>
         <translation>表示中の行をファイルに書きます。</translation>
     </message>
+    <message>
+        <source>Search signals for the plots</source>
+        <translation>グラフの信号を検索</translation>
+    </message>
+    <message>
+        <source>Opens the list of everything the robot tells: onto a plot by dragging, double click or Return.</source>
+        <translation>ロボットが伝えるすべての一覧を開きます：ドラッグ、ダブルクリック、Return でグラフへ。</translation>
+    </message>
+    <message>
+        <source>New page of plots</source>
+        <translation>グラフの新しいページ</translation>
+    </message>
+    <message>
+        <source>An empty page behind the others; all pages show the same time.</source>
+        <translation>他の後に空のページ。全ページが同じ時間を表示します。</translation>
+    </message>
+    <message>
+        <source>Show all of the plots&apos; history</source>
+        <translation>グラフの全履歴を表示</translation>
+    </message>
+    <message>
+        <source>All that is in memory, each plot at its best scale.</source>
+        <translation>メモリーにあるすべてを、各グラフに最適な目盛りで。</translation>
+    </message>
+</context>
+<context>
+    <name>PlotMenu</name>
+    <message>
+        <source>Take the lane %1 away</source>
+        <translation>レーン %1 を外す</translation>
+    </message>
+    <message>
+        <source>Note here…</source>
+        <translation>ここにメモ…</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 を表示</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>%1 を隠す</translation>
+    </message>
+    <message>
+        <source>Let the cursors read %1</source>
+        <translation>カーソルで %1 を読む</translation>
+    </message>
+    <message>
+        <source>Move %1 to a plot of its own</source>
+        <translation>%1 を独立したグラフへ</translation>
+    </message>
+    <message>
+        <source>Take %1 away</source>
+        <translation>%1 を外す</translation>
+    </message>
+    <message>
+        <source>Alarm when %1</source>
+        <translation>%1 のとき警報</translation>
+    </message>
+    <message>
+        <source>No alarm when %1</source>
+        <translation>%1 のとき警報しない</translation>
+    </message>
+    <message>
+        <source>Rate of change of %1</source>
+        <translation>%1 の変化率</translation>
+    </message>
+    <message>
+        <source>Moving mean of %1 over half a second</source>
+        <translation>%1 の 0.5 秒移動平均</translation>
+    </message>
+    <message>
+        <source>Mean %1</source>
+        <translation>平均 %1</translation>
+    </message>
+    <message>
+        <source>Norm of the curves of this plot</source>
+        <translation>このグラフの曲線のノルム</translation>
+    </message>
+    <message>
+        <source>New plot below</source>
+        <translation>下に新しいグラフ</translation>
+    </message>
+    <message>
+        <source>New plot beside</source>
+        <translation>隣に新しいグラフ</translation>
+    </message>
+    <message>
+        <source>Take this plot away</source>
+        <translation>このグラフを外す</translation>
+    </message>
+    <message>
+        <source>Let the curves decide about the scale</source>
+        <translation>目盛りを曲線に任せる</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>すべて表示</translation>
+    </message>
 </context>
 <context>
     <name>Practice</name>
@@ -2281,6 +2427,401 @@
     </message>
 </context>
 <context>
+    <name>SignalInfo</name>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>関節</translation>
+    </message>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation>入出力</translation>
+    </message>
+    <message>
+        <source>Modes and states</source>
+        <translation>モードと状態</translation>
+    </message>
+    <message>
+        <source>Power and temperature</source>
+        <translation>電力と温度</translation>
+    </message>
+    <message>
+        <source>Speed and program</source>
+        <translation>速度とプログラム</translation>
+    </message>
+    <message>
+        <source>Payload and tool</source>
+        <translation>ペイロードとツール</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>その他</translation>
+    </message>
+    <message>
+        <source>Registers</source>
+        <translation>レジスター</translation>
+    </message>
+    <message>
+        <source>Force at the TCP</source>
+        <translation>TCP の力</translation>
+    </message>
+    <message>
+        <source>Torque at the TCP</source>
+        <translation>TCP のトルク</translation>
+    </message>
+    <message>
+        <source>Position of the TCP</source>
+        <translation>TCP の位置</translation>
+    </message>
+    <message>
+        <source>Rotation vector of the TCP</source>
+        <translation>TCP の回転ベクトル</translation>
+    </message>
+    <message>
+        <source>Speed of the TCP</source>
+        <translation>TCP の速度</translation>
+    </message>
+    <message>
+        <source>Rotation speed of the TCP</source>
+        <translation>TCP の回転速度</translation>
+    </message>
+    <message>
+        <source>Acceleration of the TCP</source>
+        <translation>TCP の加速度</translation>
+    </message>
+    <message>
+        <source>Target position of the TCP</source>
+        <translation>TCP の目標位置</translation>
+    </message>
+    <message>
+        <source>Target rotation vector of the TCP</source>
+        <translation>TCP の目標回転ベクトル</translation>
+    </message>
+    <message>
+        <source>Target speed of the TCP</source>
+        <translation>TCP の目標速度</translation>
+    </message>
+    <message>
+        <source>Target rotation speed of the TCP</source>
+        <translation>TCP の目標回転速度</translation>
+    </message>
+    <message>
+        <source>Raw force of the sensor</source>
+        <translation>センサーの生の力</translation>
+    </message>
+    <message>
+        <source>Raw torque of the sensor</source>
+        <translation>センサーの生のトルク</translation>
+    </message>
+    <message>
+        <source>Force at the TCP, norm</source>
+        <translation>TCP の力、ノルム</translation>
+    </message>
+    <message>
+        <source>Accelerometer in the flange</source>
+        <translation>フランジの加速度計</translation>
+    </message>
+    <message>
+        <source>Position of the elbow</source>
+        <translation>肘の位置</translation>
+    </message>
+    <message>
+        <source>Speed of the elbow</source>
+        <translation>肘の速度</translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation>運動量</translation>
+    </message>
+    <message>
+        <source>Joint positions</source>
+        <translation>関節位置</translation>
+    </message>
+    <message>
+        <source>Joint speeds</source>
+        <translation>関節速度</translation>
+    </message>
+    <message>
+        <source>Joint currents</source>
+        <translation>関節電流</translation>
+    </message>
+    <message>
+        <source>Joint temperatures</source>
+        <translation>関節温度</translation>
+    </message>
+    <message>
+        <source>Joint voltages</source>
+        <translation>関節電圧</translation>
+    </message>
+    <message>
+        <source>Target joint positions</source>
+        <translation>目標関節位置</translation>
+    </message>
+    <message>
+        <source>Target joint speeds</source>
+        <translation>目標関節速度</translation>
+    </message>
+    <message>
+        <source>Target joint accelerations</source>
+        <translation>目標関節加速度</translation>
+    </message>
+    <message>
+        <source>Target joint currents</source>
+        <translation>目標関節電流</translation>
+    </message>
+    <message>
+        <source>Target joint torques</source>
+        <translation>目標関節トルク</translation>
+    </message>
+    <message>
+        <source>Joint control currents</source>
+        <translation>関節制御電流</translation>
+    </message>
+    <message>
+        <source>Allowed deviation of the currents</source>
+        <translation>電流の許容偏差</translation>
+    </message>
+    <message>
+        <source>Position deviation over its limit</source>
+        <translation>位置偏差と限界の比</translation>
+    </message>
+    <message>
+        <source>Collision measure over its limit</source>
+        <translation>衝突量と限界の比</translation>
+    </message>
+    <message>
+        <source>Joint modes</source>
+        <translation>関節モード</translation>
+    </message>
+    <message>
+        <source>Digital inputs</source>
+        <translation>デジタル入力</translation>
+    </message>
+    <message>
+        <source>Digital outputs</source>
+        <translation>デジタル出力</translation>
+    </message>
+    <message>
+        <source>Analog input 0</source>
+        <translation>アナログ入力 0</translation>
+    </message>
+    <message>
+        <source>Analog input 1</source>
+        <translation>アナログ入力 1</translation>
+    </message>
+    <message>
+        <source>Analog output 0</source>
+        <translation>アナログ出力 0</translation>
+    </message>
+    <message>
+        <source>Analog output 1</source>
+        <translation>アナログ出力 1</translation>
+    </message>
+    <message>
+        <source>Tool analog input 0</source>
+        <translation>ツールアナログ入力 0</translation>
+    </message>
+    <message>
+        <source>Tool analog input 1</source>
+        <translation>ツールアナログ入力 1</translation>
+    </message>
+    <message>
+        <source>Robot mode</source>
+        <translation>ロボットモード</translation>
+    </message>
+    <message>
+        <source>Safety mode</source>
+        <translation>安全モード</translation>
+    </message>
+    <message>
+        <source>Safety status</source>
+        <translation>安全状態</translation>
+    </message>
+    <message>
+        <source>Program state</source>
+        <translation>プログラム状態</translation>
+    </message>
+    <message>
+        <source>Robot status</source>
+        <translation>ロボット状態</translation>
+    </message>
+    <message>
+        <source>Safety bits</source>
+        <translation>安全ビット</translation>
+    </message>
+    <message>
+        <source>Tool mode</source>
+        <translation>ツールモード</translation>
+    </message>
+    <message>
+        <source>Main voltage</source>
+        <translation>主電圧</translation>
+    </message>
+    <message>
+        <source>Arm voltage</source>
+        <translation>アーム電圧</translation>
+    </message>
+    <message>
+        <source>Arm current</source>
+        <translation>アーム電流</translation>
+    </message>
+    <message>
+        <source>Current of the I/O</source>
+        <translation>I/O の電流</translation>
+    </message>
+    <message>
+        <source>Tool temperature</source>
+        <translation>ツール温度</translation>
+    </message>
+    <message>
+        <source>Tool voltage</source>
+        <translation>ツール電圧</translation>
+    </message>
+    <message>
+        <source>Tool current</source>
+        <translation>ツール電流</translation>
+    </message>
+    <message>
+        <source>Speed scaling</source>
+        <translation>速度スケーリング</translation>
+    </message>
+    <message>
+        <source>Speed slider</source>
+        <translation>速度スライダー</translation>
+    </message>
+    <message>
+        <source>Time of a control step</source>
+        <translation>制御ステップの時間</translation>
+    </message>
+    <message>
+        <source>Script line</source>
+        <translation>スクリプト行</translation>
+    </message>
+    <message>
+        <source>Controller time</source>
+        <translation>コントローラー時刻</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>ペイロード</translation>
+    </message>
+    <message>
+        <source>Payload centre of gravity</source>
+        <translation>ペイロードの重心</translation>
+    </message>
+    <message>
+        <source>TCP offset</source>
+        <translation>TCP オフセット</translation>
+    </message>
+    <message>
+        <source>TCP rotation</source>
+        <translation>TCP 回転</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>電源オン</translation>
+    </message>
+    <message>
+        <source>Program running</source>
+        <translation>プログラム実行中</translation>
+    </message>
+    <message>
+        <source>Freedrive button</source>
+        <translation>フリードライブボタン</translation>
+    </message>
+    <message>
+        <source>Power button</source>
+        <translation>電源ボタン</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>通常</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>低減</translation>
+    </message>
+    <message>
+        <source>Protective stop</source>
+        <translation>保護停止</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>リカバリー</translation>
+    </message>
+    <message>
+        <source>Safeguard stop</source>
+        <translation>安全防護停止</translation>
+    </message>
+    <message>
+        <source>System emergency stop</source>
+        <translation>システム非常停止</translation>
+    </message>
+    <message>
+        <source>Robot emergency stop</source>
+        <translation>ロボット非常停止</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>非常停止</translation>
+    </message>
+    <message>
+        <source>Violation</source>
+        <translation>違反</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>Stopped by safety</source>
+        <translation>安全による停止</translation>
+    </message>
+    <message>
+        <source>Enabling device</source>
+        <translation>イネーブル装置</translation>
+    </message>
+    <message>
+        <source>Bit %1</source>
+        <translation>ビット %1</translation>
+    </message>
+    <message>
+        <source>Output registers, numbers</source>
+        <translation>出力レジスター、数値</translation>
+    </message>
+    <message>
+        <source>Input registers, numbers</source>
+        <translation>入力レジスター、数値</translation>
+    </message>
+    <message>
+        <source>Output registers, integers</source>
+        <translation>出力レジスター、整数</translation>
+    </message>
+    <message>
+        <source>Input registers, integers</source>
+        <translation>入力レジスター、整数</translation>
+    </message>
+    <message>
+        <source>Output registers, bits</source>
+        <translation>出力レジスター、ビット</translation>
+    </message>
+    <message>
+        <source>Input registers, bits</source>
+        <translation>入力レジスター、ビット</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>オン</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>オフ</translation>
+    </message>
+</context>
+<context>
     <name>SpaceMouse</name>
     <message>
         <source>left key</source>
@@ -2753,6 +3294,13 @@
     <message>
         <source>“%1” is no colour of a waypoint</source>
         <translation>「%1」はウェイポイントの色ではありません</translation>
+    </message>
+</context>
+<context>
+    <name>WaypointExchange</name>
+    <message>
+        <source>Line %1: a quotation mark is not closed</source>
+        <translation>行 %1：引用符が閉じていません</translation>
     </message>
 </context>
 <context>
@@ -3366,6 +3914,134 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
     </message>
 </context>
 <context>
+    <name>tiller::GoThrough</name>
+    <message>
+        <source>There are no waypoints to go through. Teach some, or select them.</source>
+        <translation>巡るウェイポイントがありません。教示するか選択してください。</translation>
+    </message>
+    <message>
+        <source>There is no waypoint before this one.</source>
+        <translation>これより前のウェイポイントはありません。</translation>
+    </message>
+    <message>
+        <source>A waypoint of the way is not in this project any more.</source>
+        <translation>経路のウェイポイントがこのプロジェクトにもうありません。</translation>
+    </message>
+    <message>
+        <source>“%1”: %2</source>
+        <translation>「%1」：%2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GoThroughBar</name>
+    <message>
+        <source>Loop</source>
+        <translation>繰り返し</translation>
+    </message>
+    <message>
+        <source>Go through the waypoints</source>
+        <translation>ウェイポイントを巡る</translation>
+    </message>
+    <message>
+        <source>Go through (hold)</source>
+        <translation>巡る（押す）</translation>
+    </message>
+    <message>
+        <source>Go through, hold</source>
+        <translation>巡る、押し続ける</translation>
+    </message>
+    <message>
+        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed. Let go to pause; the next press goes on to the coming waypoint.</source>
+        <translation>押している間ウェイポイントを順に巡ります。ジョグ速度を超えません。離すと一時停止、次に押すと次のウェイポイントへ続きます。</translation>
+    </message>
+    <message>
+        <source>‹ Step</source>
+        <translation>‹ ステップ</translation>
+    </message>
+    <message>
+        <source>One waypoint back, hold</source>
+        <translation>一つ前のウェイポイントへ、押し続ける</translation>
+    </message>
+    <message>
+        <source>Goes back to the waypoint before while the key is held</source>
+        <translation>押している間、前のウェイポイントへ戻ります</translation>
+    </message>
+    <message>
+        <source>Step ›</source>
+        <translation>ステップ ›</translation>
+    </message>
+    <message>
+        <source>One waypoint on, hold</source>
+        <translation>一つ次のウェイポイントへ、押し続ける</translation>
+    </message>
+    <message>
+        <source>Goes to the coming waypoint while the key is held, and stops there</source>
+        <translation>押している間、次のウェイポイントへ動き、そこで止まります</translation>
+    </message>
+    <message>
+        <source>Which waypoints to go through</source>
+        <translation>巡るウェイポイント</translation>
+    </message>
+    <message>
+        <source>Which waypoints</source>
+        <translation>どのウェイポイント</translation>
+    </message>
+    <message>
+        <source>Which waypoints to go through, in the order of the list</source>
+        <translation>巡るウェイポイント、一覧の順</translation>
+    </message>
+    <message>
+        <source>From here</source>
+        <translation>ここから</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>選択</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>すべて</translation>
+    </message>
+    <message>
+        <source>In a loop</source>
+        <translation>繰り返す</translation>
+    </message>
+    <message>
+        <source>After the last waypoint comes the first again, for as long as the key is held</source>
+        <translation>押している限り、最後の次は再び最初のウェイポイントです</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>アームは制御下にありません。先に制御を取得してください。</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>The coming one: %1 of %2, %3</source>
+        <translation>次：%1 / %2、%3</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>済み</translation>
+    </message>
+    <message>
+        <source>Done. The next press begins at the first.</source>
+        <translation>完了。次に押すと最初から始めます。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints</source>
+        <translation>
+            <numerusform>%n 個のウェイポイント</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
     <name>tiller::GoToButton</name>
     <message>
         <source>Go to (hold)  G</source>
@@ -3746,6 +4422,37 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
     <message>
         <source>The display server does not answer: nobody could tell when the key is let go.</source>
         <translation>ディスプレイサーバーが応答しません：キーを離した時が分かりません。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IncidentWatch</name>
+    <message>
+        <source>protective stop</source>
+        <translation>保護停止</translation>
+    </message>
+    <message>
+        <source>emergency stop</source>
+        <translation>非常停止</translation>
+    </message>
+    <message>
+        <source>safety violation</source>
+        <translation>安全違反</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>The incident (%1) could not be recorded.</source>
+        <translation>インシデント（%1）を記録できませんでした。</translation>
+    </message>
+    <message>
+        <source>Incident recorded: %1</source>
+        <translation>インシデントを記録：%1</translation>
+    </message>
+    <message>
+        <source>Everything from %1 s before it is in %2. Double-click this line to open it.</source>
+        <translation>%1 s 前からのすべてが %2 にあります。この行をダブルクリックで開きます。</translation>
     </message>
 </context>
 <context>
@@ -4262,6 +4969,109 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <source>Log written to %1</source>
         <translation>ログを %1 に書きました</translation>
     </message>
+    <message>
+        <source>Open recording</source>
+        <translation>記録を開く</translation>
+    </message>
+    <message>
+        <source>Open the recording of the selected line: incidents have one</source>
+        <translation>選択した行の記録を開く：インシデントにあります</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::MoveWords</name>
+    <message>
+        <source>%1 touches %2 of the arm already here</source>
+        <translation>%1 はここですでにアームの%2に触れています</translation>
+    </message>
+    <message>
+        <source>%1 meets %2 of the arm after %3 of the way</source>
+        <translation>%1 は経路の %3 でアームの%2に当たります</translation>
+    </message>
+    <message>
+        <source>%1 touches the floor already here</source>
+        <translation>%1 はここですでに床に触れています</translation>
+    </message>
+    <message>
+        <source>%1 meets the floor after %2 of the way</source>
+        <translation>%1 は経路の %2 で床に当たります</translation>
+    </message>
+    <message>
+        <source>%1 touches “%2” already here</source>
+        <translation>%1 はここですでに「%2」に触れています</translation>
+    </message>
+    <message>
+        <source>%1 meets “%2” after %3 of the way</source>
+        <translation>%1 は経路の %3 で「%2」に当たります</translation>
+    </message>
+    <message>
+        <source>The line runs into the wrist singularity after %1 of the way</source>
+        <translation>直線は経路の %1 で手首の特異点に入ります</translation>
+    </message>
+    <message>
+        <source>Slow near the wrist singularity at %1 of the way</source>
+        <translation>経路の %1 で手首の特異点近くのため低速</translation>
+    </message>
+    <message>
+        <source>The line runs into the stretched elbow after %1 of the way</source>
+        <translation>直線は経路の %1 で肘が伸び切ります</translation>
+    </message>
+    <message>
+        <source>Slow near the stretched elbow at %1 of the way</source>
+        <translation>経路の %1 で肘が伸び切る近くのため低速</translation>
+    </message>
+    <message>
+        <source>The line runs into the axis of the base after %1 of the way</source>
+        <translation>直線は経路の %1 でベースの軸に入ります</translation>
+    </message>
+    <message>
+        <source>Slow near the axis of the base at %1 of the way</source>
+        <translation>経路の %1 でベースの軸近くのため低速</translation>
+    </message>
+    <message>
+        <source>A joint would have to turn at once after %1 of the way</source>
+        <translation>経路の %1 で関節が一度に回る必要があります</translation>
+    </message>
+    <message>
+        <source>%1 leaves its range after %2 of the way</source>
+        <translation>%1 は経路の %2 で可動範囲を出ます</translation>
+    </message>
+    <message>
+        <source>The line leaves the arm&apos;s reach after %1 of the way</source>
+        <translation>直線は経路の %1 でアームの到達範囲を出ます</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>ベース</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>肩</translation>
+    </message>
+    <message>
+        <source>Upper arm</source>
+        <translation>上腕</translation>
+    </message>
+    <message>
+        <source>Forearm</source>
+        <translation>前腕</translation>
+    </message>
+    <message>
+        <source>Wrist 1</source>
+        <translation>手首1</translation>
+    </message>
+    <message>
+        <source>Wrist 2</source>
+        <translation>手首2</translation>
+    </message>
+    <message>
+        <source>Wrist 3</source>
+        <translation>手首3</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>ツール</translation>
+    </message>
 </context>
 <context>
     <name>tiller::NothingFound</name>
@@ -4315,6 +5125,278 @@ Clear the search to see everything.</source>
     <message>
         <source>More</source>
         <translation>その他</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathControls</name>
+    <message>
+        <source>Tolerance of recorded paths</source>
+        <translation>記録した経路の許容差</translation>
+    </message>
+    <message>
+        <source>Record path</source>
+        <translation>経路を記録</translation>
+    </message>
+    <message>
+        <source>Export path as CSV…</source>
+        <translation>経路を CSV でエクスポート…</translation>
+    </message>
+    <message>
+        <source>Import demonstration (CSV)…</source>
+        <translation>実演を取り込む (CSV)…</translation>
+    </message>
+    <message>
+        <source>The recording of the path ended by itself: the data stopped, or it lasted ten minutes.</source>
+        <translation>経路の記録がひとりでに終わりました：データが途絶えたか、10 分続きました。</translation>
+    </message>
+    <message>
+        <source>What was recorded until then is kept.</source>
+        <translation>それまでの記録は残ります。</translation>
+    </message>
+    <message>
+        <source>○ Record path</source>
+        <translation>○ 経路を記録</translation>
+    </message>
+    <message>
+        <source>End the recording of the path</source>
+        <translation>経路の記録を終える</translation>
+    </message>
+    <message>
+        <source>The path is being thinned.</source>
+        <translation>経路を間引いています。</translation>
+    </message>
+    <message>
+        <source>No data come from the robot: there is nothing to record.</source>
+        <translation>ロボットからデータが来ません：記録するものがありません。</translation>
+    </message>
+    <message>
+        <source>Ends the recording and keeps the path as waypoints</source>
+        <translation>記録を終え、経路をウェイポイントとして残します</translation>
+    </message>
+    <message>
+        <source>Records where the arm is led, by Freedrive or by jogging, until it is pressed again, and keeps the path as waypoints. It moves nothing.</source>
+        <translation>もう一度押すまで、フリードライブやジョグでアームが導かれた道を記録し、ウェイポイントとして残します。何も動かしません。</translation>
+    </message>
+    <message>
+        <source>Select the waypoints of the path, at least two.</source>
+        <translation>経路のウェイポイントを二つ以上選んでください。</translation>
+    </message>
+    <message>
+        <source>Export path</source>
+        <translation>経路をエクスポート</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表 (*.csv)</translation>
+    </message>
+    <message>
+        <source>The path was not written.</source>
+        <translation>経路は書き込まれませんでした。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints written as a path to %1</source>
+        <translation>
+            <numerusform>%n 個のウェイポイントを経路として %1 に書きました</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Import a demonstration</source>
+        <translation>実演を取り込む</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathRecorder</name>
+    <message>
+        <source>%1 has no column “%2”. It needs timestamp and actual_q_0 to actual_q_5.</source>
+        <translation>%1 に列「%2」がありません。timestamp と actual_q_0〜actual_q_5 が必要です。</translation>
+    </message>
+    <message>
+        <source>No data come from the robot: there is nothing to record.</source>
+        <translation>ロボットからデータが来ません：記録するものがありません。</translation>
+    </message>
+    <message>
+        <source>Nothing was read: a path is being recorded. End that first.</source>
+        <translation>読み込みませんでした：経路を記録中です。先に終えてください。</translation>
+    </message>
+    <message>
+        <source>The demonstration could not be read.</source>
+        <translation>実演を読めませんでした。</translation>
+    </message>
+    <message>
+        <source>path %1</source>
+        <translation>経路 %1</translation>
+    </message>
+    <message>
+        <source>The arm did not move: no path was kept.</source>
+        <translation>アームが動きませんでした：経路は残しませんでした。</translation>
+    </message>
+    <message>
+        <source>Record “%1”</source>
+        <translation>「%1」を記録</translation>
+    </message>
+    <message>
+        <source>“%1”: %2 s in %3 waypoints. Every recorded place is within %4 and %5 of them.</source>
+        <translation>「%1」：%2 s を %3 個のウェイポイントに。記録した位置はすべて %4 と %5 以内です。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n packets did not arrive.</source>
+        <translation>
+            <numerusform>%n パケットが届きませんでした。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select the waypoints of the path, at least two.</source>
+        <translation>経路のウェイポイントを二つ以上選んでください。</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be reached. Touch it up, or leave it out.</source>
+        <translation>「%1」に到達できません。修正教示するか、除いてください。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PatternDialog</name>
+    <message>
+        <source>pattern</source>
+        <translation>パターン</translation>
+    </message>
+    <message>
+        <source>Pattern from three corners</source>
+        <translation>三隅からパターン</translation>
+    </message>
+    <message>
+        <source>Pattern “%1”</source>
+        <translation>パターン「%1」</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>First place</source>
+        <translation>最初の場所</translation>
+    </message>
+    <message>
+        <source>End of the first row</source>
+        <translation>最初の行の終わり</translation>
+    </message>
+    <message>
+        <source>Beginning of the last row</source>
+        <translation>最後の行の始め</translation>
+    </message>
+    <message>
+        <source>choose a waypoint</source>
+        <translation>ウェイポイントを選択</translation>
+    </message>
+    <message>
+        <source>as it was taught</source>
+        <translation>教示どおり</translation>
+    </message>
+    <message>
+        <source>Places in a row</source>
+        <translation>一行の場所数</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>行数</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>層数</translation>
+    </message>
+    <message>
+        <source>Height of a layer</source>
+        <translation>一層の高さ</translation>
+    </message>
+    <message>
+        <source>From one layer to the next, against the direction of the tool.</source>
+        <translation>層から次の層へ、ツールの向きと逆に。</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>順序</translation>
+    </message>
+    <message>
+        <source>Row by row</source>
+        <translation>行ごと</translation>
+    </message>
+    <message>
+        <source>Meander</source>
+        <translation>蛇行</translation>
+    </message>
+    <message>
+        <source>Make pattern</source>
+        <translation>パターンを作成</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>変更</translation>
+    </message>
+    <message>
+        <source>A pattern needs a name.</source>
+        <translation>パターンには名前が必要です。</translation>
+    </message>
+    <message>
+        <source>There is a pattern of that name. Choose another one.</source>
+        <translation>その名前のパターンがあります。別の名前を選んでください。</translation>
+    </message>
+    <message>
+        <source>Choose the waypoint of each corner. Teach the three corners first where there are none.</source>
+        <translation>各隅のウェイポイントを選んでください。なければ先に三隅を教示してください。</translation>
+    </message>
+    <message>
+        <source>Two corners are the same place. Choose another waypoint for one of them.</source>
+        <translation>二つの隅が同じ位置です。一方に別のウェイポイントを選んでください。</translation>
+    </message>
+    <message>
+        <source>The height of a layer is no figure it can be.</source>
+        <translation>層の高さがありえない値です。</translation>
+    </message>
+    <message>
+        <source>Layers need a height.</source>
+        <translation>層には高さが必要です。</translation>
+    </message>
+    <message>
+        <source>%1 places are more than the %2 a pattern can have.</source>
+        <translation>%1 か所はパターンの上限 %2 を超えます。</translation>
+    </message>
+    <message>
+        <source>Every place is left out.</source>
+        <translation>すべての場所が除かれています。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints.</source>
+        <translation>
+            <numerusform>%n 個のウェイポイント。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 All can be reached.</source>
+        <translation>%1 すべて到達可能です。</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them are out of reach; they are marked.</source>
+        <translation>
+            <numerusform>うち %n 個は到達不可で、印を付けました。</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PatternGrid</name>
+    <message>
+        <source>Places of the pattern</source>
+        <translation>パターンの場所</translation>
+    </message>
+    <message>
+        <source>Click a place to leave it out, or to take it in again. The first corner is at the lower left.</source>
+        <translation>場所をクリックすると除外／復帰します。最初の隅は左下です。</translation>
+    </message>
+    <message>
+        <source>Row %1, column %2</source>
+        <translation>行 %1、列 %2</translation>
     </message>
 </context>
 <context>
@@ -4686,10 +5768,6 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>グラフ</translation>
     </message>
     <message>
-        <source>TCP force [N] · joint current [A]</source>
-        <translation>TCP の力 [N] · 関節電流 [A]</translation>
-    </message>
-    <message>
         <source>Cursor read-out</source>
         <translation>カーソルの読み</translation>
     </message>
@@ -4794,14 +5872,6 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>記録を停止</translation>
     </message>
     <message>
-        <source>Tiller · TCP force and joint currents</source>
-        <translation>Tiller · TCP の力と関節電流</translation>
-    </message>
-    <message>
-        <source>%1 · TCP force and joint currents</source>
-        <translation>%1 · TCP の力と関節電流</translation>
-    </message>
-    <message>
         <source>controller time %1 … %2 s</source>
         <translation>コントローラー時刻 %1 … %2 s</translation>
     </message>
@@ -4889,17 +5959,242 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <source>name the file .png, .svg or .pdf for a picture, .csv for values</source>
         <translation>画像は .png、.svg、.pdf、値は .csv の名前にしてください</translation>
     </message>
+    <message>
+        <source>%1, at %2 s of the plots&apos; time</source>
+        <translation>%1、グラフ時刻 %2 s</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>メモ：%1</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>What happened at this moment?</source>
+        <translation>この時何が起きましたか？</translation>
+    </message>
+    <message>
+        <source>The plots are in the clipboard as a picture.</source>
+        <translation>グラフを画像としてクリップボードに入れました。</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>History %1 · %2</source>
+        <translation>履歴 %1 · %2</translation>
+    </message>
+    <message>
+        <source>New page</source>
+        <translation>新しいページ</translation>
+    </message>
+    <message>
+        <source>Take this page away</source>
+        <translation>このページを外す</translation>
+    </message>
+    <message>
+        <source>Standard plots</source>
+        <translation>標準のグラフ</translation>
+    </message>
+    <message>
+        <source>Open a recording…</source>
+        <translation>記録を開く…</translation>
+    </message>
+    <message>
+        <source>Close the recordings</source>
+        <translation>記録を閉じる</translation>
+    </message>
+    <message>
+        <source>Copy the plots as a picture</source>
+        <translation>グラフを画像としてコピー</translation>
+    </message>
+    <message>
+        <source>Save this arrangement…</source>
+        <translation>この配置を保存…</translation>
+    </message>
+    <message>
+        <source>Open an arrangement…</source>
+        <translation>配置を開く…</translation>
+    </message>
+    <message>
+        <source>Memory for the history</source>
+        <translation>履歴用メモリー</translation>
+    </message>
+    <message>
+        <source>save the arrangement to %1</source>
+        <translation>配置を %1 に保存する</translation>
+    </message>
+    <message>
+        <source>open the arrangement %1</source>
+        <translation>配置 %1 を開く</translation>
+    </message>
+    <message>
+        <source>Opened the recording %1</source>
+        <translation>記録 %1 を開きました</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>記録を開く</translation>
+    </message>
+    <message>
+        <source>Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)</source>
+        <translation>記録 (*.mcap *.csv *.h5 *.hdf5);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Save the arrangement of the plots</source>
+        <translation>グラフの配置を保存</translation>
+    </message>
+    <message>
+        <source>Arrangement of plots (*.json)</source>
+        <translation>グラフの配置 (*.json)</translation>
+    </message>
+    <message>
+        <source>Open an arrangement of plots</source>
+        <translation>グラフの配置を開く</translation>
+    </message>
+    <message>
+        <source>%1 and more</source>
+        <translation>%1 ほか</translation>
+    </message>
+    <message>
+        <source>List of signals</source>
+        <translation>信号の一覧</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>Everything the robot tells: drag it onto a plot, to its edge for a plot of its own, or double click</source>
+        <translation>ロボットが伝えるすべて：グラフへドラッグ、端へなら独立したグラフ、またはダブルクリック</translation>
+    </message>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>カーソルの値</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>値</translation>
+    </message>
+    <message>
+        <source>What every signal has at the cursors A and B, and what lies between them: smallest, largest, mean, RMS, deviation, slope</source>
+        <translation>カーソル A と B での各信号の値と、その間の最小、最大、平均、RMS、偏差、傾き</translation>
+    </message>
+    <message>
+        <source>Pages and arrangement of the plots</source>
+        <translation>グラフのページと配置</translation>
+    </message>
+    <message>
+        <source>Layout ▾</source>
+        <translation>配置 ▾</translation>
+    </message>
+    <message>
+        <source>read an arrangement of plots</source>
+        <translation>グラフの配置を読む</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotMarks</name>
+    <message>
+        <source>%1 above %2</source>
+        <translation>%1 が %2 より上</translation>
+    </message>
+    <message>
+        <source>%1 below %2</source>
+        <translation>%1 が %2 より下</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotPages</name>
+    <message>
+        <source>Pages of plots</source>
+        <translation>グラフのページ</translation>
+    </message>
+    <message>
+        <source>Name of the page</source>
+        <translation>ページの名前</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>ページ %1</translation>
+    </message>
+    <message>
+        <source>Double click: another name</source>
+        <translation>ダブルクリック：別の名前</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotValues</name>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>カーソルの値</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>最小</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>平均</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Std</source>
+        <translation>標準偏差</translation>
+    </message>
+    <message>
+        <source>Peak to peak</source>
+        <translation>ピークピーク</translation>
+    </message>
+    <message>
+        <source>Slope per s</source>
+        <translation>傾き /s</translation>
+    </message>
+    <message>
+        <source>Δt 0 s</source>
+        <translation>Δt 0 s</translation>
+    </message>
+    <message>
+        <source>Δt %1 s · 1/Δt %2 Hz</source>
+        <translation>Δt %1 s · 1/Δt %2 Hz</translation>
+    </message>
+    <message>
+        <source>Click into the plots to place A, then B: what lies between them is summed up here.</source>
+        <translation>グラフをクリックして A、次に B を置くと、その間がここにまとまります。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotView</name>
-    <message>
-        <source>Plots of TCP force and joint current over time</source>
-        <translation>時間に対する TCP の力と関節電流のグラフ</translation>
-    </message>
-    <message>
-        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; End goes back to the newest samples</source>
-        <translation>A と B でカーソルを置き、矢印キーで動かし、上下で読む信号を選びます。H で曲線を隠します。プラスとマイナスで時間の幅、Ctrl で値の目盛り、Ctrl+0 で曲線に任せます。End で最新のサンプルに戻ります</translation>
-    </message>
     <message>
         <source> min</source>
         <translation> min</translation>
@@ -4931,6 +6226,22 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
     <message>
         <source>Zeroed: %1 %2 taken off</source>
         <translation>ゼロ：%1 %2 を差し引き</translation>
+    </message>
+    <message>
+        <source>Plots over time</source>
+        <translation>時間に対するグラフ</translation>
+    </message>
+    <message>
+        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve, Ctrl+Delete takes it away; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; N writes a note; F shows all; End goes back to the newest samples</source>
+        <translation>A と B でカーソルを置き、矢印キーで動かし、上下で読む信号を選びます。H で曲線を隠し、Ctrl+Delete で外します。プラスとマイナスで時間の幅、Ctrl で値の目盛り、Ctrl+0 で曲線に任せます。N でメモ、F で全体、End で最新のサンプルに戻ります</translation>
+    </message>
+    <message>
+        <source>A–B Δt %1 s</source>
+        <translation>A–B Δt %1 s</translation>
+    </message>
+    <message>
+        <source>Drop signals here</source>
+        <translation>ここに信号をドロップ</translation>
     </message>
 </context>
 <context>
@@ -5829,6 +7140,76 @@ Let go of the key and the arm stops.</source>
             <numerusform>名前 %n 件を隠しています：近づいてください</numerusform>
         </translation>
     </message>
+    <message>
+        <source>ghost “%1” · reachable</source>
+        <translation>ゴースト「%1」 · 到達可能</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6</source>
+        <translation>ゴースト「%1」 · %2 · 最大回転 %3 %4 · %6 で %5 s</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SignalStore</name>
+    <message>
+        <source>compute a signal</source>
+        <translation>信号を計算する</translation>
+    </message>
+    <message>
+        <source>%1 does not come in the same packets as the others.</source>
+        <translation>%1 は他と同じパケットで届きません。</translation>
+    </message>
+    <message>
+        <source>Derived</source>
+        <translation>派生</translation>
+    </message>
+    <message>
+        <source>These signals are more than a robot sends at once: take others away first.</source>
+        <translation>ロボットが一度に送れる信号を超えます：先に他を外してください。</translation>
+    </message>
+    <message>
+        <source>open %1</source>
+        <translation>%1 を開く</translation>
+    </message>
+    <message>
+        <source>There is no row in this recording.</source>
+        <translation>この記録に行がありません。</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%2 の %1</translation>
+    </message>
+    <message>
+        <source>There is too little memory for the history to show %1: choose more in the menu Layout.</source>
+        <translation>%1 を表示する履歴メモリーが足りません：メニュー「配置」で増やしてください。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SignalTree</name>
+    <message>
+        <source>Search signals</source>
+        <translation>信号を検索</translation>
+    </message>
+    <message>
+        <source>Signals of the robot</source>
+        <translation>ロボットの信号</translation>
+    </message>
+    <message>
+        <source>New: |F| [N] = norm(…)</source>
+        <translation>新規：|F| [N] = norm(…)</translation>
+    </message>
+    <message>
+        <source>Signal computed from others</source>
+        <translation>他から計算した信号</translation>
+    </message>
+    <message>
+        <source>A name, a unit in brackets if you like, and an expression over signals: drag them here for their names. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and the usual functions. Return makes it.</source>
+        <translation>名前、必要なら角括弧の単位、信号の式：ここへドラッグすると名前が入ります。norm(a, b, …)、deriv(a, 0.02)、mean(a, 0.5)、+ − * / ^ と通常の関数。Return で作成します。</translation>
+    </message>
+    <message>
+        <source>%1: this robot does not send it.</source>
+        <translation>%1：このロボットは送りません。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SimulationChip</name>
@@ -6329,6 +7710,137 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <source>pose rules</source>
         <translation>姿勢が優先</translation>
     </message>
+    <message>
+        <source>place of “%1”</source>
+        <translation>「%1」の場所</translation>
+    </message>
+    <message>
+        <source>corner of “%1”</source>
+        <translation>「%1」の隅</translation>
+    </message>
+    <message>
+        <source>home, “%1”</source>
+        <translation>ホーム、「%1」</translation>
+    </message>
+    <message>
+        <source>position “%1”</source>
+        <translation>位置「%1」</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointDialogs</name>
+    <message>
+        <source>Select waypoints to change.</source>
+        <translation>変更するウェイポイントを選んでください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Change the properties of %n waypoints</source>
+        <translation>
+            <numerusform>%n 個のウェイポイントの属性を変更</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select waypoints to move.</source>
+        <translation>動かすウェイポイントを選んでください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n waypoints</source>
+        <translation>
+            <numerusform>%n 個のウェイポイントを動かす</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change the pattern “%1”</source>
+        <translation>パターン「%1」を変更</translation>
+    </message>
+    <message>
+        <source>Teach the three corners of the pattern first, and select them.</source>
+        <translation>先にパターンの三隅を教示し、選択してください。</translation>
+    </message>
+    <message>
+        <source>Make the pattern “%1”</source>
+        <translation>パターン「%1」を作成</translation>
+    </message>
+    <message>
+        <source>Dissolve the pattern “%1”</source>
+        <translation>パターン「%1」を解消</translation>
+    </message>
+    <message>
+        <source>Select a place of a pattern.</source>
+        <translation>パターンの場所を選んでください。</translation>
+    </message>
+    <message>
+        <source>Delete the pattern “%1”</source>
+        <translation>パターン「%1」を削除</translation>
+    </message>
+    <message>
+        <source>Select a waypoint to see its history.</source>
+        <translation>履歴を見るウェイポイントを選んでください。</translation>
+    </message>
+    <message>
+        <source>The frame it was given in then is not in the project any more.</source>
+        <translation>当時与えられていた座標系がプロジェクトにもうありません。</translation>
+    </message>
+    <message>
+        <source>Take an earlier “%1” back</source>
+        <translation>以前の「%1」に戻す</translation>
+    </message>
+    <message>
+        <source>Import waypoints</source>
+        <translation>ウェイポイントを取り込む</translation>
+    </message>
+    <message>
+        <source>Waypoints (*.csv *.txt *.json *.tiller);;All files (*)</source>
+        <translation>ウェイポイント (*.csv *.txt *.json *.tiller);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Export waypoints</source>
+        <translation>ウェイポイントをエクスポート</translation>
+    </message>
+    <message>
+        <source>Comma separated (*.csv);;JSON (*.json)</source>
+        <translation>コンマ区切り (*.csv);;JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Nothing was imported</source>
+        <translation>何も取り込みませんでした</translation>
+    </message>
+    <message>
+        <source>%1 is too large for a list of waypoints.</source>
+        <translation>%1 はウェイポイントの一覧としては大きすぎます。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>There are no waypoints in %1.</source>
+        <translation>%1 にウェイポイントがありません。</translation>
+    </message>
+    <message>
+        <source>waypoint</source>
+        <translation>ウェイポイント</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n waypoints</source>
+        <translation>
+            <numerusform>%n 個のウェイポイントを取り込む</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are no waypoints to export.</source>
+        <translation>エクスポートするウェイポイントがありません。</translation>
+    </message>
+    <message>
+        <source>Nothing was exported</source>
+        <translation>何もエクスポートしませんでした</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints written to %1</source>
+        <translation>
+            <numerusform>%n 個のウェイポイントを %1 に書きました</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointEditing</name>
@@ -6359,6 +7871,109 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>
             <numerusform>%n 個のウェイポイントを貼り付け</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointHistoryDialog</name>
+    <message>
+        <source>History of “%1”</source>
+        <translation>「%1」の履歴</translation>
+    </message>
+    <message>
+        <source>Changes, the newest first</source>
+        <translation>変更、新しい順</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+    <message>
+        <source>%1  %2  (%3)</source>
+        <translation>%1  %2  (%3)</translation>
+    </message>
+    <message>
+        <source>Go back to before this</source>
+        <translation>これより前に戻す</translation>
+    </message>
+    <message>
+        <source>Name: “%1”, now “%2”</source>
+        <translation>名前：「%1」、今は「%2」</translation>
+    </message>
+    <message>
+        <source>Place: it has moved by %1 (%2, base frame)</source>
+        <translation>位置：%1 動いた（%2、ベース座標系）</translation>
+    </message>
+    <message>
+        <source>Joints: %1 turned most, by %2</source>
+        <translation>関節：%1 が最大で %2 回った</translation>
+    </message>
+    <message>
+        <source>the joints rule</source>
+        <translation>関節が優先</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>ベース</translation>
+    </message>
+    <message>
+        <source>a frame that is no more</source>
+        <translation>もうない座標系</translation>
+    </message>
+    <message>
+        <source>Frame: %1, now %2</source>
+        <translation>座標系：%1、今は %2</translation>
+    </message>
+    <message>
+        <source>Move: MoveL, now MoveJ</source>
+        <translation>動作：MoveL、今は MoveJ</translation>
+    </message>
+    <message>
+        <source>Move: MoveJ, now MoveL</source>
+        <translation>動作：MoveJ、今は MoveL</translation>
+    </message>
+    <message>
+        <source>Speed of MoveJ: %1, now %2</source>
+        <translation>MoveJ の速度：%1、今は %2</translation>
+    </message>
+    <message>
+        <source>Speed of MoveL: %1, now %2</source>
+        <translation>MoveL の速度：%1、今は %2</translation>
+    </message>
+    <message>
+        <source>Blend: %1, now %2</source>
+        <translation>ブレンド：%1、今は %2</translation>
+    </message>
+    <message>
+        <source>TCP: taught with another one</source>
+        <translation>TCP：別のもので教示</translation>
+    </message>
+    <message>
+        <source>Group: “%1”, now “%2”</source>
+        <translation>グループ：「%1」、今は「%2」</translation>
+    </message>
+    <message>
+        <source>Colour: %1, now %2</source>
+        <translation>色：%1、今は %2</translation>
+    </message>
+    <message>
+        <source>Note: “%1”, now “%2”</source>
+        <translation>メモ：「%1」、今は「%2」</translation>
+    </message>
+    <message>
+        <source>Actions: others than now</source>
+        <translation>アクション：今と異なる</translation>
+    </message>
+    <message>
+        <source>It was not changed since it was taught.</source>
+        <translation>教示以来変更されていません。</translation>
+    </message>
+    <message>
+        <source>Before this it was as it is now.</source>
+        <translation>それ以前は今と同じでした。</translation>
+    </message>
+    <message>
+        <source>Before this it was:</source>
+        <translation>それ以前は：</translation>
     </message>
 </context>
 <context>
@@ -6503,6 +8118,207 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <source>Set the speed of “%1”</source>
         <translation>「%1」の速度を設定</translation>
     </message>
+    <message>
+        <source>Group: %1</source>
+        <translation>グループ：%1</translation>
+    </message>
+    <message>
+        <source>Colour: %1</source>
+        <translation>色：%1</translation>
+    </message>
+    <message>
+        <source>Name %1, the coming one</source>
+        <translation>名前 %1、次</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointProperties</name>
+    <message>
+        <source>None</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>青</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>橙</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>緑</translation>
+    </message>
+    <message>
+        <source>Pink</source>
+        <translation>桃</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>黄</translation>
+    </message>
+    <message>
+        <source>Sky blue</source>
+        <translation>空色</translation>
+    </message>
+    <message>
+        <source>Only what is ticked is changed.</source>
+        <translation>印を付けたものだけ変更します。</translation>
+    </message>
+    <message>
+        <source>Properties of “%1”</source>
+        <translation>「%1」の属性</translation>
+    </message>
+    <message numerus="yes">
+        <source>Properties of %n waypoints</source>
+        <translation>
+            <numerusform>%n 個のウェイポイントの属性</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>グループ</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>色</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移動</translation>
+    </message>
+    <message>
+        <source>Speed of MoveJ</source>
+        <translation>MoveJ の速度</translation>
+    </message>
+    <message>
+        <source>Speed of MoveL</source>
+        <translation>MoveL の速度</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>ブレンド</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>変更</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointSearch</name>
+    <message>
+        <source>Find waypoints</source>
+        <translation>ウェイポイントを検索</translation>
+    </message>
+    <message>
+        <source>Find waypoints by name, group or note</source>
+        <translation>名前、グループ、メモでウェイポイントを検索</translation>
+    </message>
+    <message>
+        <source>Name, group or note</source>
+        <translation>名前、グループ、メモ</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>すべて表示</translation>
+    </message>
+    <message>
+        <source>Show all waypoints</source>
+        <translation>全ウェイポイントを表示</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>%n 件</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointShift</name>
+    <message numerus="yes">
+        <source>Move %n waypoints</source>
+        <translation>
+            <numerusform>%n 個のウェイポイントを動かす</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Kind of move</source>
+        <translation>動かし方</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>オフセット</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>回転</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>鏡像</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>軸</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>ベース</translation>
+    </message>
+    <message>
+        <source>Tool, each its own</source>
+        <translation>ツール、それぞれ</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>軸</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移動</translation>
+    </message>
+    <message>
+        <source>By X, Y, Z</source>
+        <translation>X、Y、Z だけ</translation>
+    </message>
+    <message>
+        <source>Offset %1</source>
+        <translation>オフセット %1</translation>
+    </message>
+    <message>
+        <source>About or along</source>
+        <translation>周りまたは沿う軸</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>The arm cannot get there: %1. Nothing would be moved.</source>
+        <translation>アームが届きません：%1。何も動かしません。</translation>
+    </message>
+    <message>
+        <source>A frame is missing. Choose another one.</source>
+        <translation>座標系がありません。別のものを選んでください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them would be out of reach; they are kept, and marked.</source>
+        <translation>
+            <numerusform>うち %n 個は到達不可になります。残して印を付けます。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mirrored at the plane through the origin that the axis stands upon. The tool approaches from the mirrored side.</source>
+        <translation>原点を通り軸に垂直な平面で鏡像にします。ツールは鏡像側から近づきます。</translation>
+    </message>
+    <message>
+        <source>All stay in reach.</source>
+        <translation>すべて到達可能です。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointTable</name>
@@ -6630,6 +8446,46 @@ Jog the arm to a place and press Teach here (T).</source>
     <message>
         <source>Touch up “%1”</source>
         <translation>「%1」を修正教示</translation>
+    </message>
+    <message>
+        <source>Path recorded</source>
+        <translation>経路を記録しました</translation>
+    </message>
+    <message>
+        <source>Import waypoints…</source>
+        <translation>ウェイポイントを取り込む…</translation>
+    </message>
+    <message>
+        <source>Export waypoints…</source>
+        <translation>ウェイポイントをエクスポート…</translation>
+    </message>
+    <message>
+        <source>Find waypoints</source>
+        <translation>ウェイポイントを検索</translation>
+    </message>
+    <message>
+        <source>Group, colour, note, speeds…</source>
+        <translation>グループ、色、メモ、速度…</translation>
+    </message>
+    <message>
+        <source>Offset, turn or mirror…</source>
+        <translation>オフセット、回転、鏡像…</translation>
+    </message>
+    <message>
+        <source>History…</source>
+        <translation>履歴…</translation>
+    </message>
+    <message>
+        <source>Pattern…</source>
+        <translation>パターン…</translation>
+    </message>
+    <message>
+        <source>Make the pattern&apos;s places ordinary waypoints</source>
+        <translation>パターンの場所を普通のウェイポイントにする</translation>
+    </message>
+    <message>
+        <source>Delete the pattern and its waypoints</source>
+        <translation>パターンとそのウェイポイントを削除</translation>
     </message>
 </context>
 <context>
@@ -7105,10 +8961,6 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>ビュー</translation>
     </message>
     <message>
-        <source>Waypoints, Frames, I/O, Log</source>
-        <translation>ウェイポイント、座標系、I/O、ログ</translation>
-    </message>
-    <message>
         <source>Plots</source>
         <translation>グラフ</translation>
     </message>
@@ -7323,6 +9175,14 @@ Jog the arm to a place and press Teach here (T).</source>
     <message>
         <source>A recording is running. End it first: nothing of it shall be missing.</source>
         <translation>記録中です。先に終えてください：欠けが出ないように。</translation>
+    </message>
+    <message>
+        <source>Waypoints, Frames, Tools, I/O, Log</source>
+        <translation>ウェイポイント、座標系、ツール、I/O、ログ</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>ツール</translation>
     </message>
 </context>
 <context>

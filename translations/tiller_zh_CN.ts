@@ -59,6 +59,10 @@
         <source>Program Tiller</source>
         <translation>程序 Tiller</translation>
     </message>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
+    </message>
 </context>
 <context>
     <name>BackTrack</name>
@@ -120,6 +124,10 @@
     <message>
         <source>--robot needs an address, as in --robot 192.168.0.10</source>
         <translation>--robot 需要一个地址，例如 --robot 192.168.0.10</translation>
+    </message>
+    <message>
+        <source>only one project can be opened, not &quot;%1&quot; too</source>
+        <translation>只能打开一个项目，不能再打开 &quot;%1&quot;</translation>
     </message>
 </context>
 <context>
@@ -311,6 +319,45 @@
     <message>
         <source>Look C%1 up in the manufacturer&apos;s error code directory.</source>
         <translation>在制造商的错误代码目录中查找 C%1。</translation>
+    </message>
+</context>
+<context>
+    <name>Derivation</name>
+    <message>
+        <source>compute a signal</source>
+        <translation>计算信号</translation>
+    </message>
+    <message>
+        <source>There is no signal “%1”. The list of signals shows the names.</source>
+        <translation>没有信号“%1”。信号列表显示名称。</translation>
+    </message>
+    <message>
+        <source>There is no signal in it.</source>
+        <translation>其中没有信号。</translation>
+    </message>
+    <message>
+        <source>There are too many signals in it.</source>
+        <translation>其中信号太多。</translation>
+    </message>
+    <message>
+        <source>It must give one number.</source>
+        <translation>结果必须是一个数。</translation>
+    </message>
+    <message>
+        <source>The text is too long.</source>
+        <translation>文本太长。</translation>
+    </message>
+    <message>
+        <source>Write it as a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
+        <translation>写成名称、等号和表达式：|F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
+    </message>
+    <message>
+        <source>There is one equals sign too many; a comparison has two: ==</source>
+        <translation>多了一个等号；比较用两个：==</translation>
+    </message>
+    <message>
+        <source>The stretch of time is between 0.001 and 60 seconds.</source>
+        <translation>时间段在 0.001 至 60 秒之间。</translation>
     </message>
 </context>
 <context>
@@ -1605,6 +1652,105 @@
         <source>Writes the lines that are shown to a file.</source>
         <translation>把显示的行写入文件。</translation>
     </message>
+    <message>
+        <source>Search signals for the plots</source>
+        <translation>搜索曲线图的信号</translation>
+    </message>
+    <message>
+        <source>Opens the list of everything the robot tells: onto a plot by dragging, double click or Return.</source>
+        <translation>打开机器人所报告一切的列表：用拖动、双击或回车加到曲线图。</translation>
+    </message>
+    <message>
+        <source>New page of plots</source>
+        <translation>新建曲线图页</translation>
+    </message>
+    <message>
+        <source>An empty page behind the others; all pages show the same time.</source>
+        <translation>在其他页之后的空白页；所有页显示相同时间。</translation>
+    </message>
+    <message>
+        <source>Show all of the plots&apos; history</source>
+        <translation>显示曲线图的全部历史</translation>
+    </message>
+    <message>
+        <source>All that is in memory, each plot at its best scale.</source>
+        <translation>内存中的全部，每个图用最佳刻度。</translation>
+    </message>
+</context>
+<context>
+    <name>PlotMenu</name>
+    <message>
+        <source>Take the lane %1 away</source>
+        <translation>去除通道 %1</translation>
+    </message>
+    <message>
+        <source>Note here…</source>
+        <translation>在此记录…</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>显示 %1</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>隐藏 %1</translation>
+    </message>
+    <message>
+        <source>Let the cursors read %1</source>
+        <translation>让游标读取 %1</translation>
+    </message>
+    <message>
+        <source>Move %1 to a plot of its own</source>
+        <translation>把 %1 移到单独的图</translation>
+    </message>
+    <message>
+        <source>Take %1 away</source>
+        <translation>去除 %1</translation>
+    </message>
+    <message>
+        <source>Alarm when %1</source>
+        <translation>当 %1 时报警</translation>
+    </message>
+    <message>
+        <source>No alarm when %1</source>
+        <translation>当 %1 时不报警</translation>
+    </message>
+    <message>
+        <source>Rate of change of %1</source>
+        <translation>%1 的变化率</translation>
+    </message>
+    <message>
+        <source>Moving mean of %1 over half a second</source>
+        <translation>%1 的半秒滑动平均</translation>
+    </message>
+    <message>
+        <source>Mean %1</source>
+        <translation>平均 %1</translation>
+    </message>
+    <message>
+        <source>Norm of the curves of this plot</source>
+        <translation>此图各曲线的模</translation>
+    </message>
+    <message>
+        <source>New plot below</source>
+        <translation>在下方新建图</translation>
+    </message>
+    <message>
+        <source>New plot beside</source>
+        <translation>在旁边新建图</translation>
+    </message>
+    <message>
+        <source>Take this plot away</source>
+        <translation>去除此图</translation>
+    </message>
+    <message>
+        <source>Let the curves decide about the scale</source>
+        <translation>由曲线决定刻度</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>全部显示</translation>
+    </message>
 </context>
 <context>
     <name>Practice</name>
@@ -2281,6 +2427,401 @@
     </message>
 </context>
 <context>
+    <name>SignalInfo</name>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation>输入和输出</translation>
+    </message>
+    <message>
+        <source>Modes and states</source>
+        <translation>模式与状态</translation>
+    </message>
+    <message>
+        <source>Power and temperature</source>
+        <translation>电力与温度</translation>
+    </message>
+    <message>
+        <source>Speed and program</source>
+        <translation>速度与程序</translation>
+    </message>
+    <message>
+        <source>Payload and tool</source>
+        <translation>有效负载与工具</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>更多</translation>
+    </message>
+    <message>
+        <source>Registers</source>
+        <translation>寄存器</translation>
+    </message>
+    <message>
+        <source>Force at the TCP</source>
+        <translation>TCP 处的力</translation>
+    </message>
+    <message>
+        <source>Torque at the TCP</source>
+        <translation>TCP 处的力矩</translation>
+    </message>
+    <message>
+        <source>Position of the TCP</source>
+        <translation>TCP 位置</translation>
+    </message>
+    <message>
+        <source>Rotation vector of the TCP</source>
+        <translation>TCP 旋转矢量</translation>
+    </message>
+    <message>
+        <source>Speed of the TCP</source>
+        <translation>TCP 速度</translation>
+    </message>
+    <message>
+        <source>Rotation speed of the TCP</source>
+        <translation>TCP 旋转速度</translation>
+    </message>
+    <message>
+        <source>Acceleration of the TCP</source>
+        <translation>TCP 加速度</translation>
+    </message>
+    <message>
+        <source>Target position of the TCP</source>
+        <translation>TCP 目标位置</translation>
+    </message>
+    <message>
+        <source>Target rotation vector of the TCP</source>
+        <translation>TCP 目标旋转矢量</translation>
+    </message>
+    <message>
+        <source>Target speed of the TCP</source>
+        <translation>TCP 目标速度</translation>
+    </message>
+    <message>
+        <source>Target rotation speed of the TCP</source>
+        <translation>TCP 目标旋转速度</translation>
+    </message>
+    <message>
+        <source>Raw force of the sensor</source>
+        <translation>传感器原始力</translation>
+    </message>
+    <message>
+        <source>Raw torque of the sensor</source>
+        <translation>传感器原始力矩</translation>
+    </message>
+    <message>
+        <source>Force at the TCP, norm</source>
+        <translation>TCP 处的力，模</translation>
+    </message>
+    <message>
+        <source>Accelerometer in the flange</source>
+        <translation>法兰加速度计</translation>
+    </message>
+    <message>
+        <source>Position of the elbow</source>
+        <translation>肘部位置</translation>
+    </message>
+    <message>
+        <source>Speed of the elbow</source>
+        <translation>肘部速度</translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation>动量</translation>
+    </message>
+    <message>
+        <source>Joint positions</source>
+        <translation>关节位置</translation>
+    </message>
+    <message>
+        <source>Joint speeds</source>
+        <translation>关节速度</translation>
+    </message>
+    <message>
+        <source>Joint currents</source>
+        <translation>关节电流</translation>
+    </message>
+    <message>
+        <source>Joint temperatures</source>
+        <translation>关节温度</translation>
+    </message>
+    <message>
+        <source>Joint voltages</source>
+        <translation>关节电压</translation>
+    </message>
+    <message>
+        <source>Target joint positions</source>
+        <translation>目标关节位置</translation>
+    </message>
+    <message>
+        <source>Target joint speeds</source>
+        <translation>目标关节速度</translation>
+    </message>
+    <message>
+        <source>Target joint accelerations</source>
+        <translation>目标关节加速度</translation>
+    </message>
+    <message>
+        <source>Target joint currents</source>
+        <translation>目标关节电流</translation>
+    </message>
+    <message>
+        <source>Target joint torques</source>
+        <translation>目标关节力矩</translation>
+    </message>
+    <message>
+        <source>Joint control currents</source>
+        <translation>关节控制电流</translation>
+    </message>
+    <message>
+        <source>Allowed deviation of the currents</source>
+        <translation>电流允许偏差</translation>
+    </message>
+    <message>
+        <source>Position deviation over its limit</source>
+        <translation>位置偏差与极限之比</translation>
+    </message>
+    <message>
+        <source>Collision measure over its limit</source>
+        <translation>碰撞量与极限之比</translation>
+    </message>
+    <message>
+        <source>Joint modes</source>
+        <translation>关节模式</translation>
+    </message>
+    <message>
+        <source>Digital inputs</source>
+        <translation>数字输入</translation>
+    </message>
+    <message>
+        <source>Digital outputs</source>
+        <translation>数字输出</translation>
+    </message>
+    <message>
+        <source>Analog input 0</source>
+        <translation>模拟输入 0</translation>
+    </message>
+    <message>
+        <source>Analog input 1</source>
+        <translation>模拟输入 1</translation>
+    </message>
+    <message>
+        <source>Analog output 0</source>
+        <translation>模拟输出 0</translation>
+    </message>
+    <message>
+        <source>Analog output 1</source>
+        <translation>模拟输出 1</translation>
+    </message>
+    <message>
+        <source>Tool analog input 0</source>
+        <translation>工具模拟输入 0</translation>
+    </message>
+    <message>
+        <source>Tool analog input 1</source>
+        <translation>工具模拟输入 1</translation>
+    </message>
+    <message>
+        <source>Robot mode</source>
+        <translation>机器人模式</translation>
+    </message>
+    <message>
+        <source>Safety mode</source>
+        <translation>安全模式</translation>
+    </message>
+    <message>
+        <source>Safety status</source>
+        <translation>安全状态</translation>
+    </message>
+    <message>
+        <source>Program state</source>
+        <translation>程序状态</translation>
+    </message>
+    <message>
+        <source>Robot status</source>
+        <translation>机器人状态</translation>
+    </message>
+    <message>
+        <source>Safety bits</source>
+        <translation>安全位</translation>
+    </message>
+    <message>
+        <source>Tool mode</source>
+        <translation>工具模式</translation>
+    </message>
+    <message>
+        <source>Main voltage</source>
+        <translation>主电压</translation>
+    </message>
+    <message>
+        <source>Arm voltage</source>
+        <translation>机械臂电压</translation>
+    </message>
+    <message>
+        <source>Arm current</source>
+        <translation>机械臂电流</translation>
+    </message>
+    <message>
+        <source>Current of the I/O</source>
+        <translation>I/O 电流</translation>
+    </message>
+    <message>
+        <source>Tool temperature</source>
+        <translation>工具温度</translation>
+    </message>
+    <message>
+        <source>Tool voltage</source>
+        <translation>工具电压</translation>
+    </message>
+    <message>
+        <source>Tool current</source>
+        <translation>工具电流</translation>
+    </message>
+    <message>
+        <source>Speed scaling</source>
+        <translation>速度缩放</translation>
+    </message>
+    <message>
+        <source>Speed slider</source>
+        <translation>速度滑块</translation>
+    </message>
+    <message>
+        <source>Time of a control step</source>
+        <translation>控制步时间</translation>
+    </message>
+    <message>
+        <source>Script line</source>
+        <translation>脚本行</translation>
+    </message>
+    <message>
+        <source>Controller time</source>
+        <translation>控制器时间</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>有效负载</translation>
+    </message>
+    <message>
+        <source>Payload centre of gravity</source>
+        <translation>有效负载重心</translation>
+    </message>
+    <message>
+        <source>TCP offset</source>
+        <translation>TCP 偏移</translation>
+    </message>
+    <message>
+        <source>TCP rotation</source>
+        <translation>TCP 旋转</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>上电</translation>
+    </message>
+    <message>
+        <source>Program running</source>
+        <translation>程序运行中</translation>
+    </message>
+    <message>
+        <source>Freedrive button</source>
+        <translation>自由驱动按钮</translation>
+    </message>
+    <message>
+        <source>Power button</source>
+        <translation>电源按钮</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>缩减</translation>
+    </message>
+    <message>
+        <source>Protective stop</source>
+        <translation>保护性停止</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Safeguard stop</source>
+        <translation>防护停止</translation>
+    </message>
+    <message>
+        <source>System emergency stop</source>
+        <translation>系统紧急停止</translation>
+    </message>
+    <message>
+        <source>Robot emergency stop</source>
+        <translation>机器人紧急停止</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>紧急停止</translation>
+    </message>
+    <message>
+        <source>Violation</source>
+        <translation>违规</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>Stopped by safety</source>
+        <translation>被安全停止</translation>
+    </message>
+    <message>
+        <source>Enabling device</source>
+        <translation>使能装置</translation>
+    </message>
+    <message>
+        <source>Bit %1</source>
+        <translation>位 %1</translation>
+    </message>
+    <message>
+        <source>Output registers, numbers</source>
+        <translation>输出寄存器，数值</translation>
+    </message>
+    <message>
+        <source>Input registers, numbers</source>
+        <translation>输入寄存器，数值</translation>
+    </message>
+    <message>
+        <source>Output registers, integers</source>
+        <translation>输出寄存器，整数</translation>
+    </message>
+    <message>
+        <source>Input registers, integers</source>
+        <translation>输入寄存器，整数</translation>
+    </message>
+    <message>
+        <source>Output registers, bits</source>
+        <translation>输出寄存器，位</translation>
+    </message>
+    <message>
+        <source>Input registers, bits</source>
+        <translation>输入寄存器，位</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+</context>
+<context>
     <name>SpaceMouse</name>
     <message>
         <source>left key</source>
@@ -2753,6 +3294,13 @@
     <message>
         <source>“%1” is no colour of a waypoint</source>
         <translation>“%1”不是路点的颜色</translation>
+    </message>
+</context>
+<context>
+    <name>WaypointExchange</name>
+    <message>
+        <source>Line %1: a quotation mark is not closed</source>
+        <translation>第 %1 行：引号未关闭</translation>
     </message>
 </context>
 <context>
@@ -3366,6 +3914,134 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
     </message>
 </context>
 <context>
+    <name>tiller::GoThrough</name>
+    <message>
+        <source>There are no waypoints to go through. Teach some, or select them.</source>
+        <translation>没有可依次前往的路点。请示教或选择。</translation>
+    </message>
+    <message>
+        <source>There is no waypoint before this one.</source>
+        <translation>此前没有路点。</translation>
+    </message>
+    <message>
+        <source>A waypoint of the way is not in this project any more.</source>
+        <translation>路线中的某个路点已不在此项目中。</translation>
+    </message>
+    <message>
+        <source>“%1”: %2</source>
+        <translation>“%1”：%2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GoThroughBar</name>
+    <message>
+        <source>Loop</source>
+        <translation>循环</translation>
+    </message>
+    <message>
+        <source>Go through the waypoints</source>
+        <translation>依次前往各路点</translation>
+    </message>
+    <message>
+        <source>Go through (hold)</source>
+        <translation>依次前往（按住）</translation>
+    </message>
+    <message>
+        <source>Go through, hold</source>
+        <translation>依次前往，按住</translation>
+    </message>
+    <message>
+        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed. Let go to pause; the next press goes on to the coming waypoint.</source>
+        <translation>按住时从一个路点到下一个路点，不快于点动速度。松开即暂停；下次按下继续前往下一路点。</translation>
+    </message>
+    <message>
+        <source>‹ Step</source>
+        <translation>‹ 步</translation>
+    </message>
+    <message>
+        <source>One waypoint back, hold</source>
+        <translation>退一个路点，按住</translation>
+    </message>
+    <message>
+        <source>Goes back to the waypoint before while the key is held</source>
+        <translation>按住时返回上一个路点</translation>
+    </message>
+    <message>
+        <source>Step ›</source>
+        <translation>步 ›</translation>
+    </message>
+    <message>
+        <source>One waypoint on, hold</source>
+        <translation>进一个路点，按住</translation>
+    </message>
+    <message>
+        <source>Goes to the coming waypoint while the key is held, and stops there</source>
+        <translation>按住时前往下一个路点，并停在那里</translation>
+    </message>
+    <message>
+        <source>Which waypoints to go through</source>
+        <translation>依次前往哪些路点</translation>
+    </message>
+    <message>
+        <source>Which waypoints</source>
+        <translation>哪些路点</translation>
+    </message>
+    <message>
+        <source>Which waypoints to go through, in the order of the list</source>
+        <translation>依次前往哪些路点，按列表顺序</translation>
+    </message>
+    <message>
+        <source>From here</source>
+        <translation>从此处</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>所选</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>In a loop</source>
+        <translation>循环</translation>
+    </message>
+    <message>
+        <source>After the last waypoint comes the first again, for as long as the key is held</source>
+        <translation>按住期间，最后一个路点之后又是第一个</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>机械臂未受控制。请先获取控制。</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>The coming one: %1 of %2, %3</source>
+        <translation>下一个：%1 / %2，%3</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>Done. The next press begins at the first.</source>
+        <translation>完成。下次按下从第一个开始。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints</source>
+        <translation>
+            <numerusform>%n 个路点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
     <name>tiller::GoToButton</name>
     <message>
         <source>Go to (hold)  G</source>
@@ -3746,6 +4422,37 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
     <message>
         <source>The display server does not answer: nobody could tell when the key is let go.</source>
         <translation>显示服务器不应答：无法得知何时松开按键。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IncidentWatch</name>
+    <message>
+        <source>protective stop</source>
+        <translation>保护性停止</translation>
+    </message>
+    <message>
+        <source>emergency stop</source>
+        <translation>紧急停止</translation>
+    </message>
+    <message>
+        <source>safety violation</source>
+        <translation>安全违规</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>The incident (%1) could not be recorded.</source>
+        <translation>事件（%1）无法录制。</translation>
+    </message>
+    <message>
+        <source>Incident recorded: %1</source>
+        <translation>事件已录制：%1</translation>
+    </message>
+    <message>
+        <source>Everything from %1 s before it is in %2. Double-click this line to open it.</source>
+        <translation>此前 %1 s 起的全部在 %2 中。双击此行即可打开。</translation>
     </message>
 </context>
 <context>
@@ -4262,6 +4969,109 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <source>Log written to %1</source>
         <translation>日志已写入 %1</translation>
     </message>
+    <message>
+        <source>Open recording</source>
+        <translation>打开录制</translation>
+    </message>
+    <message>
+        <source>Open the recording of the selected line: incidents have one</source>
+        <translation>打开所选行的录制：事件带有录制</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::MoveWords</name>
+    <message>
+        <source>%1 touches %2 of the arm already here</source>
+        <translation>%1 在此处已触碰机械臂的%2</translation>
+    </message>
+    <message>
+        <source>%1 meets %2 of the arm after %3 of the way</source>
+        <translation>%1 在行程 %3 后碰到机械臂的%2</translation>
+    </message>
+    <message>
+        <source>%1 touches the floor already here</source>
+        <translation>%1 在此处已触碰地面</translation>
+    </message>
+    <message>
+        <source>%1 meets the floor after %2 of the way</source>
+        <translation>%1 在行程 %2 后碰到地面</translation>
+    </message>
+    <message>
+        <source>%1 touches “%2” already here</source>
+        <translation>%1 在此处已触碰“%2”</translation>
+    </message>
+    <message>
+        <source>%1 meets “%2” after %3 of the way</source>
+        <translation>%1 在行程 %3 后碰到“%2”</translation>
+    </message>
+    <message>
+        <source>The line runs into the wrist singularity after %1 of the way</source>
+        <translation>直线在行程 %1 后进入手腕奇异点</translation>
+    </message>
+    <message>
+        <source>Slow near the wrist singularity at %1 of the way</source>
+        <translation>在行程 %1 处接近手腕奇异点而减速</translation>
+    </message>
+    <message>
+        <source>The line runs into the stretched elbow after %1 of the way</source>
+        <translation>直线在行程 %1 后使肘部伸直</translation>
+    </message>
+    <message>
+        <source>Slow near the stretched elbow at %1 of the way</source>
+        <translation>在行程 %1 处接近肘部伸直而减速</translation>
+    </message>
+    <message>
+        <source>The line runs into the axis of the base after %1 of the way</source>
+        <translation>直线在行程 %1 后进入基座轴</translation>
+    </message>
+    <message>
+        <source>Slow near the axis of the base at %1 of the way</source>
+        <translation>在行程 %1 处接近基座轴而减速</translation>
+    </message>
+    <message>
+        <source>A joint would have to turn at once after %1 of the way</source>
+        <translation>在行程 %1 后某关节须突然转动</translation>
+    </message>
+    <message>
+        <source>%1 leaves its range after %2 of the way</source>
+        <translation>%1 在行程 %2 后超出其范围</translation>
+    </message>
+    <message>
+        <source>The line leaves the arm&apos;s reach after %1 of the way</source>
+        <translation>直线在行程 %1 后超出机械臂可达范围</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>基座</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>肩部</translation>
+    </message>
+    <message>
+        <source>Upper arm</source>
+        <translation>上臂</translation>
+    </message>
+    <message>
+        <source>Forearm</source>
+        <translation>前臂</translation>
+    </message>
+    <message>
+        <source>Wrist 1</source>
+        <translation>手腕 1</translation>
+    </message>
+    <message>
+        <source>Wrist 2</source>
+        <translation>手腕 2</translation>
+    </message>
+    <message>
+        <source>Wrist 3</source>
+        <translation>手腕 3</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>工具</translation>
+    </message>
 </context>
 <context>
     <name>tiller::NothingFound</name>
@@ -4315,6 +5125,278 @@ Clear the search to see everything.</source>
     <message>
         <source>More</source>
         <translation>更多</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathControls</name>
+    <message>
+        <source>Tolerance of recorded paths</source>
+        <translation>录制路径的公差</translation>
+    </message>
+    <message>
+        <source>Record path</source>
+        <translation>录制路径</translation>
+    </message>
+    <message>
+        <source>Export path as CSV…</source>
+        <translation>将路径导出为 CSV…</translation>
+    </message>
+    <message>
+        <source>Import demonstration (CSV)…</source>
+        <translation>导入演示 (CSV)…</translation>
+    </message>
+    <message>
+        <source>The recording of the path ended by itself: the data stopped, or it lasted ten minutes.</source>
+        <translation>路径录制自行结束：数据中断，或已满十分钟。</translation>
+    </message>
+    <message>
+        <source>What was recorded until then is kept.</source>
+        <translation>此前录制的内容会保留。</translation>
+    </message>
+    <message>
+        <source>○ Record path</source>
+        <translation>○ 录制路径</translation>
+    </message>
+    <message>
+        <source>End the recording of the path</source>
+        <translation>结束路径录制</translation>
+    </message>
+    <message>
+        <source>The path is being thinned.</source>
+        <translation>正在精简路径。</translation>
+    </message>
+    <message>
+        <source>No data come from the robot: there is nothing to record.</source>
+        <translation>没有来自机器人的数据：没有可录制的内容。</translation>
+    </message>
+    <message>
+        <source>Ends the recording and keeps the path as waypoints</source>
+        <translation>结束录制并把路径保留为路点</translation>
+    </message>
+    <message>
+        <source>Records where the arm is led, by Freedrive or by jogging, until it is pressed again, and keeps the path as waypoints. It moves nothing.</source>
+        <translation>录制机械臂经自由驱动或点动所走的路，直到再次按下，并保留为路点。它不移动任何东西。</translation>
+    </message>
+    <message>
+        <source>Select the waypoints of the path, at least two.</source>
+        <translation>选择路径的路点，至少两个。</translation>
+    </message>
+    <message>
+        <source>Export path</source>
+        <translation>导出路径</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>The path was not written.</source>
+        <translation>路径未写入。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints written as a path to %1</source>
+        <translation>
+            <numerusform>%n 个路点已作为路径写入 %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Import a demonstration</source>
+        <translation>导入演示</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathRecorder</name>
+    <message>
+        <source>%1 has no column “%2”. It needs timestamp and actual_q_0 to actual_q_5.</source>
+        <translation>%1 没有列“%2”。需要 timestamp 和 actual_q_0 至 actual_q_5。</translation>
+    </message>
+    <message>
+        <source>No data come from the robot: there is nothing to record.</source>
+        <translation>没有来自机器人的数据：没有可录制的内容。</translation>
+    </message>
+    <message>
+        <source>Nothing was read: a path is being recorded. End that first.</source>
+        <translation>未读取：正在录制路径。请先结束。</translation>
+    </message>
+    <message>
+        <source>The demonstration could not be read.</source>
+        <translation>演示无法读取。</translation>
+    </message>
+    <message>
+        <source>path %1</source>
+        <translation>路径 %1</translation>
+    </message>
+    <message>
+        <source>The arm did not move: no path was kept.</source>
+        <translation>机械臂没有移动：未保留路径。</translation>
+    </message>
+    <message>
+        <source>Record “%1”</source>
+        <translation>录制“%1”</translation>
+    </message>
+    <message>
+        <source>“%1”: %2 s in %3 waypoints. Every recorded place is within %4 and %5 of them.</source>
+        <translation>“%1”：%2 s，%3 个路点。每个录制的位置都在其 %4 和 %5 之内。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n packets did not arrive.</source>
+        <translation>
+            <numerusform>%n 个数据包未到达。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select the waypoints of the path, at least two.</source>
+        <translation>选择路径的路点，至少两个。</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be reached. Touch it up, or leave it out.</source>
+        <translation>“%1”不可达。请修正示教或略去。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PatternDialog</name>
+    <message>
+        <source>pattern</source>
+        <translation>阵列</translation>
+    </message>
+    <message>
+        <source>Pattern from three corners</source>
+        <translation>三角点阵列</translation>
+    </message>
+    <message>
+        <source>Pattern “%1”</source>
+        <translation>阵列“%1”</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>First place</source>
+        <translation>第一个位置</translation>
+    </message>
+    <message>
+        <source>End of the first row</source>
+        <translation>第一行末尾</translation>
+    </message>
+    <message>
+        <source>Beginning of the last row</source>
+        <translation>最后一行开头</translation>
+    </message>
+    <message>
+        <source>choose a waypoint</source>
+        <translation>选择路点</translation>
+    </message>
+    <message>
+        <source>as it was taught</source>
+        <translation>按示教</translation>
+    </message>
+    <message>
+        <source>Places in a row</source>
+        <translation>每行位置数</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>行数</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>层数</translation>
+    </message>
+    <message>
+        <source>Height of a layer</source>
+        <translation>层高</translation>
+    </message>
+    <message>
+        <source>From one layer to the next, against the direction of the tool.</source>
+        <translation>从一层到下一层，与工具方向相反。</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>顺序</translation>
+    </message>
+    <message>
+        <source>Row by row</source>
+        <translation>逐行</translation>
+    </message>
+    <message>
+        <source>Meander</source>
+        <translation>蛇形</translation>
+    </message>
+    <message>
+        <source>Make pattern</source>
+        <translation>建立阵列</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>更改</translation>
+    </message>
+    <message>
+        <source>A pattern needs a name.</source>
+        <translation>阵列需要名称。</translation>
+    </message>
+    <message>
+        <source>There is a pattern of that name. Choose another one.</source>
+        <translation>已有此名称的阵列。请选择其他名称。</translation>
+    </message>
+    <message>
+        <source>Choose the waypoint of each corner. Teach the three corners first where there are none.</source>
+        <translation>选择每个角的路点。没有时请先示教三个角。</translation>
+    </message>
+    <message>
+        <source>Two corners are the same place. Choose another waypoint for one of them.</source>
+        <translation>两个角是同一位置。请为其中一个选择另一路点。</translation>
+    </message>
+    <message>
+        <source>The height of a layer is no figure it can be.</source>
+        <translation>层高不是可能的数值。</translation>
+    </message>
+    <message>
+        <source>Layers need a height.</source>
+        <translation>层需要高度。</translation>
+    </message>
+    <message>
+        <source>%1 places are more than the %2 a pattern can have.</source>
+        <translation>%1 个位置超过阵列可有的 %2 个。</translation>
+    </message>
+    <message>
+        <source>Every place is left out.</source>
+        <translation>所有位置都被略去。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints.</source>
+        <translation>
+            <numerusform>%n 个路点。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 All can be reached.</source>
+        <translation>%1 全部可达。</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them are out of reach; they are marked.</source>
+        <translation>
+            <numerusform>其中 %n 个不可达，已标记。</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PatternGrid</name>
+    <message>
+        <source>Places of the pattern</source>
+        <translation>阵列的位置</translation>
+    </message>
+    <message>
+        <source>Click a place to leave it out, or to take it in again. The first corner is at the lower left.</source>
+        <translation>点击位置可略去或恢复。第一个角在左下。</translation>
+    </message>
+    <message>
+        <source>Row %1, column %2</source>
+        <translation>第 %1 行，第 %2 列</translation>
     </message>
 </context>
 <context>
@@ -4686,10 +5768,6 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>曲线图</translation>
     </message>
     <message>
-        <source>TCP force [N] · joint current [A]</source>
-        <translation>TCP 力 [N] · 关节电流 [A]</translation>
-    </message>
-    <message>
         <source>Cursor read-out</source>
         <translation>游标读数</translation>
     </message>
@@ -4794,14 +5872,6 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>停止录制</translation>
     </message>
     <message>
-        <source>Tiller · TCP force and joint currents</source>
-        <translation>Tiller · TCP 力与关节电流</translation>
-    </message>
-    <message>
-        <source>%1 · TCP force and joint currents</source>
-        <translation>%1 · TCP 力与关节电流</translation>
-    </message>
-    <message>
         <source>controller time %1 … %2 s</source>
         <translation>控制器时间 %1 … %2 s</translation>
     </message>
@@ -4889,17 +5959,242 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <source>name the file .png, .svg or .pdf for a picture, .csv for values</source>
         <translation>图片请用 .png、.svg 或 .pdf，数值请用 .csv 命名</translation>
     </message>
+    <message>
+        <source>%1, at %2 s of the plots&apos; time</source>
+        <translation>%1，曲线图时间 %2 s</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>记录：%1</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>What happened at this moment?</source>
+        <translation>此刻发生了什么？</translation>
+    </message>
+    <message>
+        <source>The plots are in the clipboard as a picture.</source>
+        <translation>曲线图已作为图片复制到剪贴板。</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>History %1 · %2</source>
+        <translation>历史 %1 · %2</translation>
+    </message>
+    <message>
+        <source>New page</source>
+        <translation>新建页</translation>
+    </message>
+    <message>
+        <source>Take this page away</source>
+        <translation>去除此页</translation>
+    </message>
+    <message>
+        <source>Standard plots</source>
+        <translation>标准曲线图</translation>
+    </message>
+    <message>
+        <source>Open a recording…</source>
+        <translation>打开录制…</translation>
+    </message>
+    <message>
+        <source>Close the recordings</source>
+        <translation>关闭录制</translation>
+    </message>
+    <message>
+        <source>Copy the plots as a picture</source>
+        <translation>将曲线图复制为图片</translation>
+    </message>
+    <message>
+        <source>Save this arrangement…</source>
+        <translation>保存此布置…</translation>
+    </message>
+    <message>
+        <source>Open an arrangement…</source>
+        <translation>打开布置…</translation>
+    </message>
+    <message>
+        <source>Memory for the history</source>
+        <translation>历史内存</translation>
+    </message>
+    <message>
+        <source>save the arrangement to %1</source>
+        <translation>将布置保存到 %1</translation>
+    </message>
+    <message>
+        <source>open the arrangement %1</source>
+        <translation>打开布置 %1</translation>
+    </message>
+    <message>
+        <source>Opened the recording %1</source>
+        <translation>已打开录制 %1</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>打开录制</translation>
+    </message>
+    <message>
+        <source>Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)</source>
+        <translation>录制 (*.mcap *.csv *.h5 *.hdf5);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Save the arrangement of the plots</source>
+        <translation>保存曲线图布置</translation>
+    </message>
+    <message>
+        <source>Arrangement of plots (*.json)</source>
+        <translation>曲线图布置 (*.json)</translation>
+    </message>
+    <message>
+        <source>Open an arrangement of plots</source>
+        <translation>打开曲线图布置</translation>
+    </message>
+    <message>
+        <source>%1 and more</source>
+        <translation>%1 等</translation>
+    </message>
+    <message>
+        <source>List of signals</source>
+        <translation>信号列表</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>Everything the robot tells: drag it onto a plot, to its edge for a plot of its own, or double click</source>
+        <translation>机器人报告的一切：拖到图上，拖到边缘则为单独的图，或双击</translation>
+    </message>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>游标处的值</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>What every signal has at the cursors A and B, and what lies between them: smallest, largest, mean, RMS, deviation, slope</source>
+        <translation>每个信号在游标 A 和 B 处的值，以及其间的最小、最大、平均、RMS、偏差、斜率</translation>
+    </message>
+    <message>
+        <source>Pages and arrangement of the plots</source>
+        <translation>曲线图的页与布置</translation>
+    </message>
+    <message>
+        <source>Layout ▾</source>
+        <translation>布置 ▾</translation>
+    </message>
+    <message>
+        <source>read an arrangement of plots</source>
+        <translation>读取曲线图布置</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotMarks</name>
+    <message>
+        <source>%1 above %2</source>
+        <translation>%1 高于 %2</translation>
+    </message>
+    <message>
+        <source>%1 below %2</source>
+        <translation>%1 低于 %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotPages</name>
+    <message>
+        <source>Pages of plots</source>
+        <translation>曲线图页</translation>
+    </message>
+    <message>
+        <source>Name of the page</source>
+        <translation>页的名称</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>第 %1 页</translation>
+    </message>
+    <message>
+        <source>Double click: another name</source>
+        <translation>双击：改名</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotValues</name>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>游标处的值</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>最小</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>平均</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Std</source>
+        <translation>标准差</translation>
+    </message>
+    <message>
+        <source>Peak to peak</source>
+        <translation>峰峰值</translation>
+    </message>
+    <message>
+        <source>Slope per s</source>
+        <translation>斜率 /s</translation>
+    </message>
+    <message>
+        <source>Δt 0 s</source>
+        <translation>Δt 0 s</translation>
+    </message>
+    <message>
+        <source>Δt %1 s · 1/Δt %2 Hz</source>
+        <translation>Δt %1 s · 1/Δt %2 Hz</translation>
+    </message>
+    <message>
+        <source>Click into the plots to place A, then B: what lies between them is summed up here.</source>
+        <translation>在曲线图中点击放置 A，然后 B：其间的内容在此汇总。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotView</name>
-    <message>
-        <source>Plots of TCP force and joint current over time</source>
-        <translation>TCP 力和关节电流随时间的曲线图</translation>
-    </message>
-    <message>
-        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; End goes back to the newest samples</source>
-        <translation>A 和 B 放置游标，方向键移动它们，上下选择读取的信号；H 隐藏其曲线；加减改变时间窗口，按住 Ctrl 改变数值刻度，Ctrl+0 重新由曲线决定；End 回到最新样本</translation>
-    </message>
     <message>
         <source> min</source>
         <translation> min</translation>
@@ -4931,6 +6226,22 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
     <message>
         <source>Zeroed: %1 %2 taken off</source>
         <translation>已归零：减去 %1 %2</translation>
+    </message>
+    <message>
+        <source>Plots over time</source>
+        <translation>随时间的曲线图</translation>
+    </message>
+    <message>
+        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve, Ctrl+Delete takes it away; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; N writes a note; F shows all; End goes back to the newest samples</source>
+        <translation>A 和 B 放置游标，方向键移动它们，上下选择读取的信号；H 隐藏其曲线，Ctrl+Delete 去除；加减改变时间窗口，按住 Ctrl 改变数值刻度，Ctrl+0 重新由曲线决定；N 写记录；F 全部显示；End 回到最新样本</translation>
+    </message>
+    <message>
+        <source>A–B Δt %1 s</source>
+        <translation>A–B Δt %1 s</translation>
+    </message>
+    <message>
+        <source>Drop signals here</source>
+        <translation>把信号拖放到此处</translation>
     </message>
 </context>
 <context>
@@ -5829,6 +7140,76 @@ Let go of the key and the arm stops.</source>
             <numerusform>隐藏了 %n 个名称：请靠近</numerusform>
         </translation>
     </message>
+    <message>
+        <source>ghost “%1” · reachable</source>
+        <translation>虚影“%1” · 可达</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6</source>
+        <translation>虚影“%1” · %2 · 最大转动 %3 %4 · %6 时 %5 s</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SignalStore</name>
+    <message>
+        <source>compute a signal</source>
+        <translation>计算信号</translation>
+    </message>
+    <message>
+        <source>%1 does not come in the same packets as the others.</source>
+        <translation>%1 与其他信号不在同一数据包中。</translation>
+    </message>
+    <message>
+        <source>Derived</source>
+        <translation>派生</translation>
+    </message>
+    <message>
+        <source>These signals are more than a robot sends at once: take others away first.</source>
+        <translation>这些信号超过机器人一次发送的数量：请先去除其他信号。</translation>
+    </message>
+    <message>
+        <source>open %1</source>
+        <translation>打开 %1</translation>
+    </message>
+    <message>
+        <source>There is no row in this recording.</source>
+        <translation>此录制中没有行。</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%2 的 %1</translation>
+    </message>
+    <message>
+        <source>There is too little memory for the history to show %1: choose more in the menu Layout.</source>
+        <translation>历史内存不足以显示 %1：请在“布置”菜单中增加。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SignalTree</name>
+    <message>
+        <source>Search signals</source>
+        <translation>搜索信号</translation>
+    </message>
+    <message>
+        <source>Signals of the robot</source>
+        <translation>机器人的信号</translation>
+    </message>
+    <message>
+        <source>New: |F| [N] = norm(…)</source>
+        <translation>新建：|F| [N] = norm(…)</translation>
+    </message>
+    <message>
+        <source>Signal computed from others</source>
+        <translation>由其他信号计算的信号</translation>
+    </message>
+    <message>
+        <source>A name, a unit in brackets if you like, and an expression over signals: drag them here for their names. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and the usual functions. Return makes it.</source>
+        <translation>名称、可选的方括号单位，以及关于信号的表达式：把信号拖到此处可得其名称。norm(a, b, …)、deriv(a, 0.02)、mean(a, 0.5)、+ − * / ^ 和常用函数。回车建立。</translation>
+    </message>
+    <message>
+        <source>%1: this robot does not send it.</source>
+        <translation>%1：此机器人不发送。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SimulationChip</name>
@@ -6329,6 +7710,137 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <source>pose rules</source>
         <translation>以位姿为准</translation>
     </message>
+    <message>
+        <source>place of “%1”</source>
+        <translation>“%1”的位置</translation>
+    </message>
+    <message>
+        <source>corner of “%1”</source>
+        <translation>“%1”的角</translation>
+    </message>
+    <message>
+        <source>home, “%1”</source>
+        <translation>原位，“%1”</translation>
+    </message>
+    <message>
+        <source>position “%1”</source>
+        <translation>位置“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointDialogs</name>
+    <message>
+        <source>Select waypoints to change.</source>
+        <translation>选择要更改的路点。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Change the properties of %n waypoints</source>
+        <translation>
+            <numerusform>更改 %n 个路点的属性</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select waypoints to move.</source>
+        <translation>选择要移动的路点。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n waypoints</source>
+        <translation>
+            <numerusform>移动 %n 个路点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change the pattern “%1”</source>
+        <translation>更改阵列“%1”</translation>
+    </message>
+    <message>
+        <source>Teach the three corners of the pattern first, and select them.</source>
+        <translation>请先示教阵列的三个角并选择它们。</translation>
+    </message>
+    <message>
+        <source>Make the pattern “%1”</source>
+        <translation>建立阵列“%1”</translation>
+    </message>
+    <message>
+        <source>Dissolve the pattern “%1”</source>
+        <translation>解散阵列“%1”</translation>
+    </message>
+    <message>
+        <source>Select a place of a pattern.</source>
+        <translation>选择阵列的一个位置。</translation>
+    </message>
+    <message>
+        <source>Delete the pattern “%1”</source>
+        <translation>删除阵列“%1”</translation>
+    </message>
+    <message>
+        <source>Select a waypoint to see its history.</source>
+        <translation>选择路点以查看其历史。</translation>
+    </message>
+    <message>
+        <source>The frame it was given in then is not in the project any more.</source>
+        <translation>当时给出它的坐标系已不在项目中。</translation>
+    </message>
+    <message>
+        <source>Take an earlier “%1” back</source>
+        <translation>取回较早的“%1”</translation>
+    </message>
+    <message>
+        <source>Import waypoints</source>
+        <translation>导入路点</translation>
+    </message>
+    <message>
+        <source>Waypoints (*.csv *.txt *.json *.tiller);;All files (*)</source>
+        <translation>路点 (*.csv *.txt *.json *.tiller);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Export waypoints</source>
+        <translation>导出路点</translation>
+    </message>
+    <message>
+        <source>Comma separated (*.csv);;JSON (*.json)</source>
+        <translation>逗号分隔 (*.csv);;JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Nothing was imported</source>
+        <translation>没有导入任何内容</translation>
+    </message>
+    <message>
+        <source>%1 is too large for a list of waypoints.</source>
+        <translation>作为路点列表，%1 太大。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>There are no waypoints in %1.</source>
+        <translation>%1 中没有路点。</translation>
+    </message>
+    <message>
+        <source>waypoint</source>
+        <translation>路点</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n waypoints</source>
+        <translation>
+            <numerusform>导入 %n 个路点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are no waypoints to export.</source>
+        <translation>没有可导出的路点。</translation>
+    </message>
+    <message>
+        <source>Nothing was exported</source>
+        <translation>没有导出任何内容</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints written to %1</source>
+        <translation>
+            <numerusform>%n 个路点已写入 %1</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointEditing</name>
@@ -6359,6 +7871,109 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>
             <numerusform>粘贴 %n 个路点</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointHistoryDialog</name>
+    <message>
+        <source>History of “%1”</source>
+        <translation>“%1”的历史</translation>
+    </message>
+    <message>
+        <source>Changes, the newest first</source>
+        <translation>更改，最新在前</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+    <message>
+        <source>%1  %2  (%3)</source>
+        <translation>%1  %2  (%3)</translation>
+    </message>
+    <message>
+        <source>Go back to before this</source>
+        <translation>回到此前</translation>
+    </message>
+    <message>
+        <source>Name: “%1”, now “%2”</source>
+        <translation>名称：“%1”，现为“%2”</translation>
+    </message>
+    <message>
+        <source>Place: it has moved by %1 (%2, base frame)</source>
+        <translation>位置：移动了 %1（%2，基座坐标系）</translation>
+    </message>
+    <message>
+        <source>Joints: %1 turned most, by %2</source>
+        <translation>关节：%1 转动最多，%2</translation>
+    </message>
+    <message>
+        <source>the joints rule</source>
+        <translation>以关节为准</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>基座</translation>
+    </message>
+    <message>
+        <source>a frame that is no more</source>
+        <translation>已不存在的坐标系</translation>
+    </message>
+    <message>
+        <source>Frame: %1, now %2</source>
+        <translation>坐标系：%1，现为 %2</translation>
+    </message>
+    <message>
+        <source>Move: MoveL, now MoveJ</source>
+        <translation>动作：MoveL，现为 MoveJ</translation>
+    </message>
+    <message>
+        <source>Move: MoveJ, now MoveL</source>
+        <translation>动作：MoveJ，现为 MoveL</translation>
+    </message>
+    <message>
+        <source>Speed of MoveJ: %1, now %2</source>
+        <translation>MoveJ 速度：%1，现为 %2</translation>
+    </message>
+    <message>
+        <source>Speed of MoveL: %1, now %2</source>
+        <translation>MoveL 速度：%1，现为 %2</translation>
+    </message>
+    <message>
+        <source>Blend: %1, now %2</source>
+        <translation>交融：%1，现为 %2</translation>
+    </message>
+    <message>
+        <source>TCP: taught with another one</source>
+        <translation>TCP：以另一个示教</translation>
+    </message>
+    <message>
+        <source>Group: “%1”, now “%2”</source>
+        <translation>组：“%1”，现为“%2”</translation>
+    </message>
+    <message>
+        <source>Colour: %1, now %2</source>
+        <translation>颜色：%1，现为 %2</translation>
+    </message>
+    <message>
+        <source>Note: “%1”, now “%2”</source>
+        <translation>备注：“%1”，现为“%2”</translation>
+    </message>
+    <message>
+        <source>Actions: others than now</source>
+        <translation>动作：与现在不同</translation>
+    </message>
+    <message>
+        <source>It was not changed since it was taught.</source>
+        <translation>示教以来没有更改。</translation>
+    </message>
+    <message>
+        <source>Before this it was as it is now.</source>
+        <translation>此前与现在相同。</translation>
+    </message>
+    <message>
+        <source>Before this it was:</source>
+        <translation>此前为：</translation>
     </message>
 </context>
 <context>
@@ -6503,6 +8118,207 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <source>Set the speed of “%1”</source>
         <translation>设定“%1”的速度</translation>
     </message>
+    <message>
+        <source>Group: %1</source>
+        <translation>组：%1</translation>
+    </message>
+    <message>
+        <source>Colour: %1</source>
+        <translation>颜色：%1</translation>
+    </message>
+    <message>
+        <source>Name %1, the coming one</source>
+        <translation>名称 %1，下一个</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointProperties</name>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>蓝</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>橙</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>绿</translation>
+    </message>
+    <message>
+        <source>Pink</source>
+        <translation>粉</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>黄</translation>
+    </message>
+    <message>
+        <source>Sky blue</source>
+        <translation>天蓝</translation>
+    </message>
+    <message>
+        <source>Only what is ticked is changed.</source>
+        <translation>只更改勾选的内容。</translation>
+    </message>
+    <message>
+        <source>Properties of “%1”</source>
+        <translation>“%1”的属性</translation>
+    </message>
+    <message numerus="yes">
+        <source>Properties of %n waypoints</source>
+        <translation>
+            <numerusform>%n 个路点的属性</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>组</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移动</translation>
+    </message>
+    <message>
+        <source>Speed of MoveJ</source>
+        <translation>MoveJ 速度</translation>
+    </message>
+    <message>
+        <source>Speed of MoveL</source>
+        <translation>MoveL 速度</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>交融</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>更改</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointSearch</name>
+    <message>
+        <source>Find waypoints</source>
+        <translation>搜索路点</translation>
+    </message>
+    <message>
+        <source>Find waypoints by name, group or note</source>
+        <translation>按名称、组或备注搜索路点</translation>
+    </message>
+    <message>
+        <source>Name, group or note</source>
+        <translation>名称、组或备注</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>全部显示</translation>
+    </message>
+    <message>
+        <source>Show all waypoints</source>
+        <translation>显示所有路点</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>找到 %n 个</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointShift</name>
+    <message numerus="yes">
+        <source>Move %n waypoints</source>
+        <translation>
+            <numerusform>移动 %n 个路点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Kind of move</source>
+        <translation>移动方式</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>偏移</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>镜像</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>轴</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>基座</translation>
+    </message>
+    <message>
+        <source>Tool, each its own</source>
+        <translation>工具，各自的</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>轴</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移动</translation>
+    </message>
+    <message>
+        <source>By X, Y, Z</source>
+        <translation>按 X、Y、Z</translation>
+    </message>
+    <message>
+        <source>Offset %1</source>
+        <translation>偏移 %1</translation>
+    </message>
+    <message>
+        <source>About or along</source>
+        <translation>绕或沿</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>The arm cannot get there: %1. Nothing would be moved.</source>
+        <translation>机械臂无法到达：%1。不会移动任何东西。</translation>
+    </message>
+    <message>
+        <source>A frame is missing. Choose another one.</source>
+        <translation>缺少坐标系。请选择另一个。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them would be out of reach; they are kept, and marked.</source>
+        <translation>
+            <numerusform>其中 %n 个将不可达；会保留并标记。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mirrored at the plane through the origin that the axis stands upon. The tool approaches from the mirrored side.</source>
+        <translation>以过原点并垂直于该轴的平面镜像。工具从镜像一侧接近。</translation>
+    </message>
+    <message>
+        <source>All stay in reach.</source>
+        <translation>全部仍可达。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointTable</name>
@@ -6630,6 +8446,46 @@ Jog the arm to a place and press Teach here (T).</source>
     <message>
         <source>Touch up “%1”</source>
         <translation>修正示教“%1”</translation>
+    </message>
+    <message>
+        <source>Path recorded</source>
+        <translation>路径已录制</translation>
+    </message>
+    <message>
+        <source>Import waypoints…</source>
+        <translation>导入路点…</translation>
+    </message>
+    <message>
+        <source>Export waypoints…</source>
+        <translation>导出路点…</translation>
+    </message>
+    <message>
+        <source>Find waypoints</source>
+        <translation>搜索路点</translation>
+    </message>
+    <message>
+        <source>Group, colour, note, speeds…</source>
+        <translation>组、颜色、备注、速度…</translation>
+    </message>
+    <message>
+        <source>Offset, turn or mirror…</source>
+        <translation>偏移、旋转或镜像…</translation>
+    </message>
+    <message>
+        <source>History…</source>
+        <translation>历史…</translation>
+    </message>
+    <message>
+        <source>Pattern…</source>
+        <translation>阵列…</translation>
+    </message>
+    <message>
+        <source>Make the pattern&apos;s places ordinary waypoints</source>
+        <translation>把阵列位置变为普通路点</translation>
+    </message>
+    <message>
+        <source>Delete the pattern and its waypoints</source>
+        <translation>删除阵列及其路点</translation>
     </message>
 </context>
 <context>
@@ -7105,10 +8961,6 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>视图</translation>
     </message>
     <message>
-        <source>Waypoints, Frames, I/O, Log</source>
-        <translation>路点、坐标系、I/O、日志</translation>
-    </message>
-    <message>
         <source>Plots</source>
         <translation>曲线图</translation>
     </message>
@@ -7323,6 +9175,14 @@ Jog the arm to a place and press Teach here (T).</source>
     <message>
         <source>A recording is running. End it first: nothing of it shall be missing.</source>
         <translation>正在录制。请先结束：以免缺失任何内容。</translation>
+    </message>
+    <message>
+        <source>Waypoints, Frames, Tools, I/O, Log</source>
+        <translation>路点、坐标系、工具、I/O、日志</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
     </message>
 </context>
 <context>
