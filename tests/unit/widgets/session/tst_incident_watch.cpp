@@ -62,10 +62,10 @@ void TestIncidentWatch::aProtectiveStopIsRecordedAndTold() {
     Q_EMIT session.message(Severity::Info, QStringLiteral("nearly there"), Origin::Operator);
     QVERIFY(hasSeen(watch, cell, 700));
     cell.robot.protectiveStop();
-    QVERIFY(hasSeen(watch, cell, watch.packets() + 4500));  // 9 s
+    QVERIFY(hasSeen(watch, cell, watch.packets() + 4000));  // 8 s
     QCOMPARE(told.count(), 0);                              // what comes after belongs to it
     QVERIFY(!QDir(folder.filePath("Incidents")).exists());
-    QVERIFY(hasSeen(watch, cell, watch.packets() + 600));
+    QVERIFY(hasSeen(watch, cell, watch.packets() + 1500));
     QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, kPatienceMs);
     QCOMPARE(told.front()[0].value<Severity>(), Severity::Warning);
     QVERIFY(told.front()[1].toString().contains("protective stop"));
