@@ -207,8 +207,7 @@ int main(int argc, char* argv[]) {
         texts.take(app::Settings().preferences().language);
         // What is open now, not what the program was started with.
         line->projectFile.clear();
-        window =
-            openWindow(*line, settings, [&](app::MainWindow& opened) { connectAgain(opened, *before); });
+        window = openWindow(*line, settings, [&](app::MainWindow& opened) { connectAgain(opened, *before); });
         window->lookForDevices();
     }
 }

@@ -254,8 +254,9 @@ QWidget* SettingsPage::buildLanguage() {
 void SettingsPage::showLanguageNote() {
     const bool shown = languageFor(preferences_.language) == shownLanguage();
     anew_->setEnabled(!shown);
-    languageNote_->setText(shown ? tr("Of the window and of the checks. Files and scripts are the same in all.")
-                                 : tr("Holds at the next start of Tiller, or once the window is opened anew."));
+    languageNote_->setText(shown
+                               ? tr("Of the window and of the checks. Files and scripts are the same in all.")
+                               : tr("Holds at the next start of Tiller, or once the window is opened anew."));
 }
 
 void SettingsPage::refuseAnew(const QString& reason) {

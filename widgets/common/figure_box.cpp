@@ -28,7 +28,9 @@ QString asShown(QString text) {
 
 /// With those that the base class reads.
 QString asRead(QString text) {
-    return text.replace(kMinus, kHyphen).replace(QLocale().decimalPoint(), QString(kPoint)).replace(kComma, kPoint);
+    return text.replace(kMinus, kHyphen)
+        .replace(QLocale().decimalPoint(), QString(kPoint))
+        .replace(kComma, kPoint);
 }
 
 }  // namespace
@@ -50,9 +52,8 @@ bool FigureBox::isRefused() const {
 
 void FigureBox::explainRefusal() {
     const auto with = [this](double figure) { return textFromValue(figure) + suffix(); };
-    const QString text =
-        tr("“%1” was not taken: %2 to %3. Nothing was changed.")
-            .arg(asShown(bare(lineEdit()->text())), with(minimum()), with(maximum()));
+    const QString text = tr("“%1” was not taken: %2 to %3. Nothing was changed.")
+                             .arg(asShown(bare(lineEdit()->text())), with(minimum()), with(maximum()));
     QToolTip::showText(mapToGlobal(QPoint(0, height())), text, this);
     setAccessibleDescription(text);
     QAccessibleEvent event(this, QAccessible::DescriptionChanged);
