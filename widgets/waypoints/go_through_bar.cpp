@@ -35,9 +35,9 @@ GoThroughBar::GoThroughBar(MotionPort port, const ProjectDocument& document,
                   "speed. Let go to pause; the next press goes on to the coming waypoint."),
                Way::Through),
         3);
-    layout->addWidget(addKey(tr("‹ Step"), QStringLiteral("waypoint.stepBack"), tr("One waypoint back, hold"),
+    layout->addWidget(addKey(QStringLiteral("‹"), QStringLiteral("waypoint.stepBack"), tr("One waypoint back, hold"),
                              tr("Goes back to the waypoint before while the key is held"), Way::StepBack));
-    layout->addWidget(addKey(tr("Step ›"), QStringLiteral("waypoint.stepOn"), tr("One waypoint on, hold"),
+    layout->addWidget(addKey(QStringLiteral("›"), QStringLiteral("waypoint.stepOn"), tr("One waypoint on, hold"),
                              tr("Goes to the coming waypoint while the key is held, and stops there"),
                              Way::StepOn));
     through().setWidestDetail(QStringLiteral("000 waypoints · 000 mm/s"));

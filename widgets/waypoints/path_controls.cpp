@@ -103,7 +103,7 @@ void PathControls::show() {
     const QString running = QStringLiteral("● REC %1:%2")
                                 .arg(seconds / 60, 2, 10, QLatin1Char('0'))
                                 .arg(seconds % 60, 2, 10, QLatin1Char('0'));
-    record_->setText(recording ? running : tr("○ Record path"));
+    record_->setText(recording ? running : tr("○ Path"));
     record_->setAccessibleName(recording ? tr("End the recording of the path") : tr("Record path"));
     const QString obstacle = recorder_.isBusy() ? tr("The path is being thinned.")
                              : live_ || recording
@@ -120,7 +120,7 @@ void PathControls::show() {
     // The widest of its texts: what stands beside it keeps its place.
     const QString now = record_->text();
     int widest = record_->sizeHint().width();
-    record_->setText(recording ? tr("○ Record path") : QStringLiteral("● REC 00:00"));
+    record_->setText(recording ? tr("○ Path") : QStringLiteral("● REC 00:00"));
     widest = std::max(widest, record_->sizeHint().width());
     record_->setText(now);
     record_->setMinimumWidth(widest);

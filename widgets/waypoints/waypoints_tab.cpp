@@ -17,6 +17,7 @@
 #include "widgets/common/notation.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/project/project_document.h"
+#include "widgets/waypoints/folding_row.h"
 #include "widgets/waypoints/go_through_bar.h"
 #include "widgets/waypoints/go_to_button.h"
 #include "widgets/waypoints/path_controls.h"
@@ -123,11 +124,13 @@ void WaypointsTab::buildLayout(MotionPort port) {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addLayout(keys);
-    auto* routes = new QHBoxLayout;
+    routes_ = new FoldingRow;
+    auto* routes = new QHBoxLayout(routes_);
+    routes->setContentsMargins(0, 0, 0, 0);
     routes->setSpacing(0);
     routes->addWidget(goThrough_, 1);
     routes->addWidget(paths_);
-    layout->addLayout(routes);
+    layout->addWidget(routes_);
     layout->addWidget(pages_, 1);
     layout->addWidget(details_);
     notice_ = new NoticeBar;
@@ -198,6 +201,11 @@ void WaypointsTab::onComing() {
     }
     Q_EMIT ghostChanged();
     Q_EMIT marksChanged();
+}
+
+void WaypointsTab::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    routes_->fitInto({width(), height() - minimumSizeHint().height()});
 }
 
 QSize WaypointsTab::minimumSizeHint() const {

@@ -23,6 +23,7 @@ class QStackedWidget;
 
 namespace tiller {
 
+class FoldingRow;
 class GoThroughBar;
 class GoToButton;
 class NoticeBar;
@@ -68,6 +69,9 @@ public:
 
     /// With room for the details, shown or not.
     QSize minimumSizeHint() const override;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
 
 public Q_SLOTS:
     /// Adds the live place after the selection.
@@ -125,6 +129,7 @@ private:
     GoToButton* goTo_ = nullptr;
     GoThroughBar* goThrough_ = nullptr;
     PathControls* paths_ = nullptr;
+    FoldingRow* routes_ = nullptr;  ///< of these two
     QPushButton* more_ = nullptr;
     NoticeBar* notice_ = nullptr;
     QStackedWidget* pages_ = nullptr;

@@ -180,6 +180,7 @@ private Q_SLOTS:
             x->setFocus();
             x->selectAll();
             QTest::keyClicks(x, "5000");
+            QTest::keyClick(x, Qt::Key_Tab);
             QVERIFY(dialog.findChild<QLabel*>("waypoint.shift.feedback")->text().contains("corner"));
             QVERIFY(!dialog.findChild<QPushButton*>("waypoint.shift.accept")->isEnabled());
             dialog.reject();
