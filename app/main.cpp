@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "app/command_line.h"
+#include "app/crash_report.h"
 #include "app/demonstration.h"
 #include "app/interface_size.h"
 #include "app/main_window.h"
@@ -172,6 +173,8 @@ int main(int argc, char* argv[]) {
         return runDemonstration(application, window, line->demoDirectory);
     }
     tellOfSize(window);
+    window.offerCrashReport(app::crashReportPath());
+    app::keepCrashReports(app::crashReportPath());
     window.lookForDevices();
     if (line->start == app::CommandLine::Start::Ask) {
         window.askForRobot();

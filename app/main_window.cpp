@@ -18,6 +18,7 @@
 #include "app/action_table.h"
 #include "app/command_palette.h"
 #include "app/connect_dialog.h"
+#include "app/crash_report.h"
 #include "app/dock_stage.h"
 #include "app/help_page.h"
 #include "app/interface_size.h"
@@ -27,6 +28,7 @@
 #include "app/panel_dock.h"
 #include "app/perspective_actions.h"
 #include "app/perspectives.h"
+#include "app/report_dialog.h"
 #include "app/robot_actions.h"
 #include "app/sample_projects.h"
 #include "app/scene_actions.h"
@@ -281,6 +283,8 @@ void MainWindow::connectParts() {
             [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
     connect(waypoints_, &WaypointsTab::ghostChanged, this, &MainWindow::updateScene);
     connect(waypoints_, &WaypointsTab::marksChanged, this, &MainWindow::updateScene);
+    connect(session_.get(), &RobotSession::message, this,
+            [](Severity, const QString& text) { rememberForCrash(text); });
     connectFrames();
     connectProject();
     connectTransfer();
@@ -786,6 +790,12 @@ void MainWindow::addViewActions() {
                                [this] { lessons_->showPractice(); });
                        page->show();
                    }});
+    actions_->add(
+        {"app.report",
+         tr("Report a problem…"),
+         tr("One file with versions, log and settings for whoever helps; shows first what is in it."),
+         {},
+         [this] { showReport(); }});
     actions_->add({"app.quit", tr("Quit"), tr("Stops the arm, ends the connection and closes the window."),
                    QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); }});
 }
@@ -885,6 +895,53 @@ void MainWindow::showSettings(bool atRecording) {
         page->showRecording();
     }
     page->open();
+}
+
+ReportSources MainWindow::reportSources() const {
+    ReportSources sources{.settings = settings_.bundle(),
+                          .state = session_->state(),
+                          .knownNames = {},
+                          .log = log_->allText(),
+                          .lastStop = stops_->last(),
+                          .crash = readCrashReport(crashReport_)};
+    for (const RobotAddress& robot : settings_.rememberedRobots()) {
+        sources.knownNames << robot.host << robot.name;
+    }
+    if (!sources.state.simulated) {
+        sources.knownNames << sources.state.robotName << sources.state.address;
+    }
+    sources.knownNames << sources.state.loadedProgram << settings_.ioNames().values();
+    const QStringList projects = settings_.recentProjects() + QStringList{files_->store().path()};
+    for (const QString& path : projects) {
+        sources.knownNames << path << QFileInfo(path).fileName();
+    }
+    return sources;
+}
+
+void MainWindow::showReport() {
+    stopMotion(control::StopCause::DialogOpened);
+    auto* dialog = new ReportDialog(reportSources(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &ReportDialog::saved, this, [this](const QString& path) {
+        if (!crashReport_.isEmpty()) {
+            QFile::remove(std::exchange(crashReport_, {}));
+        }
+        Q_EMIT session_->message(Severity::Info, tr("Report saved: %1").arg(path), Origin::Operator);
+    });
+    dialog->open();
+}
+
+void MainWindow::offerCrashReport(const QString& path) {
+    if (readCrashReport(path).isEmpty()) {
+        return;
+    }
+    // A copy: a second crash shall not write over the first one before it was read.
+    const QString kept = path + QStringLiteral(".last");
+    QFile::remove(kept);
+    crashReport_ = QFile::rename(path, kept) ? kept : path;
+    waypoints_->showNotice(tr("Tiller ended unexpectedly the last time"),
+                           tr("What it was doing then was kept. Save it as a report for whoever helps you."),
+                           tr("Report a problem…"), [this] { showReport(); });
 }
 
 void MainWindow::connectTransfer() {

@@ -48,6 +48,7 @@ class DockStage;
 class Lessons;
 class PanelDock;
 class Perspectives;
+struct ReportSources;
 class SettingsTransfer;
 
 class MainWindow : public QMainWindow {
@@ -88,6 +89,10 @@ public:
     /// "light" or "dark"; remembered when the operator chose it.
     void setTheme(const QString& theme);
     void openProject(const QString& path);
+    /// Everything that is known, as one file to give to somebody who helps.
+    void showReport();
+    /// Offers what a crash has left in this file, if it is there; goes with the next report.
+    void offerCrashReport(const QString& path);
 
     /// What the settings page chose; holds at once.
     void applyPreferences(const Preferences& preferences);
@@ -134,6 +139,7 @@ private:
     void listProjects();
     void updateScene();
     void stopMotion(control::StopCause cause);
+    ReportSources reportSources() const;
 
     Settings settings_;
     Preferences preferences_;  ///< as they hold now
@@ -170,6 +176,7 @@ private:
     DockStage* stage_ = nullptr;
     PanelDock* tabsDock_ = nullptr;
     Perspectives* perspectives_ = nullptr;
+    QString crashReport_;          ///< the file of one that was not reported yet; empty: none
     bool layoutRestored_ = false;  ///< as it was left last
     QTabBar* tabs_ = nullptr;
     QStackedWidget* pages_ = nullptr;

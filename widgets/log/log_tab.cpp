@@ -172,6 +172,14 @@ QString LogTab::shownText() const {
     return textOf(rows);
 }
 
+QString LogTab::allText() const {
+    QString result;
+    for (int row = 0; row < model_->rowCount(); ++row) {
+        result += model_->rowText(row) + QLatin1Char('\n');
+    }
+    return result;
+}
+
 void LogTab::copy() {
     QList<int> rows;
     for (const QModelIndex& index : table_->selectionModel()->selectedRows()) {

@@ -35,6 +35,8 @@ public:
     void setTimeSource(std::function<QDateTime()> now) { now_ = std::move(now); }
     /// The rows that are shown, one a line, fields separated by tabs.
     QString shownText() const;
+    /// All rows, shown or not, one a line.
+    QString allText() const;
     /// Writes all shown rows.
     /// Errors  FileNotWritable, DiskFull
     Result<void> exportTo(const QString& path) const;
