@@ -14,7 +14,7 @@ namespace tiller {
 
 namespace {
 
-constexpr QChar kMinus(0x2212);
+constexpr QChar kMinusSign(0x2212);
 constexpr QLatin1Char kHyphen('-');
 
 }  // namespace
@@ -38,7 +38,7 @@ void FigureBox::explainRefusal() {
     const auto with = [this](double figure) { return textFromValue(figure) + suffix(); };
     const QString text =
         tr("“%1” was not taken: %2 to %3. Nothing was changed.")
-            .arg(bare(lineEdit()->text()).replace(kHyphen, kMinus), with(minimum()), with(maximum()));
+            .arg(bare(lineEdit()->text()).replace(kHyphen, kMinusSign), with(minimum()), with(maximum()));
     QToolTip::showText(mapToGlobal(QPoint(0, height())), text, this);
     setAccessibleDescription(text);
     QAccessibleEvent event(this, QAccessible::DescriptionChanged);
@@ -48,25 +48,25 @@ void FigureBox::explainRefusal() {
 // What is out of the range is let stand while it is typed: to swallow a digit would make another figure of it.
 // More decimals than are shown are rounded.
 QValidator::State FigureBox::validate(QString& text, int& position) const {
-    text.replace(QLatin1Char(','), QLatin1Char('.')).replace(kHyphen, kMinus);
+    text.replace(QLatin1Char(','), QLatin1Char('.')).replace(kHyphen, kMinusSign);
     bool isNumber = false;
     const double figure = locale().toDouble(bare(text), &isNumber);
     if (!isNumber) {
         QString read = text;  // the base class knows the hyphen only
-        read.replace(kMinus, kHyphen);
+        read.replace(kMinusSign, kHyphen);
         return QDoubleSpinBox::validate(read, position);
     }
     return figure >= minimum() && figure <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
 }
 
 QString FigureBox::textFromValue(double value) const {
-    return QDoubleSpinBox::textFromValue(value).replace(kHyphen, kMinus);
+    return QDoubleSpinBox::textFromValue(value).replace(kHyphen, kMinusSign);
 }
 
 double FigureBox::valueFromText(const QString& text) const {
     bool isNumber = false;
     const double figure = locale().toDouble(bare(text), &isNumber);
-    return isNumber ? figure : QDoubleSpinBox::valueFromText(QString(text).replace(kMinus, kHyphen));
+    return isNumber ? figure : QDoubleSpinBox::valueFromText(QString(text).replace(kMinusSign, kHyphen));
 }
 
 void FigureBox::keyPressEvent(QKeyEvent* event) {
@@ -109,7 +109,7 @@ QString FigureBox::bare(QString text) const {
     if (!suffix().isEmpty() && text.endsWith(suffix())) {
         text.chop(suffix().size());
     }
-    return text.trimmed().replace(kMinus, kHyphen);
+    return text.trimmed().replace(kMinusSign, kHyphen);
 }
 
 /// Copy and cut: no spreadsheet and no script knows the minus of the screen.
@@ -118,7 +118,7 @@ bool FigureBox::copies(const QKeyEvent& event) {
     if ((!cut && !event.matches(QKeySequence::Copy)) || !lineEdit()->hasSelectedText()) {
         return false;
     }
-    QApplication::clipboard()->setText(lineEdit()->selectedText().replace(kMinus, kHyphen));
+    QApplication::clipboard()->setText(lineEdit()->selectedText().replace(kMinusSign, kHyphen));
     if (cut) {
         lineEdit()->del();
     }
