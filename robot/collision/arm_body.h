@@ -26,7 +26,7 @@ struct ArmProportions {
     double flangeRadius = 0;
 };
 
-/// Source: offsets as in the vendor's public description files where those name them (UR3 to UR30 without the UR8
+/// Source: estimates, not compared yet with the public description files of the vendor; meant to be theirs (UR3 to UR30 without the UR8
 /// Long, UR15 and UR18), else by the centres of mass in robot_model.cpp; radii assumed to grow with the cubic
 /// root of the joint's torque, fitted to the arms whose sizes are public.
 ArmProportions armProportions(const RobotModel& model);

@@ -62,7 +62,7 @@ struct Preset {
     double mass;    ///< [kg]
     double height;  ///< of the centre above the flange [m]
 };
-/// Source: data sheets of the makers, with coupling, without a part.
+/// Source: estimates, not compared with the data sheets of the makers yet; with coupling, without a part.
 constexpr Preset kPresets[] = {
     {QT_TRANSLATE_NOOP("tiller::PayloadPage", "Nothing mounted"), 0, 0},
     {QT_TRANSLATE_NOOP("tiller::PayloadPage", "Robotiq 2F-85, empty"), 0.925, 0.058},
