@@ -26,9 +26,9 @@ struct ArmProportions {
     double flangeRadius = 0;
 };
 
-/// Source: estimates, not compared yet with the public description files of the vendor; meant to be theirs (UR3 to UR30 without the UR8
-/// Long, UR15 and UR18), else by the centres of mass in robot_model.cpp; radii assumed to grow with the cubic
-/// root of the joint's torque, fitted to the arms whose sizes are public.
+/// Source: estimates, not compared with the vendor's public description files yet. Offsets are meant to be theirs (UR3 to
+/// UR30 without the UR8 Long, UR15 and UR18), else by the centres of mass in robot_model.cpp; radii are assumed to
+/// grow with the cubic root of the joint's torque.
 ArmProportions armProportions(const RobotModel& model);
 
 /// From the ground to the flange's axis, with the arm straight up [m].
